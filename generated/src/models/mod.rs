@@ -1,0 +1,5 @@
+//! The models compiled ahead of time.
+
+mod whipple;
+
+pub use whipple::Whipple;

@@ -1,0 +1,2 @@
+use carvallo::Model;
+fn main(){ println!("{}", carvallo_models::Whipple::BENCHMARK.coefficients().m); }

@@ -1,0 +1,136 @@
+//! What a model tells about itself: names, units, documentation, domains.
+
+use core::fmt;
+
+/// A model's own description, for tables, files and messages.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelInfo {
+    /// The name of the model's type.
+    pub name: &'static str,
+    /// The documentation of the declaration.
+    pub docs: &'static str,
+    /// Where the model comes from, or empty.
+    pub source: &'static str,
+    /// The parameters, in declared order.
+    pub parameters: &'static [ParameterInfo],
+    /// The coordinates q, in the order of the rows of the matrices.
+    pub coordinates: &'static [CoordinateInfo],
+    /// The named parameter sets that the declaration carries.
+    pub sets: &'static [SetInfo],
+    /// The position of the parameter that is the gravitational field strength g, if there is one.
+    pub gravity: Option<usize>,
+}
+
+impl ModelInfo {
+    /// The position of the parameter called `name`.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        self.parameters.iter().position(|p| p.name == name)
+    }
+}
+
+/// One parameter of a model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParameterInfo {
+    /// The name of the field.
+    pub name: &'static str,
+    /// The symbol in formulas, such as λ for `lam`; the name where none is declared.
+    pub symbol: &'static str,
+    /// The documentation of the declaration.
+    pub docs: &'static str,
+    /// The unit as written in the declaration, such as `kg*m^2`; `1` for pure numbers.
+    pub unit: &'static str,
+    /// The values that are allowed.
+    pub domain: Domain,
+    /// Whether any matrix depends on it.
+    pub used: bool,
+}
+
+/// One coordinate of a model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CoordinateInfo {
+    /// The symbol in formulas, such as `phi`.
+    pub name: &'static str,
+    /// What it is, such as `lean`; the symbol where nothing is declared.
+    pub label: &'static str,
+    /// The documentation of the declaration.
+    pub docs: &'static str,
+    /// The unit as written in the declaration, such as `rad`.
+    pub unit: &'static str,
+}
+
+/// One named parameter set of a model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SetInfo {
+    /// The name as declared, such as `benchmark`.
+    pub name: &'static str,
+    /// The documentation of the declaration.
+    pub docs: &'static str,
+    /// Where the values come from, or empty.
+    pub source: &'static str,
+    /// The values, in the declared order of the parameters: each the `f64` nearest to the exact value.
+    pub values: &'static [f64],
+}
+
+/// One end of a [`Domain`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// No bound: any finite value.
+    Unbounded,
+    /// The bound itself is not allowed.
+    Open(f64),
+    /// The bound itself is allowed.
+    Closed(f64),
+}
+
+/// The values that a parameter may take: finite, and between two bounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
+    /// The lower end.
+    pub lower: Bound,
+    /// The upper end.
+    pub upper: Bound,
+}
+
+impl Domain {
+    /// Any finite value.
+    pub const FINITE: Self = Self {
+        lower: Bound::Unbounded,
+        upper: Bound::Unbounded,
+    };
+
+    /// Whether `value` is finite and inside.
+    pub fn contains(&self, value: f64) -> bool {
+        let above = match self.lower {
+            Bound::Unbounded => true,
+            Bound::Open(bound) => value > bound,
+            Bound::Closed(bound) => value >= bound,
+        };
+        let below = match self.upper {
+            Bound::Unbounded => true,
+            Bound::Open(bound) => value < bound,
+            Bound::Closed(bound) => value <= bound,
+        };
+        value.is_finite() && above && below
+    }
+}
+
+/// Reads as the end of a sentence "it must be …": `finite`, `> 0`, `> -1.5 and < 1.5`.
+impl fmt::Display for Domain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lower = match self.lower {
+            Bound::Unbounded => None,
+            Bound::Open(bound) => Some((">", bound)),
+            Bound::Closed(bound) => Some((">=", bound)),
+        };
+        let upper = match self.upper {
+            Bound::Unbounded => None,
+            Bound::Open(bound) => Some(("<", bound)),
+            Bound::Closed(bound) => Some(("<=", bound)),
+        };
+        match (lower, upper) {
+            (None, None) => f.write_str("finite"),
+            (Some((sign, bound)), None) | (None, Some((sign, bound))) => write!(f, "{sign} {bound}"),
+            (Some((low, a)), Some((high, b))) => write!(f, "{low} {a} and {high} {b}"),
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! The runtime of Carvallo: what models compiled by `model!` need, and what is done with them.
+//!
+//! A model gives the coefficient matrices of the linearized equations of motion about straight running,
+//!
+//! ```text
+//! M q'' + (C0 + v C1) q' + (Kc + g K0 + v^2 K2) q = f
+//! ```
+//!
+//! with the forward speed v in m/s and the gravitational field strength g in N/kg taken out (Meijaard, Papadopoulos,
+//! Ruina & Schwab 2007, eq. 5.3). This crate holds the trait that every model implements ([`Model`]), the matrices
+//! ([`Coefficients`]), and the names, units and domains that a model carries with it ([`ModelInfo`]).
+
+#![cfg_attr(not(feature = "std"), no_std)]
+
+mod coefficients;
+mod info;
+mod model;
+mod scalar;
+
+pub use coefficients::Coefficients;
+pub use info::{Bound, CoordinateInfo, Domain, ModelInfo, ParameterInfo, SetInfo};
+pub use model::{LengthError, Model, ParameterError};
+pub use scalar::Scalar;
+
+#[cfg(feature = "derive")]
+pub use carvallo_derive::model;
