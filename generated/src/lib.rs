@@ -2,6 +2,8 @@
 
 #![no_std]
 
+mod bicycles;
 mod models;
 
+pub use bicycles::{BICYCLES, Bicycle};
 pub use models::Whipple;
