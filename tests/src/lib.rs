@@ -1,1 +1,13 @@
-//! x
+//! What the tests and benchmarks of Carvallo hold its results against.
+//!
+//! Three ways to the matrices that share no code with the compiler: [`hand_written`] floating point after Appendix A of
+//! Meijaard, Papadopoulos, Ruina & Schwab (2007), [`exact`] arithmetic at 320 bits, and the digits that were
+//! [`published`]. Designs to compare them on come from [`bicycles`] and, at random, from [`designs`].
+
+pub mod bicycles;
+pub mod designs;
+pub mod exact;
+pub mod facts;
+pub mod hand_written;
+pub mod published;
+pub mod real;

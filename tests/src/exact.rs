@@ -1,0 +1,173 @@
+//! The matrices of the Whipple bicycle in exact arithmetic, by moments of the assembled bodies.
+//!
+//! Appendix A writes the moments of the whole bicycle and of its front assembly out one by one; here both are sums over
+//! bodies, shifted by the parallel-axis theorem. In exact arithmetic the two agree; in formula and rounding they do not.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use carvallo::Model;
+use carvallo_models::Whipple;
+
+use crate::real::Real;
+
+/// The matrices M, C1, K0 and K2 by rows.
+pub type Matrices<R> = [[[R; 2]; 2]; 4];
+
+/// What the formulas need of a number.
+pub trait Number:
+    Copy
+    + From<f64>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Sine and cosine.
+    fn sin_cos(self) -> (Self, Self);
+}
+
+impl Number for Real {
+    fn sin_cos(self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
+}
+
+/// The size of the terms that a value is summed from: the value of its formula with every term made positive.
+///
+/// It does not change when sums are reordered or products expanded, so that a bound on rounding errors in units of it
+/// holds for any arrangement of the formula. Divisors need a sign that is known: here they are lengths and masses.
+#[derive(Clone, Copy, Debug)]
+pub struct Size(pub f64);
+
+impl From<f64> for Size {
+    fn from(value: f64) -> Self {
+        Self(value.abs())
+    }
+}
+
+impl Add for Size {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Sub for Size {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl Mul for Size {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl Div for Size {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+}
+
+impl Neg for Size {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self
+    }
+}
+
+impl Number for Size {
+    /// Of the magnitude of the angle; that is enough up to a quarter turn.
+    fn sin_cos(self) -> (Self, Self) {
+        (Self(self.0.sin()), Self(self.0.cos()))
+    }
+}
+
+/// Mass, centre of mass, and moments of inertia about it, of a body that is symmetric left to right.
+#[derive(Clone, Copy)]
+struct Body<R> {
+    mass: R,
+    x: R,
+    z: R,
+    xx: R,
+    xz: R,
+    zz: R,
+}
+
+/// Mass and centre of mass of bodies fixed to each other.
+fn centre<R: Number>(bodies: &[Body<R>]) -> (R, R, R) {
+    let zero = R::from(0.0);
+    let (mass, x, z) = bodies.iter().fold((zero, zero, zero), |(mass, x, z), body| {
+        (mass + body.mass, x + body.mass * body.x, z + body.mass * body.z)
+    });
+    (mass, x / mass, z / mass)
+}
+
+/// Moments of inertia xx, xz and zz of bodies about a point.
+fn moments<R: Number>(bodies: &[Body<R>], x: R, z: R) -> (R, R, R) {
+    let zero = R::from(0.0);
+    bodies.iter().fold((zero, zero, zero), |(xx, xz, zz), body| {
+        let (x, z) = (body.x - x, body.z - z);
+        (xx + body.xx + body.mass * z * z, xz + body.xz - body.mass * x * z, zz + body.zz + body.mass * x * x)
+    })
+}
+
+/// The matrices of a design, whose floating-point parameters are taken as exact.
+pub fn matrices<R: Number>(design: &Whipple<impl carvallo::Scalar>) -> Matrices<R> {
+    let design = widen(design);
+    let [w, c, r_rear, r_front] = [design.w, design.c, design.rR, design.rF].map(R::from);
+    let (sin, cos) = R::from(design.lam).sin_cos();
+    let body = |[mass, x, z, xx, xz, zz]: [f64; 6]| {
+        let [mass, x, z, xx, xz, zz] = [mass, x, z, xx, xz, zz].map(R::from);
+        Body { mass, x, z, xx, xz, zz }
+    };
+    let rear_wheel = body([design.mR, 0.0, -design.rR, design.IRxx, 0.0, design.IRxx]);
+    let rear_frame = body([design.mB, design.xB, design.zB, design.IBxx, design.IBxz, design.IBzz]);
+    let front_frame = body([design.mH, design.xH, design.zH, design.IHxx, design.IHxz, design.IHzz]);
+    let front_wheel = body([design.mF, design.w, -design.rF, design.IFxx, 0.0, design.IFxx]);
+
+    let all = [rear_wheel, rear_frame, front_frame, front_wheel];
+    let (mass, x, z) = centre(&all);
+    let (xx, xz, zz) = moments(&all, R::from(0.0), R::from(0.0));
+    let front = [front_frame, front_wheel];
+    let (front_mass, front_x, front_z) = centre(&front);
+    let (front_xx, front_xz, front_zz) = moments(&front, front_x, front_z);
+
+    // Distance u of the front assembly's centre from the steer axis l, and the assembly's moments about that axis.
+    let u = (front_x - w - c) * cos - front_z * sin;
+    let l_x = front_xx * sin + front_xz * cos;
+    let l_z = front_xz * sin + front_zz * cos;
+    let l_l = front_mass * u * u + l_x * sin + l_z * cos;
+    let (l_x, l_z) = (l_x - front_mass * u * front_z, l_z + front_mass * u * front_x);
+
+    let mu = c * cos / w;
+    let (gyro_rear, gyro_front) = (R::from(design.IRyy) / r_rear, R::from(design.IFyy) / r_front);
+    let gyro = gyro_rear + gyro_front;
+    let gyro_steer = mu * gyro + gyro_front * cos;
+    let static_steer = front_mass * u + mu * mass * x;
+    let static_lean = mass * z;
+    let zero = R::from(0.0);
+    let m_cross = l_x + mu * xz;
+    [
+        [[xx, m_cross], [m_cross, l_l + mu * (l_z + l_z + mu * zz)]],
+        [
+            [zero, gyro_steer + xz * cos / w - mu * static_lean],
+            [-gyro_steer, l_z * cos / w + mu * (static_steer + zz * cos / w)],
+        ],
+        [[static_lean, -static_steer], [-static_steer, -(static_steer * sin)]],
+        [[zero, (gyro - static_lean) * cos / w], [zero, (static_steer + gyro_front * sin) * cos / w]],
+    ]
+}
+
+/// The same parameters as `f64`, exactly.
+fn widen<T: carvallo::Scalar>(design: &Whipple<T>) -> Whipple<f64> {
+    let mut values = vec![T::from_f64(0.0); Whipple::<T>::INFO.parameters.len()];
+    design.write_to(&mut values).expect("room for every parameter");
+    let values: Vec<f64> = values.into_iter().map(T::to_f64).collect();
+    Whipple::from_slice(&values).expect("as many parameters")
+}

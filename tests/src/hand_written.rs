@@ -1,0 +1,53 @@
+//! Appendix A of Meijaard, Papadopoulos, Ruina & Schwab (2007) by hand, one statement for each formula of the paper.
+//!
+//! This is what one would write without a compiler: the reference for speed and for rounding errors. As written it
+//! takes 175 operations, sine and cosine among them.
+
+#![allow(non_snake_case)] // The names are the paper's.
+
+use carvallo::{Coefficients, Scalar};
+use carvallo_models::Whipple;
+
+/// The coefficient matrices of a design.
+pub fn coefficients<T: Scalar>(design: &Whipple<T>) -> Coefficients<T, 2> {
+    let &Whipple { w, c, lam, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IBzz, IBxz, .. } = design;
+    let &Whipple { xH, zH, mH, IHxx, IHzz, IHxz, rF, mF, IFxx, IFyy, .. } = design;
+    let (IRzz, IFzz) = (IRxx, IFxx);
+    let zero = T::from_f64(0.0);
+    let two = T::from_f64(2.0);
+    let (sin, cos) = lam.sin_cos();
+
+    let mT = mR + mB + mH + mF;
+    let xT = (xB * mB + xH * mH + w * mF) / mT;
+    let zT = (-rR * mR + zB * mB + zH * mH - rF * mF) / mT;
+    let ITxx = IRxx + IBxx + IHxx + IFxx + mR * rR * rR + mB * zB * zB + mH * zH * zH + mF * rF * rF;
+    let ITxz = IBxz + IHxz - mB * xB * zB - mH * xH * zH + mF * w * rF;
+    let ITzz = IRzz + IBzz + IHzz + IFzz + mB * xB * xB + mH * xH * xH + mF * w * w;
+
+    let mA = mH + mF;
+    let xA = (xH * mH + w * mF) / mA;
+    let zA = (zH * mH - rF * mF) / mA;
+    let IAxx = IHxx + IFxx + mH * (zH - zA) * (zH - zA) + mF * (rF + zA) * (rF + zA);
+    let IAxz = IHxz - mH * (xH - xA) * (zH - zA) + mF * (w - xA) * (rF + zA);
+    let IAzz = IHzz + IFzz + mH * (xH - xA) * (xH - xA) + mF * (w - xA) * (w - xA);
+    let uA = (xA - w - c) * cos - zA * sin;
+    let IAll = mA * uA * uA + IAxx * sin * sin + two * IAxz * sin * cos + IAzz * cos * cos;
+    let IAlx = -mA * uA * zA + IAxx * sin + IAxz * cos;
+    let IAlz = mA * uA * xA + IAxz * sin + IAzz * cos;
+
+    let mu = c / w * cos;
+    let SR = IRyy / rR;
+    let SF = IFyy / rF;
+    let ST = SR + SF;
+    let SA = mA * uA + mu * mT * xT;
+
+    let M = [[ITxx, IAlx + mu * ITxz], [IAlx + mu * ITxz, IAll + two * mu * IAlz + mu * mu * ITzz]];
+    let K0 = [[mT * zT, -SA], [-SA, -SA * sin]];
+    let K2 = [[zero, (ST - mT * zT) / w * cos], [zero, (SA + SF * sin) / w * cos]];
+    let C1 = [
+        [zero, mu * ST + SF * cos + ITxz / w * cos - mu * mT * zT],
+        [-(mu * ST + SF * cos), IAlz / w * cos + mu * (SA + ITzz / w * cos)],
+    ];
+    let none = [[zero; 2]; 2];
+    Coefficients::from_rows([M, none, C1, none, K0, K2])
+}

@@ -1,0 +1,79 @@
+//! Generated matrices on random designs, against exact arithmetic.
+//!
+//! The bound. Each entry of the matrices is a sum of products of parameters, and its computed value is the exact value
+//! of a sum in which every term carries the relative errors of the roundings on its way to the result: at most half an
+//! epsilon each, and two or three epsilon for a sine or cosine and its square. So the error is at most
+//! `count * epsilon / 2` times the sum of the magnitudes of the terms, where `count` is the largest number of roundings
+//! that one term passes. Appendix A has 28 on its longest way (the lower right entry of C1), so 16 epsilon bound it to
+//! first order; a compiled arrangement is allowed the same. The sum of magnitudes does not depend on the arrangement.
+
+use carvallo::{Coefficients, Model, Scalar};
+use carvallo_models::Whipple;
+use carvallo_tests::exact::{Matrices, Size, matrices};
+use carvallo_tests::real::Real;
+use carvallo_tests::{designs, hand_written};
+use nalgebra::SMatrix;
+use proptest::prelude::*;
+
+const BOUND: f64 = 16.0;
+
+/// Fails if an entry differs from exact arithmetic by more than `BOUND` epsilons of the size of its terms.
+fn check<T: Scalar>(design: &Whipple<T>, computed: &Coefficients<T, 2>, epsilon: f64) -> Result<(), TestCaseError> {
+    let exact: Matrices<Real> = matrices(design);
+    let sizes: Matrices<Size> = matrices(design);
+    let computed = [computed.m, computed.c1, computed.k0, computed.k2];
+    for (matrix, name) in ["M", "C1", "K0", "K2"].into_iter().enumerate() {
+        for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let value = computed[matrix][(row, column)].to_f64();
+            let error = (Real::from(value) - exact[matrix][row][column]).abs().to_f64();
+            let allowed = BOUND * epsilon * sizes[matrix][row][column].0;
+            prop_assert!(
+                error <= allowed,
+                "{name}[{row}, {column}] = {value} is off by {error:e}; allowed: {allowed:e}"
+            );
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn generated_agrees_with_exact_arithmetic(design in designs::any()) {
+        check(&design, &design.coefficients(), f64::EPSILON)?;
+    }
+
+    #[test]
+    fn hand_written_agrees_with_exact_arithmetic(design in designs::any()) {
+        check(&design, &hand_written::coefficients(&design), f64::EPSILON)?;
+    }
+
+    #[test]
+    fn generated_agrees_with_exact_arithmetic_in_single_precision(design in designs::any()) {
+        let design = designs::narrowed(&design);
+        check(&design, &design.coefficients(), f32::EPSILON.into())?;
+    }
+
+    #[test]
+    fn matrices_have_their_structure(design in designs::any()) {
+        let Coefficients { m, c0, c1, kc, k0, k2 } = design.coefficients();
+        prop_assert_eq!(m, m.transpose());
+        prop_assert_eq!(k0, k0.transpose());
+        prop_assert_eq!([c0, kc], [SMatrix::<f64, 2, 2>::zeros(); 2]);
+        prop_assert_eq!([c1.m11, k2.m11, k2.m21], [0.0; 3]);
+    }
+
+    #[test]
+    fn the_weight_scales_with_gravity_outside_of_the_matrices(design in designs::any(), g in 0.0..30.0) {
+        prop_assert_eq!(design.coefficients(), Whipple { g, ..design }.coefficients());
+        prop_assert_eq!(design.gravity(), Some(design.g));
+    }
+}
+
+#[test]
+fn every_bicycle_agrees_with_exact_arithmetic() {
+    for (name, bicycle) in carvallo_tests::bicycles::all() {
+        check(&bicycle, &bicycle.coefficients(), f64::EPSILON).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
