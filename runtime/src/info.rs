@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::ParameterError;
+
 /// A model's own description, for tables, files and messages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelInfo {
@@ -25,6 +27,35 @@ impl ModelInfo {
     /// The position of the parameter called `name`.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.parameters.iter().position(|p| p.name == name)
+    }
+
+    /// Whether each of `values`, in declared order, lies in the domain of its parameter.
+    ///
+    /// # Errors
+    /// The first parameter that does not.
+    pub fn validate(&self, values: &[f64]) -> Result<(), ParameterError> {
+        for (parameter, value) in self.parameters.iter().zip(values) {
+            let ParameterInfo { name, unit, domain, .. } = *parameter;
+            self.require(name, *value, unit, domain)?;
+        }
+        Ok(())
+    }
+
+    /// Whether a value lies in a domain; `subject` is the parameter or expression that has the value.
+    ///
+    /// # Errors
+    /// If it does not.
+    pub fn require(
+        &self,
+        subject: &'static str,
+        value: f64,
+        unit: &'static str,
+        required: Domain,
+    ) -> Result<(), ParameterError> {
+        if required.contains(value) {
+            return Ok(());
+        }
+        Err(ParameterError { model: self.name, subject, value, unit, required })
     }
 }
 

@@ -1,0 +1,105 @@
+//! Definitions in an order in which each uses only earlier ones.
+
+use super::names::Scope;
+use super::resolve;
+use crate::model::Expr;
+use crate::report::Report;
+use crate::syntax::Declaration;
+
+/// The definitions, resolved, and their order.
+#[derive(Debug)]
+pub struct Resolved {
+    /// By position in the declaration.
+    pub definitions: Vec<Expr>,
+    /// Positions in the declaration, each after those that it uses.
+    order: Vec<usize>,
+}
+
+impl Resolved {
+    /// The definitions in their order, with references to them renumbered to match.
+    pub fn in_order(&self) -> Vec<Expr> {
+        let new = self.new_positions();
+        self.order.iter().map(|old| renumbered(&self.definitions[*old], &new)).collect()
+    }
+
+    /// For each position in the declaration the one in the order.
+    pub fn new_positions(&self) -> Vec<usize> {
+        let mut new = vec![0; self.definitions.len()];
+        for (position, old) in self.order.iter().enumerate() {
+            new[*old] = position;
+        }
+        new
+    }
+}
+
+/// A formula with definitions renumbered.
+pub fn renumbered(expr: &Expr, new: &[usize]) -> Expr {
+    let all = |parts: &[(bool, Expr)]| parts.iter().map(|(sign, part)| (*sign, renumbered(part, new))).collect();
+    match expr {
+        Expr::Definition(old) => Expr::Definition(new[*old]),
+        Expr::Sum(terms) => Expr::Sum(all(terms)),
+        Expr::Product(factors) => Expr::Product(all(factors)),
+        Expr::Power(base, exponent) => Expr::Power(Box::new(renumbered(base, new)), *exponent),
+        Expr::Call(function, argument) => Expr::Call(*function, Box::new(renumbered(argument, new))),
+        Expr::Number(_) | Expr::Pi | Expr::Parameter(_) => expr.clone(),
+    }
+}
+
+/// The definitions that a formula uses itself.
+pub fn uses(expr: &Expr) -> Vec<usize> {
+    let mut found = Vec::new();
+    expr.walk(&mut |part| {
+        if let Expr::Definition(index) = part {
+            found.push(*index);
+        }
+    });
+    found
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    New,
+    Open,
+    Done,
+}
+
+pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> Resolved {
+    let definitions: Vec<Expr> =
+        declaration.definitions.iter().map(|definition| resolve::expression(&definition.value, scope, report)).collect();
+    let uses: Vec<Vec<usize>> = definitions.iter().map(uses).collect();
+    let mut state = vec![State::New; definitions.len()];
+    let mut order = Vec::new();
+    for start in 0..definitions.len() {
+        // Depth first with a stack of our own: a chain of thousands of definitions must not exhaust the thread's.
+        let mut stack = vec![(start, 0)];
+        while let Some((node, next)) = stack.pop() {
+            if next == 0 {
+                if state[node] != State::New {
+                    continue;
+                }
+                state[node] = State::Open;
+            }
+            let Some(&used) = uses[node].get(next) else {
+                state[node] = State::Done;
+                order.push(node);
+                continue;
+            };
+            stack.push((node, next + 1));
+            match state[used] {
+                State::New => stack.push((used, 0)),
+                State::Done => {}
+                State::Open => {
+                    let path = stack.iter().map(|(node, _)| *node).skip_while(|node| *node != used);
+                    let names: Vec<String> = path
+                        .chain([used])
+                        .map(|node| format!("`{}`", declaration.definitions[node].name))
+                        .collect();
+                    let message =
+                        format!("a definition in a cycle: {}; expected definitions that end", names.join(" uses "));
+                    report.error(&declaration.definitions[used].name, message);
+                }
+            }
+        }
+    }
+    Resolved { definitions, order }
+}

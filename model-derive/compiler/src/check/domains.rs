@@ -1,0 +1,71 @@
+//! The values that parameters may take.
+
+use super::constants::Constant;
+use crate::model;
+use crate::report::{Region, Report};
+use crate::syntax::{Bound, Relation};
+
+/// A domain with its bounds beyond double precision, so that `lam < pi/2` is decided exactly.
+#[derive(Clone, Debug, Default)]
+pub struct Domain {
+    lower: Option<(Constant, f64, bool)>,
+    upper: Option<(Constant, f64, bool)>,
+}
+
+/// The domain that the bounds of a parameter make.
+pub fn domain(bounds: &[Bound], report: &mut Report) -> Domain {
+    let mut domain = Domain::default();
+    for bound in bounds {
+        let constant = match Constant::evaluate(&bound.value) {
+            Ok(constant) => constant,
+            Err(error) => {
+                report.push(error);
+                continue;
+            }
+        };
+        let value = match constant.to_f64() {
+            Ok(value) => value,
+            Err(message) => {
+                report.error(bound.value.region, message);
+                continue;
+            }
+        };
+        let (side, end, included) = match bound.relation {
+            Relation::Greater => (&mut domain.lower, "lower", false),
+            Relation::GreaterEqual => (&mut domain.lower, "lower", true),
+            Relation::Less => (&mut domain.upper, "upper", false),
+            Relation::LessEqual => (&mut domain.upper, "upper", true),
+        };
+        if side.replace((constant, value, included)).is_some() {
+            report.error(bound.region, format!("a second {end} bound: expected one"));
+        }
+    }
+    if let (Some((low, _, low_in)), Some((high, _, high_in))) = (&domain.lower, &domain.upper)
+        && !(low < high || low == high && *low_in && *high_in)
+    {
+        let region = bounds.iter().map(|bound| bound.region).reduce(Region::to);
+        if let Some(region) = region {
+            report.error(region, "an empty domain: expected a lower bound below the upper one");
+        }
+    }
+    domain
+}
+
+impl Domain {
+    /// Whether a constant lies inside.
+    pub fn contains(&self, value: &Constant) -> bool {
+        let above = self.lower.as_ref().is_none_or(|(low, _, included)| value > low || *included && value == low);
+        let below = self.upper.as_ref().is_none_or(|(high, _, included)| value < high || *included && value == high);
+        above && below
+    }
+
+    /// In the numbers of the generated code.
+    pub fn to_model(&self) -> model::Domain {
+        let bound = |side: &Option<(Constant, f64, bool)>| match side {
+            None => model::Bound::Unbounded,
+            Some((_, value, true)) => model::Bound::Closed(*value),
+            Some((_, value, false)) => model::Bound::Open(*value),
+        };
+        model::Domain { lower: bound(&self.lower), upper: bound(&self.upper) }
+    }
+}

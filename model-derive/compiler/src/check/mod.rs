@@ -1,0 +1,93 @@
+//! The syntax tree to a [`Model`]: the last stage that reports the user's mistakes.
+
+mod constants;
+mod definitions;
+mod domains;
+mod matrices;
+mod names;
+mod resolve;
+mod sets;
+mod unused;
+
+use self::definitions::renumbered;
+use crate::model::{Coordinate, Model, Parameter, Requirement};
+use crate::report::Report;
+use crate::syntax::Declaration;
+
+/// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
+pub fn check(declaration: Declaration, report: &mut Report) -> Model {
+    let unread = !report.is_empty();
+    let mut scope = names::Scope::new(&declaration, report);
+    let resolved = definitions::resolve(&declaration, &mut scope, report);
+    let requirements: Vec<Requirement> = declaration
+        .requirements
+        .iter()
+        .map(|requirement| Requirement {
+            text: resolve::text(&requirement.value),
+            value: resolve::expression(&requirement.value, &mut scope, report),
+            domain: domains::domain(std::slice::from_ref(&requirement.bound), report).to_model(),
+        })
+        .collect();
+    let matrices = matrices::matrices(&declaration, &mut scope, report);
+    let used = unused::parameters(&declaration, &resolved, &requirements, &matrices);
+    if !unread {
+        unused::report(&declaration, &resolved, &requirements, &matrices, &scope, report);
+    }
+
+    let new = resolved.new_positions();
+    let requirements: Vec<Requirement> = requirements
+        .into_iter()
+        .map(|requirement| Requirement { value: renumbered(&requirement.value, &new), ..requirement })
+        .collect();
+    let matrices = matrices
+        .into_iter()
+        .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().map(|e| renumbered(e, &new)).collect()).collect()))
+        .collect();
+
+    let domains: Vec<_> = declaration.parameters.iter().map(|p| domains::domain(&p.bounds, report)).collect();
+    let sets = sets::sets(&declaration, &domains, report);
+    let gravity = gravity(&declaration, report);
+    let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();
+    let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {
+        symbol: parameter.symbol.unwrap_or_else(|| parameter.name.to_string()),
+        name: parameter.name,
+        docs: parameter.docs,
+        unit: parameter.unit,
+        domain: domain.to_model(),
+        used: used || gravity == Some(index),
+    });
+    Model {
+        parameters: parameters.collect(),
+        name: declaration.name,
+        visibility: declaration.visibility,
+        docs: declaration.docs,
+        source: declaration.source.unwrap_or_default(),
+        gravity,
+        definitions: resolved.in_order(),
+        requirements,
+        sets,
+        coordinates: declaration
+            .coordinates
+            .into_iter()
+            .map(|coordinate| Coordinate {
+                label: coordinate.label.unwrap_or_else(|| coordinate.name.to_string()),
+                name: coordinate.name.to_string(),
+                docs: coordinate.docs,
+                unit: coordinate.unit,
+            })
+            .collect(),
+        matrices,
+    }
+}
+
+fn gravity(declaration: &Declaration, report: &mut Report) -> Option<usize> {
+    let mut found = None;
+    for (index, parameter) in declaration.parameters.iter().enumerate() {
+        let Some(span) = parameter.gravity else { continue };
+        if found.is_some() {
+            report.error(span, "a second `gravity`: expected one parameter that is the gravitational field strength");
+        }
+        found.get_or_insert(index);
+    }
+    found
+}

@@ -1,0 +1,89 @@
+//! What each name means; duplicates and names that are taken.
+
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::Ident;
+
+use crate::model::Function;
+use crate::report::Report;
+use crate::syntax::Declaration;
+
+/// What a name in a formula stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meaning {
+    Parameter(usize),
+    /// A position in the declaration.
+    Definition(usize),
+    Coordinate,
+    /// Its statement could not be read.
+    Unread,
+}
+
+/// All names of a declaration.
+#[derive(Debug)]
+pub struct Scope {
+    names: HashMap<String, Meaning>,
+    /// In declared order, for suggestions.
+    order: Vec<String>,
+    /// Names that were suggested for an unknown one: probably meant, so not reported as unused.
+    pub suggested: HashSet<String>,
+}
+
+impl Scope {
+    pub fn new(declaration: &Declaration, report: &mut Report) -> Self {
+        let mut scope = Self { names: HashMap::new(), order: Vec::new(), suggested: HashSet::new() };
+        for (index, parameter) in declaration.parameters.iter().enumerate() {
+            scope.declare(&parameter.name, Meaning::Parameter(index), report);
+        }
+        for (index, definition) in declaration.definitions.iter().enumerate() {
+            scope.declare(&definition.name, Meaning::Definition(index), report);
+        }
+        for coordinate in &declaration.coordinates {
+            scope.declare(&coordinate.name, Meaning::Coordinate, report);
+        }
+        for name in &declaration.unread {
+            scope.names.entry(name.to_string()).or_insert(Meaning::Unread);
+        }
+        scope
+    }
+
+    fn declare(&mut self, name: &Ident, meaning: Meaning, report: &mut Report) {
+        let text = name.to_string();
+        if text == "pi" || Function::from_name(&text).is_some() {
+            let what = if text == "pi" { "the number π" } else { "a function" };
+            report.error(name, format!("`{text}` is the name of {what}: expected another name"));
+        } else if self.names.contains_key(&text) {
+            report.error(name, format!("`{text}` is declared twice: expected one declaration of each name"));
+        } else {
+            self.names.insert(text.clone(), meaning);
+            self.order.push(text);
+        }
+    }
+
+    pub fn get(&self, name: &Ident) -> Option<Meaning> {
+        self.names.get(&name.to_string()).copied()
+    }
+
+    /// "; did you mean `…`?" with the nearest name in formulas, if one is near.
+    pub fn suggestion(&mut self, name: &Ident) -> String {
+        let usable = self.order.iter().filter(|known| self.names.get(*known) != Some(&Meaning::Coordinate));
+        match nearest(&name.to_string(), usable.map(String::as_str)) {
+            Some(known) => {
+                let text = format!("; did you mean `{known}`?");
+                self.suggested.insert(known.to_string());
+                text
+            }
+            None => String::new(),
+        }
+    }
+}
+
+/// The candidate that a misspelt word most likely means, if any is near enough.
+pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let distance = |candidate: &str| {
+        // Letters of the wrong case are the smallest mistake.
+        if candidate.eq_ignore_ascii_case(word) { 0 } else { strsim::osa_distance(candidate, word) }
+    };
+    let limit = (word.chars().count() / 3).max(1);
+    candidates.map(|candidate| (distance(candidate), candidate)).filter(|(d, _)| *d <= limit).min_by_key(|(d, _)| *d).map(|(_, c)| c)
+}

@@ -1,0 +1,80 @@
+//! Named parameter sets: complete, known, inside the domains.
+
+use std::collections::HashMap;
+
+use super::constants::Constant;
+use super::domains::Domain;
+use super::names::nearest;
+use crate::model::ParameterSet;
+use crate::report::Report;
+use crate::syntax::{self, Declaration};
+
+pub fn sets(declaration: &Declaration, domains: &[Domain], report: &mut Report) -> Vec<ParameterSet> {
+    let mut constants: Vec<String> = Vec::new();
+    let mut sets = Vec::new();
+    for set in &declaration.sets {
+        let constant = set.name.to_string().to_uppercase();
+        if constant == "INFO" {
+            report.error(&set.name, "`INFO` is the model's description: expected another name for the set");
+        } else if constants.contains(&constant) {
+            let message = format!("a second set for the constant `{constant}`: expected one set of each name");
+            report.error(&set.name, message);
+        }
+        constants.push(constant);
+        sets.push(ParameterSet {
+            name: set.name.clone(),
+            docs: set.docs.clone(),
+            source: set.source.clone().unwrap_or_default(),
+            values: values(declaration, set, domains, report),
+        });
+    }
+    sets
+}
+
+/// The values in declared order of the parameters.
+fn values(
+    declaration: &Declaration,
+    set: &syntax::ParameterSet,
+    domains: &[Domain],
+    report: &mut Report,
+) -> Vec<f64> {
+    let mut given: HashMap<String, f64> = HashMap::new();
+    let mut known = || declaration.parameters.iter().map(|p| p.name.to_string());
+    for entry in &set.values {
+        let name = entry.name.to_string();
+        let parameter = known().position(|known| known == name);
+        if parameter.is_none() && !declaration.unread.iter().any(|unread| *unread == name) {
+            let names: Vec<String> = known().collect();
+            let hint = nearest(&name, names.iter().map(String::as_str)).map(|near| format!("; did you mean `{near}`?"));
+            let message = format!("unknown parameter `{name}`: expected a parameter of the model{}", hint.unwrap_or_default());
+            report.error(&entry.name, message);
+        }
+        let Some(expression) = &entry.value else {
+            given.entry(name).or_insert(0.0);
+            continue;
+        };
+        let value = Constant::evaluate(expression).and_then(|constant| {
+            let value = constant.to_f64().map_err(|message| crate::report::error(expression.region, message))?;
+            match parameter {
+                Some(index) if !domains[index].contains(&constant) => Err(crate::report::error(
+                    expression.region,
+                    format!("`{name}` is {value} in the set `{}`: expected {}", set.name, domains[index].to_model()),
+                )),
+                _ => Ok(value),
+            }
+        });
+        let value = value.unwrap_or_else(|error| {
+            report.push(error);
+            0.0
+        });
+        if given.insert(name.clone(), value).is_some() {
+            report.error(&entry.name, format!("`{name}` is given twice: expected one value for each parameter"));
+        }
+    }
+    let missing: Vec<String> = known().filter(|name| !given.contains_key(name)).map(|name| format!("`{name}`")).collect();
+    if !missing.is_empty() {
+        let message = format!("the set `{}` has no value for {}: expected a value for each parameter", set.name, missing.join(", "));
+        report.error(&set.name, message);
+    }
+    known().map(|name| given.get(&name).copied().unwrap_or(0.0)).collect()
+}

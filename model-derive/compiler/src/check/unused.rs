@@ -1,0 +1,89 @@
+//! Names that nothing depends on.
+
+use super::definitions::{Resolved, uses};
+use super::names::Scope;
+use crate::model::{Expr, Requirement};
+use crate::report::Report;
+use crate::syntax::{Declaration, MatrixName};
+
+type Matrices = [(MatrixName, Vec<Vec<Expr>>)];
+
+/// For each parameter whether a matrix depends on it, directly or through definitions.
+pub fn parameters(
+    declaration: &Declaration,
+    resolved: &Resolved,
+    requirements: &[Requirement],
+    matrices: &Matrices,
+) -> Vec<bool> {
+    let reached = reached(resolved, entries(matrices).chain(requirements.iter().map(|r| &r.value)));
+    let live = resolved.definitions.iter().enumerate().filter(|(index, _)| reached[*index]).map(|(_, expr)| expr);
+    let mut used = vec![false; declaration.parameters.len()];
+    mark(live.chain(entries(matrices)), &mut used);
+    used
+}
+
+/// Reports definitions and parameters that nothing depends on, and parameters marked `unused` that are used.
+pub fn report(
+    declaration: &Declaration,
+    resolved: &Resolved,
+    requirements: &[Requirement],
+    matrices: &Matrices,
+    scope: &Scope,
+    report: &mut Report,
+) {
+    let roots = || entries(matrices).chain(requirements.iter().map(|r| &r.value));
+    let reached = reached(resolved, roots());
+    for (definition, reached) in declaration.definitions.iter().zip(reached) {
+        let name = definition.name.to_string();
+        if !reached && !scope.suggested.contains(&name) {
+            report.error(
+                &definition.name,
+                format!("`{name}` is never used: expected a matrix or a requirement that depends on it"),
+            );
+        }
+    }
+    // What only an unused definition mentions needs no second error.
+    let mut mentioned = vec![false; declaration.parameters.len()];
+    mark(roots().chain(&resolved.definitions), &mut mentioned);
+    for (parameter, mentioned) in declaration.parameters.iter().zip(mentioned) {
+        let name = parameter.name.to_string();
+        match (parameter.unused, mentioned) {
+            (Some(span), true) => {
+                report.error(span, format!("`{name}` is used: expected no `unused` here"));
+            }
+            (None, false) if parameter.gravity.is_none() && !scope.suggested.contains(&name) => {
+                let message = format!(
+                    "`{name}` is never used: expected a formula that depends on it, or the word `unused` after its unit"
+                );
+                report.error(&parameter.name, message);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn entries(matrices: &Matrices) -> impl Iterator<Item = &Expr> {
+    matrices.iter().flat_map(|(_, rows)| rows.iter().flatten())
+}
+
+/// For each definition whether a root depends on it.
+fn reached<'a>(resolved: &Resolved, roots: impl Iterator<Item = &'a Expr>) -> Vec<bool> {
+    let mut reached = vec![false; resolved.definitions.len()];
+    let mut open: Vec<usize> = roots.flat_map(uses).collect();
+    while let Some(index) = open.pop() {
+        if !std::mem::replace(&mut reached[index], true) {
+            open.extend(uses(&resolved.definitions[index]));
+        }
+    }
+    reached
+}
+
+fn mark<'a>(expressions: impl Iterator<Item = &'a Expr>, used: &mut [bool]) {
+    for expression in expressions {
+        expression.walk(&mut |part| {
+            if let Expr::Parameter(index) = part {
+                used[*index] = true;
+            }
+        });
+    }
+}

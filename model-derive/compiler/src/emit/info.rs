@@ -1,0 +1,66 @@
+//! The model's description as a constant expression.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::number;
+use crate::model::{Bound, Domain, Model};
+
+pub fn emit(model: &Model) -> TokenStream {
+    let Model { docs, source, .. } = model;
+    let name = model.name.to_string();
+    let parameters = model.parameters.iter().map(|parameter| {
+        let name = parameter.name.to_string();
+        let crate::model::Parameter { symbol, docs, unit, used, .. } = parameter;
+        let domain = domain(parameter.domain);
+        quote! {
+            ::carvallo::ParameterInfo {
+                name: #name, symbol: #symbol, docs: #docs, unit: #unit, domain: #domain, used: #used,
+            }
+        }
+    });
+    let coordinates = model.coordinates.iter().map(|coordinate| {
+        let crate::model::Coordinate { name, label, docs, unit } = coordinate;
+        quote! { ::carvallo::CoordinateInfo { name: #name, label: #label, docs: #docs, unit: #unit } }
+    });
+    let sets = model.sets.iter().map(|set| {
+        let name = set.name.to_string();
+        let crate::model::ParameterSet { docs, source, .. } = set;
+        let values = set.values.iter().map(|value| number(*value));
+        quote! { ::carvallo::SetInfo { name: #name, docs: #docs, source: #source, values: &[#(#values),*] } }
+    });
+    let gravity = match model.gravity {
+        Some(index) => {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(::core::option::Option::Some(#index))
+        }
+        None => quote!(::core::option::Option::None),
+    };
+    quote! {
+        &::carvallo::ModelInfo {
+            name: #name,
+            docs: #docs,
+            source: #source,
+            parameters: &[#(#parameters),*],
+            coordinates: &[#(#coordinates),*],
+            sets: &[#(#sets),*],
+            gravity: #gravity,
+        }
+    }
+}
+
+pub fn domain(domain: Domain) -> TokenStream {
+    let bound = |bound| match bound {
+        Bound::Unbounded => quote!(::carvallo::Bound::Unbounded),
+        Bound::Open(value) => {
+            let value = number(value);
+            quote!(::carvallo::Bound::Open(#value))
+        }
+        Bound::Closed(value) => {
+            let value = number(value);
+            quote!(::carvallo::Bound::Closed(#value))
+        }
+    };
+    let (lower, upper) = (bound(domain.lower), bound(domain.upper));
+    quote!(::carvallo::Domain { lower: #lower, upper: #upper })
+}

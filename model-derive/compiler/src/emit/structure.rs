@@ -1,0 +1,101 @@
+//! The struct of the parameters, its parameter sets, and conversions.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::{Names, allow, docs, number, or};
+use crate::model::{Model, Parameter};
+
+pub fn emit(model: &Model, names: &Names) -> TokenStream {
+    let Names { model: name, scalar, .. } = names;
+    let Model { visibility, parameters, .. } = model;
+    let allow = allow();
+    let struct_docs = docs(&model_docs(model));
+    let field_docs = parameters.iter().map(|parameter| docs(&parameter_docs(parameter)));
+    let fields: Vec<_> = parameters.iter().map(|parameter| &parameter.name).collect();
+    let sets = sets(model);
+    let count = Literal::usize_unsuffixed(parameters.len());
+    let positions: Vec<_> = (0..parameters.len()).map(Literal::usize_unsuffixed).collect();
+    let sets = (!model.sets.is_empty()).then(|| quote! { #allow impl #name<::core::primitive::f64> { #sets } });
+    quote! {
+        #struct_docs
+        #allow
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #visibility struct #name<#scalar = ::core::primitive::f64> {
+            #(#field_docs pub #fields: #scalar,)*
+        }
+
+        #sets
+
+        #allow
+        impl<#scalar: ::carvallo::Scalar> #name<#scalar> {
+            /// The parameters from an array in declared order.
+            #[must_use]
+            pub const fn from_array(values: [#scalar; #count]) -> Self {
+                Self { #(#fields: values[#positions],)* }
+            }
+
+            /// The parameters as an array in declared order.
+            #[must_use]
+            pub const fn to_array(&self) -> [#scalar; #count] {
+                [#(self.#fields,)*]
+            }
+
+            /// The same parameters in another number type, each rounded to the nearest.
+            #[must_use]
+            pub fn cast<U: ::carvallo::Scalar>(&self) -> #name<U> {
+                #name { #(#fields: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.#fields)),)* }
+            }
+        }
+    }
+}
+
+fn sets(model: &Model) -> TokenStream {
+    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
+    let constants = model.sets.iter().map(|set| {
+        let constant = format_ident!("{}", set.name.to_string().to_uppercase(), span = set.name.span());
+        let text = match (or(&set.docs, ""), or(&set.source, "")) {
+            ("", "") => format!("The parameter set `{}`.", set.name),
+            ("", source) => format!("The parameter set `{}`.\n\nSource: {source}", set.name),
+            (text, "") => text.to_string(),
+            (text, source) => format!("{text}\n\nSource: {source}"),
+        };
+        let text = docs(&text);
+        let values = set.values.iter().map(|value| number(*value));
+        quote! { #text pub const #constant: Self = Self { #(#fields: #values,)* }; }
+    });
+    quote! { #(#constants)* }
+}
+
+fn model_docs(model: &Model) -> String {
+    let mut text = or(&model.docs, &format!("The model `{}`.", model.name)).to_string();
+    if !model.source.is_empty() {
+        text.push_str(&format!("\n\nSource: {}", model.source));
+    }
+    text.push_str("\n\nThe fields are the parameters. The coordinates are");
+    for (index, coordinate) in model.coordinates.iter().enumerate() {
+        text.push_str(if index == 0 { " " } else { ", " });
+        text.push_str(&format!("`{}`", coordinate.name));
+        if coordinate.label != coordinate.name {
+            text.push_str(&format!(" ({})", coordinate.label));
+        }
+        text.push_str(&format!(" in {}", coordinate.unit));
+    }
+    text.push('.');
+    text
+}
+
+/// The text of the declaration, then symbol, unit and domain.
+fn parameter_docs(parameter: &Parameter) -> String {
+    let name = parameter.name.to_string();
+    let unit = if parameter.unit == "1" { "a pure number".to_string() } else { format!("in {}", parameter.unit) };
+    let mut facts = format!("`{name}`");
+    if parameter.symbol != name {
+        facts.push_str(&format!(", {},", parameter.symbol));
+    }
+    facts.push_str(&format!(" {unit}: {}.", parameter.domain));
+    if !parameter.used {
+        facts.push_str(" No matrix depends on it.");
+    }
+    if parameter.docs.is_empty() { facts } else { format!("{}\n\n{facts}", parameter.docs) }
+}

@@ -1,0 +1,91 @@
+//! The implementation of the runtime's trait.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::evaluator::Body;
+use super::{Names, allow, info};
+use crate::model::Model;
+use crate::program::Program;
+use crate::syntax::MatrixName;
+
+pub fn emit(model: &Model, names: &Names, requirements: &Program) -> TokenStream {
+    let Names { model: name, scalar, .. } = names;
+    let allow = allow();
+    let n = Literal::usize_unsuffixed(model.coordinates.len());
+    let count = Literal::usize_unsuffixed(model.parameters.len());
+    let text = model.name.to_string();
+    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
+    let positions: Vec<_> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
+    let info = info::emit(model);
+    let length_check = quote! {
+        if values.len() != #count {
+            return ::core::result::Result::Err(
+                ::carvallo::LengthError { model: #text, expected: #count, found: values.len() },
+            );
+        }
+    };
+    let gravity = match model.gravity {
+        Some(index) => {
+            let field = fields[index];
+            quote!(::core::option::Option::Some(self.#field))
+        }
+        None => quote!(::core::option::Option::None),
+    };
+    let requirements = validate_requirements(model, names, requirements);
+    let zero = quote!([[<#scalar as ::carvallo::Scalar>::from_f64(0.0); #n]; #n]);
+    let rows = MatrixName::ALL.map(|matrix| {
+        let field = format_ident!("{}", matrix.field());
+        if model.matrices.iter().any(|(declared, _)| *declared == matrix) { quote!(matrices.#field) } else { zero.clone() }
+    });
+    quote! {
+        #allow
+        impl<#scalar: ::carvallo::Scalar> ::carvallo::Model<#n> for #name<#scalar> {
+            type Scalar = #scalar;
+
+            const INFO: &'static ::carvallo::ModelInfo = #info;
+
+            fn from_slice(values: &[#scalar]) -> ::core::result::Result<Self, ::carvallo::LengthError> {
+                #length_check
+                ::core::result::Result::Ok(Self { #(#fields: values[#positions],)* })
+            }
+
+            fn write_to(&self, values: &mut [#scalar]) -> ::core::result::Result<(), ::carvallo::LengthError> {
+                #length_check
+                values.copy_from_slice(&self.to_array());
+                ::core::result::Result::Ok(())
+            }
+
+            fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
+                let info = <Self as ::carvallo::Model<#n>>::INFO;
+                info.validate(&[#(::carvallo::Scalar::to_f64(self.#fields)),*])?;
+                #requirements
+                ::core::result::Result::Ok(())
+            }
+
+            #[inline]
+            fn coefficients(&self) -> ::carvallo::Coefficients<#scalar, #n> {
+                let matrices = self.matrices();
+                ::carvallo::Coefficients::from_rows([#(#rows),*])
+            }
+
+            fn gravity(&self) -> ::core::option::Option<#scalar> {
+                #gravity
+            }
+        }
+    }
+}
+
+fn validate_requirements(model: &Model, names: &Names, program: &Program) -> TokenStream {
+    let body = Body::new(program, model, &names.scalar);
+    let statements = &body.statements;
+    let checks = model.requirements.iter().zip(&program.outputs).map(|(requirement, value)| {
+        let value = &body.values[*value];
+        let subject = &requirement.text;
+        let domain = info::domain(requirement.domain);
+        quote! {
+            info.require(#subject, ::carvallo::Scalar::to_f64(#value), "", #domain)?;
+        }
+    });
+    quote! { #(#statements)* #(#checks)* }
+}

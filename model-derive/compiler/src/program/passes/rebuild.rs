@@ -1,0 +1,87 @@
+//! Rebuilding a program without what is equal and what is unused.
+
+use std::collections::HashMap;
+
+use crate::program::{Instruction, Program, Value};
+
+/// Appends instructions to a program, each kind of value once.
+pub struct Builder {
+    program: Program,
+    known: HashMap<Key, Value>,
+}
+
+/// An instruction as a key: constants by their bits, operands that commute in order.
+#[derive(PartialEq, Eq, Hash)]
+enum Key {
+    Constant(u64),
+    Other(&'static str, i64, i64),
+}
+
+fn key(instruction: Instruction) -> Key {
+    let pair = |name, a: Value, b: Value| Key::Other(name, a as i64, b as i64);
+    let one = |name, a: Value| Key::Other(name, a as i64, -1);
+    match instruction {
+        Instruction::Parameter(index) => Key::Other("parameter", index as i64, -1),
+        Instruction::Constant(value) => Key::Constant(value.to_bits()),
+        Instruction::Add(a, b) => pair("add", a.min(b), a.max(b)),
+        Instruction::Sub(a, b) => pair("sub", a, b),
+        Instruction::Mul(a, b) => pair("mul", a.min(b), a.max(b)),
+        Instruction::Div(a, b) => pair("div", a, b),
+        Instruction::Neg(a) => one("neg", a),
+        Instruction::Square(a) => one("square", a),
+        Instruction::Reciprocal(a) => one("reciprocal", a),
+        Instruction::Power(a, n) => Key::Other("power", a as i64, i64::from(n)),
+        Instruction::Sqrt(a) => one("sqrt", a),
+        Instruction::Sin(a) => one("sin", a),
+        Instruction::Cos(a) => one("cos", a),
+        Instruction::Tan(a) => one("tan", a),
+    }
+}
+
+impl Builder {
+    pub fn new(parameters: usize) -> Self {
+        Self { program: Program::new(parameters), known: HashMap::new() }
+    }
+
+    /// The value of an instruction, computed once.
+    pub fn push(&mut self, instruction: Instruction) -> Value {
+        // A product of a value with itself is its square.
+        let instruction = match instruction {
+            Instruction::Mul(a, b) if a == b => Instruction::Square(a),
+            other => other,
+        };
+        *self.known.entry(key(instruction)).or_insert_with(|| self.program.push(instruction))
+    }
+
+    /// The value of an instruction, if it was computed already.
+    pub fn find(&self, instruction: Instruction) -> Option<Value> {
+        self.known.get(&key(instruction)).copied()
+    }
+
+    /// What computes a value.
+    pub fn instruction(&self, value: Value) -> Instruction {
+        self.program.instructions[value]
+    }
+
+    pub fn finish(mut self, outputs: Vec<Value>) -> Program {
+        self.program.outputs = outputs;
+        self.program
+    }
+}
+
+/// The same program without equal instructions and without unused ones.
+pub fn common(program: Program) -> Program {
+    let mut used = vec![false; program.instructions.len()];
+    program.outputs.iter().for_each(|value| used[*value] = true);
+    for (value, instruction) in program.instructions.iter().enumerate().rev() {
+        if used[value] {
+            instruction.operands().for_each(|operand| used[operand] = true);
+        }
+    }
+    let mut builder = Builder::new(program.parameters);
+    let mut new: Vec<Value> = Vec::with_capacity(program.instructions.len());
+    for (value, instruction) in program.instructions.iter().enumerate() {
+        new.push(if used[value] { builder.push(instruction.map(|operand| new[operand])) } else { 0 });
+    }
+    builder.finish(program.outputs.iter().map(|value| new[*value]).collect())
+}

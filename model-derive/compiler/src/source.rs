@@ -1,0 +1,63 @@
+//! One model source: a file that holds one call of `carvallo::model!`.
+
+use std::fmt::Write as _;
+use std::hash::Hasher as _;
+use std::path::Path;
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+/// Compiles the source in `path` to the text of a Rust file.
+///
+/// # Errors
+/// Every mistake, as `path:line:column: error: …` with the line and a mark below it.
+pub fn compile(path: &Path, shown: &str) -> Result<String, String> {
+    let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
+    let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
+    let rust = carvallo_compiler::expand(tokens).map_err(|error| render(&error, shown, &text))?;
+    let file = syn::parse2(rust).map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
+    Ok(format!("{}\n{}", header(shown, &text), prettyplease::unparse(&file)))
+}
+
+fn header(shown: &str, text: &str) -> String {
+    format!(
+        "// @generated from {shown} by carvallo-compiler {}; do not edit.\n\
+         // To write it anew: cargo regenerate\n\
+         // Hash of the source: {:016x}\n",
+        env!("CARGO_PKG_VERSION"),
+        hash(text),
+    )
+}
+
+/// The same on every machine and in every checkout.
+fn hash(text: &str) -> u64 {
+    let mut hasher = fnv::FnvHasher::default();
+    hasher.write(text.replace("\r\n", "\n").as_bytes());
+    hasher.finish()
+}
+
+/// What stands between the braces of `carvallo::model! { … }`.
+fn declaration(text: &str) -> syn::Result<TokenStream> {
+    let tokens: Vec<TokenTree> = text.parse::<TokenStream>()?.into_iter().collect();
+    let start: String = tokens.iter().take(5).map(ToString::to_string).collect();
+    match &tokens[..] {
+        [.., TokenTree::Group(group)] if tokens.len() == 6 && group.delimiter() == Delimiter::Brace && start == "carvallo::model!" => {
+            Ok(group.stream())
+        }
+        _ => {
+            let span = tokens.first().map_or_else(proc_macro2::Span::call_site, TokenTree::span);
+            Err(syn::Error::new(span, "expected one `carvallo::model! { … }` and nothing else"))
+        }
+    }
+}
+
+fn render(error: &syn::Error, shown: &str, text: &str) -> String {
+    let mut out = String::new();
+    for error in error.clone() {
+        let (start, end) = (error.span().start(), error.span().end());
+        let line = text.lines().nth(start.line.saturating_sub(1)).unwrap_or_default();
+        let length = if end.line == start.line { end.column.saturating_sub(start.column).max(1) } else { 1 };
+        let (pad, mark) = (" ".repeat(start.column), "^".repeat(length));
+        let _ = write!(out, "{shown}:{}:{}: error: {error}\n  | {line}\n  | {pad}{mark}\n", start.line, start.column + 1);
+    }
+    out
+}

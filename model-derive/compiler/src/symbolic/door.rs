@@ -1,0 +1,99 @@
+//! The one way into Symbolica: one thread of one process of a user at a time.
+//!
+//! Without a licence key Symbolica allows a user one thread, and aborts the process in which a second one starts. So
+//! every use runs on a thread of its own, whose end gives the permit back, behind a lock that holds across the threads
+//! of this process and across processes. Whoever finds it taken waits.
+
+use std::any::Any;
+use std::fmt;
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::PathBuf;
+use std::sync::{Mutex, Once, PoisonError};
+use std::thread;
+
+use super::form::Engine;
+
+/// Why nothing came out of the door.
+#[derive(Debug)]
+pub enum Failure {
+    /// The lock or the thread could not be had.
+    System(String),
+    /// The engine stopped with a message.
+    Engine(String),
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::System(message) => write!(f, "the symbolic engine could not be started: {message}"),
+            Self::Engine(message) => write!(f, "the symbolic engine failed on this model: {message}"),
+        }
+    }
+}
+
+/// Formulas nest, and the engine walks them by recursion.
+const STACK: usize = 256 << 20;
+const THREAD: &str = "carvallo-symbolic";
+
+static TURN: Mutex<()> = Mutex::new(());
+
+/// Runs `work` with the engine, once it is free.
+///
+/// # Errors
+/// If the lock cannot be had, or if the engine panics.
+pub fn enter<T: Send + 'static>(work: impl FnOnce(&Engine) -> T + Send + 'static) -> Result<T, Failure> {
+    quiet_panics();
+    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+    let _lock = lock_file().map_err(|error| Failure::System(error.to_string()))?;
+    let run = move || panic::catch_unwind(AssertUnwindSafe(|| work(&Engine::start())));
+    let thread = thread::Builder::new().name(THREAD.into()).stack_size(STACK).spawn(run);
+    let thread = thread.map_err(|error| Failure::System(error.to_string()))?;
+    // Joining waits for the thread's own storage to be dropped, and with it the permit, before the lock opens.
+    match thread.join() {
+        Ok(Ok(value)) => Ok(value),
+        Ok(Err(payload)) | Err(payload) => Err(Failure::Engine(message(payload.as_ref()))),
+    }
+}
+
+fn message(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<&str>().copied().or(payload.downcast_ref::<String>().map(String::as_str));
+    text.unwrap_or("it stopped without a message").to_string()
+}
+
+/// Keeps the panics of the engine's thread off the terminal: they are reported as errors of the model.
+fn quiet_panics() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let previous = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            if thread::current().name() != Some(THREAD) {
+                previous(info);
+            }
+        }));
+    });
+}
+
+/// An exclusive lock that the end of the process gives back even if it is killed.
+fn lock_file() -> io::Result<File> {
+    let mut last = io::Error::other("no folder for a lock file");
+    for folder in lock_folders() {
+        let opened = std::fs::create_dir_all(&folder).and_then(|()| {
+            OpenOptions::new().create(true).truncate(false).write(true).open(folder.join("symbolica.lock"))
+        });
+        match opened {
+            Ok(file) => return file.lock().map(|()| file),
+            Err(error) => last = io::Error::new(error.kind(), format!("{}: {error}", folder.display())),
+        }
+    }
+    Err(last)
+}
+
+/// The user's cache folder, and where there is none to write to, one for temporary files: the permit is a user's, so
+/// every process of the user must come to the same folder.
+fn lock_folders() -> impl Iterator<Item = PathBuf> {
+    let user = std::env::var("USER").or_else(|_| std::env::var("USERNAME")).unwrap_or_else(|_| "anyone".into());
+    let home = std::env::home_dir().map(|home| home.join(".cache").join("carvallo"));
+    home.into_iter().chain([std::env::temp_dir().join(format!("carvallo-{user}"))])
+}

@@ -1,0 +1,100 @@
+//! The engine's instructions to a [`Program`]: slots, which are written again and again, become single assignments.
+
+use std::collections::HashMap;
+
+use symbolica::atom::Symbol;
+use symbolica::domains::float::Complex;
+use symbolica::domains::rational::Rational;
+use symbolica::evaluate::{ExportedInstructions, Instruction as Exported, Slot};
+use symbolica::transcendental::{cot, csc, sec, tan};
+
+use crate::program::{Instruction, Program, Value};
+
+/// Appends the exported instructions to a program, with `inputs` in the place of the engine's parameters, and returns
+/// the values of the outputs.
+///
+/// # Panics
+/// On an instruction that no formula of the declaration language leads to; the door reports that as its failure.
+pub fn append(program: &mut Program, exported: &ExportedInstructions<Complex<Rational>>, inputs: &[Value]) -> Vec<Value> {
+    let constants = exported.constants.iter().map(|constant| to_f64(&constant.re)).collect();
+    let mut slots = Slots { program, inputs, constants, values: HashMap::new() };
+    for instruction in &exported.instructions {
+        slots.run(instruction);
+    }
+    (0..exported.output_count).map(|index| slots.get(Slot::Out(index))).collect()
+}
+
+struct Slots<'a> {
+    program: &'a mut Program,
+    inputs: &'a [Value],
+    constants: Vec<f64>,
+    /// What each temporary and output slot holds now.
+    values: HashMap<Slot, Value>,
+}
+
+impl Slots<'_> {
+    fn get(&mut self, slot: Slot) -> Value {
+        match slot {
+            Slot::Param(index) => self.inputs[index],
+            Slot::Const(index) => self.program.push(Instruction::Constant(self.constants[index])),
+            Slot::Temp(_) | Slot::Out(_) => self.values[&slot],
+        }
+    }
+
+    fn chain(&mut self, arguments: &[Slot], join: fn(Value, Value) -> Instruction) -> Value {
+        let mut result = self.get(arguments[0]);
+        for argument in &arguments[1..] {
+            let next = self.get(*argument);
+            result = self.program.push(join(result, next));
+        }
+        result
+    }
+
+    fn run(&mut self, instruction: &Exported) {
+        let (target, value) = match instruction {
+            Exported::Add(out, arguments, _) => (*out, self.chain(arguments, Instruction::Add)),
+            Exported::Mul(out, arguments, _) => (*out, self.chain(arguments, Instruction::Mul)),
+            Exported::Pow(out, base, exponent, _) => {
+                let base = self.get(*base);
+                let exponent = i32::try_from(*exponent).expect("a power within the limits of the syntax");
+                (*out, self.program.push(Instruction::Power(base, exponent)))
+            }
+            Exported::Powf(out, base, exponent, _) => (*out, self.root(*base, *exponent)),
+            Exported::Fun(out, call, _) => {
+                let argument = self.get(call.2[0]);
+                (*out, self.call(call.0, argument))
+            }
+            Exported::Assign(out, from) => (*out, self.get(*from)),
+            other => panic!("an instruction that formulas do not lead to: {other:?}"),
+        };
+        self.values.insert(target, value);
+    }
+
+    /// A power with half a whole number as its exponent.
+    fn root(&mut self, base: Slot, exponent: Slot) -> Value {
+        let Slot::Const(index) = exponent else { panic!("a power with a variable exponent") };
+        let doubled = 2.0 * self.constants[index];
+        assert!(doubled.fract() == 0.0 && doubled.abs() < 256.0, "a power of {}", self.constants[index]);
+        let base = self.get(base);
+        let root = self.program.push(Instruction::Sqrt(base));
+        self.program.push(Instruction::Power(root, doubled as i32))
+    }
+
+    fn call(&mut self, function: Symbol, argument: Value) -> Value {
+        let direct = [(Symbol::SIN, Instruction::Sin as fn(Value) -> Instruction), (Symbol::COS, Instruction::Cos), (tan(), Instruction::Tan), (Symbol::SQRT, Instruction::Sqrt)];
+        let inverse = [(csc(), Instruction::Sin as fn(Value) -> Instruction), (sec(), Instruction::Cos), (cot(), Instruction::Tan)];
+        if let Some((_, make)) = direct.iter().find(|(symbol, _)| *symbol == function) {
+            return self.program.push(make(argument));
+        }
+        if let Some((_, make)) = inverse.iter().find(|(symbol, _)| *symbol == function) {
+            let value = self.program.push(make(argument));
+            return self.program.push(Instruction::Reciprocal(value));
+        }
+        panic!("a function that formulas do not lead to: {function}")
+    }
+}
+
+/// The nearest `f64`: an exact quotient of two whole numbers that are exact themselves, or of their leading digits.
+fn to_f64(value: &Rational) -> f64 {
+    value.to_f64()
+}

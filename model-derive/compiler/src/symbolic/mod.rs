@@ -1,0 +1,10 @@
+//! Equations to a [`Program`]. This folder is the one door to Symbolica: nothing outside it names Symbolica.
+
+mod door;
+mod form;
+mod import;
+mod optimize;
+
+pub use door::{Failure, enter};
+pub use form::{Engine, Form};
+pub use optimize::compile;

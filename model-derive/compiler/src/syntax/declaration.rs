@@ -1,0 +1,165 @@
+//! The syntax tree of a declaration.
+
+use proc_macro2::{Ident, Span, TokenStream};
+
+use super::expression::Expression;
+use crate::report::Region;
+
+/// Documentation lines, joined.
+pub type Doc = String;
+
+/// A whole `model!` declaration.
+#[derive(Debug)]
+pub struct Declaration {
+    pub docs: Doc,
+    pub visibility: TokenStream,
+    pub name: Ident,
+    /// Where the model comes from.
+    pub source: Option<String>,
+    pub parameters: Vec<Parameter>,
+    pub definitions: Vec<Definition>,
+    pub requirements: Vec<Requirement>,
+    pub sets: Vec<ParameterSet>,
+    pub coordinates: Vec<Coordinate>,
+    pub matrices: Vec<Matrix>,
+    /// Names of statements that could not be read: they exist, so using them is no further mistake.
+    pub unread: Vec<Ident>,
+}
+
+/// `lam "λ": rad, in (-pi/2, pi/2);`
+#[derive(Debug)]
+pub struct Parameter {
+    pub docs: Doc,
+    pub name: Ident,
+    pub symbol: Option<String>,
+    pub unit: String,
+    pub bounds: Vec<Bound>,
+    /// The span of the word `gravity`, for the parameter that is the gravitational field strength.
+    pub gravity: Option<Span>,
+    /// The span of the word `unused`, for a parameter that no matrix depends on.
+    pub unused: Option<Span>,
+}
+
+/// One end of a domain: `> 0`.
+#[derive(Debug)]
+pub struct Bound {
+    pub relation: Relation,
+    pub value: Expression,
+    pub region: Region,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    Greater,
+    GreaterEqual,
+    Less,
+    LessEqual,
+}
+
+/// `let mT = mR + mB;`
+#[derive(Debug)]
+pub struct Definition {
+    pub name: Ident,
+    pub value: Expression,
+}
+
+/// `require mH + mF > 0;`
+#[derive(Debug)]
+pub struct Requirement {
+    pub value: Expression,
+    pub bound: Bound,
+}
+
+/// `set benchmark "source" { w = 1.02; }`
+#[derive(Debug)]
+pub struct ParameterSet {
+    pub docs: Doc,
+    pub name: Ident,
+    pub source: Option<String>,
+    pub values: Vec<SetValue>,
+}
+
+/// `w = 1.02;`
+#[derive(Debug)]
+pub struct SetValue {
+    pub name: Ident,
+    /// Nothing if it could not be read.
+    pub value: Option<Expression>,
+}
+
+/// `phi "lean": rad;`
+#[derive(Debug)]
+pub struct Coordinate {
+    pub docs: Doc,
+    pub name: Ident,
+    pub label: Option<String>,
+    pub unit: String,
+}
+
+/// `M = [[a, b], [b, c]];`
+#[derive(Debug)]
+pub struct Matrix {
+    pub name: MatrixName,
+    pub span: Span,
+    /// The rows, each with its region.
+    pub rows: Vec<(Region, Vec<Expression>)>,
+    /// The brackets and all between.
+    pub region: Region,
+}
+
+/// The six coefficient matrices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum MatrixName {
+    M,
+    C0,
+    C1,
+    Kc,
+    K0,
+    K2,
+}
+
+impl MatrixName {
+    /// All of them, in the order of the equation of motion.
+    pub const ALL: [Self; 6] = [Self::M, Self::C0, Self::C1, Self::Kc, Self::K0, Self::K2];
+
+    /// As it is written in a declaration.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::M => "M",
+            Self::C0 => "C0",
+            Self::C1 => "C1",
+            Self::Kc => "Kc",
+            Self::K0 => "K0",
+            Self::K2 => "K2",
+        }
+    }
+
+    /// The matrix called `name`.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|matrix| matrix.name() == name)
+    }
+
+    /// The field that holds it in generated code.
+    pub fn field(self) -> &'static str {
+        match self {
+            Self::M => "m",
+            Self::C0 => "c0",
+            Self::C1 => "c1",
+            Self::Kc => "kc",
+            Self::K0 => "k0",
+            Self::K2 => "k2",
+        }
+    }
+
+    /// What it is, with its place in the equation of motion.
+    pub fn docs(self) -> &'static str {
+        match self {
+            Self::M => "Mass matrix M, the coefficient of q''.",
+            Self::C0 => "Damping C0, a coefficient of q'.",
+            Self::C1 => "Damping C1, a coefficient of v q'.",
+            Self::Kc => "Stiffness Kc, a coefficient of q.",
+            Self::K0 => "Stiffness K0, a coefficient of g q.",
+            Self::K2 => "Stiffness K2, a coefficient of v^2 q.",
+        }
+    }
+}

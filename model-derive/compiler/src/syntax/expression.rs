@@ -1,0 +1,238 @@
+//! Formulas: `+ - * /`, unary minus, `^` with whole exponents, parentheses, calls, decimal numbers.
+
+use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
+use syn::Token;
+use syn::ext::IdentExt;
+use syn::parse::{ParseStream, Parser};
+
+use super::number::Decimal;
+use super::tokens::{expected, signed_integer};
+use crate::report::{Region, error};
+
+/// A formula with the stretch of source that it comes from.
+#[derive(Clone, Debug)]
+pub struct Expression {
+    pub kind: Kind,
+    pub region: Region,
+}
+
+/// What a formula is. Sums and products are flat, so that long ones do not nest deeply.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    Number(Decimal),
+    Name(Ident),
+    Sum(Vec<Term>),
+    Product(Vec<Factor>),
+    Power(Box<Expression>, i32),
+    Call(Ident, Box<Expression>),
+}
+
+/// One term of a sum; `operator` is the sign before it, where one is written.
+#[derive(Clone, Debug)]
+pub struct Term {
+    pub negative: bool,
+    pub operator: Option<Span>,
+    pub value: Expression,
+}
+
+/// One factor of a product; `operator` is the sign before it, where one is written.
+#[derive(Clone, Debug)]
+pub struct Factor {
+    pub inverse: bool,
+    pub operator: Option<Span>,
+    pub value: Expression,
+}
+
+/// Deeper nesting than this is a mistake, and would exhaust the stack.
+const MAX_DEPTH: usize = 128;
+
+/// Parses a formula up to the first token that cannot continue one.
+pub fn expression(input: ParseStream<'_>) -> syn::Result<Expression> {
+    let value = sum(input, 0)?;
+    reject_other_syntax(input)?;
+    Ok(value)
+}
+
+fn sum(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    if depth > MAX_DEPTH {
+        return Err(input.error(format!("nested too deeply: expected at most {MAX_DEPTH} levels")));
+    }
+    let mut terms = Vec::new();
+    let mut operator = None;
+    let mut negative = false;
+    loop {
+        let value = product(input, depth)?;
+        terms.push(Term { negative, operator, value });
+        let next = input.cursor().punct().map(|(punct, _)| (punct.as_char(), punct.span()));
+        let Some((sign @ ('+' | '-'), span)) = next else { break };
+        input.parse::<TokenTree>()?;
+        negative = sign == '-';
+        operator = Some(span);
+    }
+    Ok(if terms.len() == 1 { terms.remove(0).value } else { sum_of(terms) })
+}
+
+fn sum_of(terms: Vec<Term>) -> Expression {
+    let first = terms[0].operator.map_or(terms[0].value.region, Region::from);
+    let region = first.to(terms[terms.len() - 1].value.region);
+    Expression { kind: Kind::Sum(terms), region }
+}
+
+fn product(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    let mut factors = Vec::new();
+    let mut operator = None;
+    let mut inverse = false;
+    loop {
+        let value = signed(input, depth)?;
+        factors.push(Factor { inverse, operator, value });
+        let next = input.cursor().punct().map(|(punct, _)| (punct.as_char(), punct.span()));
+        let Some((sign @ ('*' | '/'), span)) = next else { break };
+        input.parse::<TokenTree>()?;
+        if let Some((second, _)) = input.cursor().punct().filter(|(second, _)| sign == '*' && second.as_char() == '*') {
+            return Err(error(Region::from(span).to(second.span().into()), "found `**`: expected `^` for a power"));
+        }
+        inverse = sign == '/';
+        operator = Some(span);
+    }
+    if factors.len() == 1 {
+        return Ok(factors.remove(0).value);
+    }
+    let region = factors[0].value.region.to(factors[factors.len() - 1].value.region);
+    Ok(Expression { kind: Kind::Product(factors), region })
+}
+
+/// A power with any number of minus signs before it: `-x^2` is `-(x^2)`.
+fn signed(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    let mut first = None;
+    let mut negative = false;
+    while let Some(minus) = input.parse::<Option<Token![-]>>()? {
+        first.get_or_insert(minus.span);
+        negative = !negative;
+    }
+    let value = power(input, depth)?;
+    Ok(match first {
+        None => value,
+        Some(_) if !negative => value,
+        Some(span) => sum_of(vec![Term { negative, operator: Some(span), value }]),
+    })
+}
+
+fn power(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    let base = primary(input, depth)?;
+    if input.parse::<Option<Token![^]>>()?.is_none() {
+        return Ok(base);
+    }
+    let (exponent, end) = if input.peek(syn::token::Paren) {
+        let content;
+        let parentheses = syn::parenthesized!(content in input);
+        let (exponent, _) = signed_integer(&content)?;
+        if !content.is_empty() {
+            return Err(expected(&content, "`)`: an exponent is one whole number"));
+        }
+        (exponent, Region::from(parentheses.span.close()))
+    } else {
+        signed_integer(input)?
+    };
+    if input.peek(Token![^]) {
+        return Err(expected(input, "parentheses: a power of a power is ambiguous"));
+    }
+    let region = base.region.to(end);
+    Ok(Expression { kind: Kind::Power(Box::new(base), exponent), region })
+}
+
+fn primary(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    // A fragment of an outer `macro_rules!` comes wrapped in a group without delimiters, and stays one value.
+    if let Some((inside, span)) = invisible_group(input)? {
+        let value = (|inner: ParseStream<'_>| expression_to_end(inner, depth + 1)).parse2(inside)?;
+        return Ok(Expression { region: span.into(), ..value });
+    }
+    if input.peek(syn::token::Paren) {
+        let content;
+        let parentheses = syn::parenthesized!(content in input);
+        let value = expression_to_end(&content, depth + 1)?;
+        let region = Region::from(parentheses.span.open()).to(parentheses.span.close().into());
+        return Ok(Expression { region, ..value });
+    }
+    match input.cursor().token_tree() {
+        Some((TokenTree::Literal(literal), _)) => {
+            input.parse::<Literal>()?;
+            let number = Decimal::from_literal(&literal).map_err(|message| error(literal.span(), message))?;
+            Ok(Expression { kind: Kind::Number(number), region: literal.span().into() })
+        }
+        Some((TokenTree::Ident(_), _)) => name_or_call(input, depth),
+        _ => Err(expected(input, "a formula")),
+    }
+}
+
+fn invisible_group(input: ParseStream<'_>) -> syn::Result<Option<(TokenStream, Span)>> {
+    input.step(|cursor| {
+        Ok(match cursor.group(Delimiter::None) {
+            Some((inside, span, after)) => (Some((inside.token_stream(), span.join())), after),
+            None => (None, *cursor),
+        })
+    })
+}
+
+fn expression_to_end(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    let value = sum(input, depth)?;
+    reject_other_syntax(input)?;
+    if input.is_empty() { Ok(value) } else { Err(expected(input, "an operator (`+ - * / ^`) or the end of the formula")) }
+}
+
+fn name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    let ident = input.call(Ident::parse_any)?;
+    let text = ident.to_string();
+    if let Some(what) = unsupported_keyword(&text) {
+        return Err(error(&ident, format!("{what} not supported in formulas: expected a formula")));
+    }
+    if !input.peek(syn::token::Paren) {
+        let region = Region::from(&ident);
+        return Ok(Expression { kind: Kind::Name(ident), region });
+    }
+    let content;
+    let parentheses = syn::parenthesized!(content in input);
+    let region = Region::from(&ident).to(parentheses.span.close().into());
+    let argument = sum(&content, depth + 1)?;
+    reject_other_syntax(&content)?;
+    if !content.is_empty() {
+        return Err(expected(&content, &format!("`)`: `{text}` takes one argument")));
+    }
+    Ok(Expression { kind: Kind::Call(ident, Box::new(argument)), region })
+}
+
+fn unsupported_keyword(text: &str) -> Option<String> {
+    let is = match text {
+        "if" | "match" | "while" | "for" | "loop" | "unsafe" | "async" | "await" | "move" | "return" | "break"
+        | "continue" | "let" => format!("`{text}` is"),
+        "as" => "casts are".into(),
+        _ if text.starts_with("r#") => "raw identifiers are".into(),
+        _ if syn::parse_str::<Ident>(text).is_err() => format!("`{text}`, a keyword of Rust, is"),
+        _ => return None,
+    };
+    Some(is)
+}
+
+/// Rust that may follow a value, but has no meaning in a formula.
+fn reject_other_syntax(input: ParseStream<'_>) -> syn::Result<()> {
+    let what = if input.peek(Token![.]) {
+        "method calls and fields are"
+    } else if input.peek(Token![::]) {
+        "paths are"
+    } else if input.peek(Token![?]) {
+        "`?` is"
+    } else if input.peek(Token![!]) {
+        "macros are"
+    } else if input.peek(Token![as]) {
+        "casts are"
+    } else if input.peek(Token![%]) {
+        "`%` is"
+    } else if input.peek(syn::token::Bracket) {
+        "indexing is"
+    } else if input.peek(Token![&]) || input.peek(Token![|]) {
+        "logic is"
+    } else {
+        return Ok(());
+    };
+    let span = input.cursor().token_tree().map_or(input.span(), |(token, _)| token.span());
+    Err(error(span, format!("{what} not supported in formulas: expected an operator (`+ - * / ^`)")))
+}

@@ -1,0 +1,310 @@
+//! The statements of a declaration.
+
+use proc_macro2::TokenStream;
+use syn::Token;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+
+use super::declaration::{
+    Bound, Coordinate, Declaration, Definition, Doc, Matrix, MatrixName, Parameter, ParameterSet, Relation, Requirement,
+    SetValue,
+};
+use super::expression::{Expression, expression};
+use super::tokens::{docs, expected, name, semicolon, skip_statement, text};
+use super::unit::unit;
+use crate::report::{Region, Report, error};
+
+/// `/// docs  pub model Name { statements }`
+pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Declaration> {
+    let docs = docs(input)?;
+    let visibility = visibility(input)?;
+    if !input.peek(syn::Ident::peek_any) || input.fork().call(syn::Ident::parse_any)? != "model" {
+        return Err(expected(input, "`model Name { … }`, with `pub` before it if it is public"));
+    }
+    input.call(syn::Ident::parse_any)?;
+    let name = name(input, "the name of the model")?;
+    if !input.peek(syn::token::Brace) {
+        return Err(expected(input, "`{` and the statements of the model"));
+    }
+    let content;
+    syn::braced!(content in input);
+    let mut declaration = Declaration {
+        docs,
+        visibility,
+        name,
+        source: None,
+        parameters: Vec::new(),
+        definitions: Vec::new(),
+        requirements: Vec::new(),
+        sets: Vec::new(),
+        coordinates: Vec::new(),
+        matrices: Vec::new(),
+        unread: Vec::new(),
+    };
+    statements(&content, report, |input, report| statement(input, &mut declaration, report));
+    if !input.is_empty() {
+        report.push(expected(input, "nothing after the model: one `model!` declares one model"));
+        input.parse::<TokenStream>()?;
+    }
+    Ok(declaration)
+}
+
+fn visibility(input: ParseStream<'_>) -> syn::Result<TokenStream> {
+    let visibility: syn::Visibility = input.parse()?;
+    Ok(quote::quote!(#visibility))
+}
+
+/// Reads statements to the end; one that cannot be read is reported and skipped.
+fn statements(
+    input: ParseStream<'_>,
+    report: &mut Report,
+    mut read: impl FnMut(ParseStream<'_>, &mut Report) -> syn::Result<()>,
+) {
+    while !input.is_empty() {
+        let before = input.cursor();
+        if let Err(error) = read(input, report) {
+            report.push(error);
+            skip_statement(input, input.cursor() != before);
+        }
+    }
+}
+
+const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `set name { … }`, \
+                          `coordinates { … }`, `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, `K0`, `K2`";
+
+fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
+    let docs = docs(input)?;
+    if input.peek(Token![let]) {
+        return definition(input, model);
+    }
+    if !input.peek(syn::Ident::peek_any) {
+        return Err(expected(input, STATEMENTS));
+    }
+    let keyword = input.call(syn::Ident::parse_any)?;
+    match keyword.to_string().as_str() {
+        "source" => {
+            let Some(source) = text(input)? else { return Err(expected(input, "a text in quotes")) };
+            if model.source.replace(source).is_some() {
+                report.error(keyword.span(), "a second `source`: expected one");
+            }
+            semicolon(input, "the source")
+        }
+        "parameters" => block(input, "the parameters", report, |input, _| {
+            parameter(input, &mut model.parameters, &mut model.unread)
+        }),
+        "coordinates" => block(input, "the coordinates", report, |input, _| {
+            model.coordinates.push(coordinate(input)?);
+            Ok(())
+        }),
+        "require" => {
+            let value = expression(input)?;
+            let Some(bound) = comparison(input)? else {
+                return Err(expected(input, "a comparison such as `> 0`"));
+            };
+            model.requirements.push(Requirement { value, bound });
+            semicolon(input, "the requirement")
+        }
+        "set" => set(input, docs, model, report),
+        other => match MatrixName::from_name(other) {
+            Some(matrix_name) => {
+                model.matrices.push(matrix(input, matrix_name, keyword.span())?);
+                semicolon(input, "the matrix")
+            }
+            None => Err(error(keyword.span(), format!("found `{other}`: expected {STATEMENTS}"))),
+        },
+    }
+}
+
+fn block(
+    input: ParseStream<'_>,
+    what: &str,
+    report: &mut Report,
+    read: impl FnMut(ParseStream<'_>, &mut Report) -> syn::Result<()>,
+) -> syn::Result<()> {
+    if !input.peek(syn::token::Brace) {
+        return Err(expected(input, &format!("`{{` and {what}")));
+    }
+    let content;
+    syn::braced!(content in input);
+    statements(&content, report, read);
+    Ok(())
+}
+
+fn definition(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
+    input.parse::<Token![let]>()?;
+    let name = name(input, "the name of a definition")?;
+    let mut value = || {
+        if !input.peek(Token![=]) || input.peek(Token![==]) {
+            return Err(expected(input, "`=` and a formula"));
+        }
+        input.parse::<Token![=]>()?;
+        let value = expression(input)?;
+        semicolon(input, "the definition")?;
+        Ok(value)
+    };
+    match value() {
+        Ok(value) => model.definitions.push(Definition { name, value }),
+        Err(error) => {
+            model.unread.push(name);
+            return Err(error);
+        }
+    }
+    Ok(())
+}
+
+fn parameter(input: ParseStream<'_>, parameters: &mut Vec<Parameter>, unread: &mut Vec<syn::Ident>) -> syn::Result<()> {
+    let docs = docs(input)?;
+    let name = name(input, "the name of a parameter")?;
+    match parameter_after_name(input, docs, &name) {
+        Ok(parameter) => parameters.push(parameter),
+        Err(error) => {
+            unread.push(name);
+            return Err(error);
+        }
+    }
+    Ok(())
+}
+
+fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) -> syn::Result<Parameter> {
+    let symbol = text(input)?;
+    colon(input)?;
+    let unit = unit(input)?;
+    let mut parameter =
+        Parameter { docs, name: name.clone(), symbol, unit, bounds: Vec::new(), gravity: None, unused: None };
+    while input.parse::<Option<Token![,]>>()?.is_some() {
+        if let Some(bound) = comparison(input)? {
+            parameter.bounds.push(bound);
+        } else if input.peek(Token![in]) {
+            parameter.bounds.extend(interval(input)?);
+        } else if input.peek(syn::Ident) {
+            let word: syn::Ident = input.parse()?;
+            match word.to_string().as_str() {
+                "gravity" => parameter.gravity = Some(word.span()),
+                "unused" => parameter.unused = Some(word.span()),
+                other => return Err(error(&word, format!("found `{other}`: expected {AFTER_UNIT}"))),
+            }
+        } else {
+            return Err(expected(input, AFTER_UNIT));
+        }
+    }
+    semicolon(input, "the parameter")?;
+    Ok(parameter)
+}
+
+const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `in (a, b)`, `in [a, b]`), `gravity` or `unused`";
+
+fn colon(input: ParseStream<'_>) -> syn::Result<()> {
+    if input.peek(Token![:]) && !input.peek(Token![::]) {
+        input.parse::<Token![:]>()?;
+        return Ok(());
+    }
+    Err(expected(input, "`:` and a unit"))
+}
+
+/// `> 0`, if there is a comparison.
+fn comparison(input: ParseStream<'_>) -> syn::Result<Option<Bound>> {
+    let span = input.span();
+    let relation = if input.parse::<Option<Token![>=]>>()?.is_some() {
+        Relation::GreaterEqual
+    } else if input.parse::<Option<Token![<=]>>()?.is_some() {
+        Relation::LessEqual
+    } else if input.parse::<Option<Token![>]>>()?.is_some() {
+        Relation::Greater
+    } else if input.parse::<Option<Token![<]>>()?.is_some() {
+        Relation::Less
+    } else {
+        return Ok(None);
+    };
+    let value = expression(input)?;
+    let region = Region::from(span).to(value.region);
+    Ok(Some(Bound { relation, value, region }))
+}
+
+/// `in (a, b)` without its ends, `in [a, b]` with them.
+fn interval(input: ParseStream<'_>) -> syn::Result<[Bound; 2]> {
+    input.parse::<Token![in]>()?;
+    let content;
+    let relations = if input.peek(syn::token::Paren) {
+        syn::parenthesized!(content in input);
+        [Relation::Greater, Relation::Less]
+    } else if input.peek(syn::token::Bracket) {
+        syn::bracketed!(content in input);
+        [Relation::GreaterEqual, Relation::LessEqual]
+    } else {
+        return Err(expected(input, "an interval: `(a, b)` without its ends or `[a, b]` with them"));
+    };
+    let low = expression(&content)?;
+    if content.parse::<Option<Token![,]>>()?.is_none() {
+        return Err(expected(&content, "`,` and the upper end of the interval"));
+    }
+    let high = expression(&content)?;
+    if !content.is_empty() {
+        return Err(expected(&content, "the end of the interval"));
+    }
+    let bound = |relation, value: Expression| Bound { relation, region: value.region, value };
+    Ok([bound(relations[0], low), bound(relations[1], high)])
+}
+
+fn coordinate(input: ParseStream<'_>) -> syn::Result<Coordinate> {
+    let docs = docs(input)?;
+    let name = name(input, "the name of a coordinate")?;
+    let label = text(input)?;
+    colon(input)?;
+    let unit = unit(input)?;
+    semicolon(input, "the coordinate")?;
+    Ok(Coordinate { docs, name, label, unit })
+}
+
+fn set(input: ParseStream<'_>, docs: Doc, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
+    let name = name(input, "the name of a parameter set")?;
+    let source = text(input)?;
+    let mut values = Vec::new();
+    block(input, "the values of the set", report, |input, _| {
+        let name = self::name(input, "the name of a parameter")?;
+        let mut value = || {
+            if !input.peek(Token![=]) || input.peek(Token![==]) {
+                return Err(expected(input, "`=` and a value"));
+            }
+            input.parse::<Token![=]>()?;
+            let value = expression(input)?;
+            semicolon(input, "the value")?;
+            Ok(value)
+        };
+        let value = value();
+        values.push(SetValue { name, value: value.as_ref().ok().cloned() });
+        value.map(|_| ())
+    })?;
+    model.sets.push(ParameterSet { docs, name, source, values });
+    Ok(())
+}
+
+fn matrix(input: ParseStream<'_>, name: MatrixName, span: proc_macro2::Span) -> syn::Result<Matrix> {
+    if input.parse::<Option<Token![=]>>()?.is_none() {
+        return Err(expected(input, "`=` and the rows of the matrix"));
+    }
+    let (region, rows) = list(input, "the rows `[[…], […]]`", |input| {
+        list(input, "a row `[…]`", expression)
+    })?;
+    Ok(Matrix { name, span, rows, region })
+}
+
+/// A list in brackets, with where it stands.
+fn list<T>(
+    input: ParseStream<'_>,
+    what: &str,
+    item: impl Fn(ParseStream<'_>) -> syn::Result<T>,
+) -> syn::Result<(Region, Vec<T>)> {
+    if !input.peek(syn::token::Bracket) {
+        return Err(expected(input, what));
+    }
+    let content;
+    let brackets = syn::bracketed!(content in input);
+    let mut items = Vec::new();
+    while !content.is_empty() {
+        items.push(item(&content)?);
+        if !content.is_empty() && content.parse::<Option<Token![,]>>()?.is_none() {
+            return Err(expected(&content, "`,` or `]`"));
+        }
+    }
+    Ok((Region::from(brackets.span.open()).to(brackets.span.close().into()), items))
+}

@@ -1,0 +1,34 @@
+//! Tokens to a syntax tree, spans kept: afterwards the declaration parses, and nothing is resolved.
+
+mod declaration;
+mod expression;
+mod items;
+mod number;
+mod tokens;
+mod unit;
+
+pub use declaration::{
+    Bound, Coordinate, Declaration, Definition, Doc, Matrix, MatrixName, Parameter, ParameterSet, Relation, Requirement,
+    SetValue,
+};
+pub use expression::{Expression, Factor, Kind, Term};
+pub use number::Decimal;
+
+use proc_macro2::TokenStream;
+use syn::parse::Parser;
+
+use crate::report::Report;
+
+/// Parses a declaration as far as it goes: every statement that cannot be read is noted in the report and left out.
+///
+/// Nothing is returned if not even the name of the model and its braces are there.
+pub fn parse(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
+    let parser = |input: syn::parse::ParseStream<'_>| items::declaration(input, report);
+    match parser.parse2(tokens) {
+        Ok(declaration) => Some(declaration),
+        Err(error) => {
+            report.push(error);
+            None
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! Decimal literals, kept exactly.
+
+use proc_macro2::Literal;
+
+/// An unsigned decimal number `digits * 10^exponent`.
+///
+/// `digits` has no leading or trailing zeros, and is `0` for zero.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Decimal {
+    /// Decimal digits of the integer mantissa.
+    pub digits: String,
+    /// Power of ten.
+    pub exponent: i32,
+}
+
+/// Powers of ten beyond this leave the range of f64 with room to spare.
+const EXPONENT_LIMIT: i32 = 400;
+
+/// More digits than this are a mistake rather than a measurement.
+const DIGIT_LIMIT: usize = 400;
+
+impl Decimal {
+    /// The number that a literal writes.
+    ///
+    /// # Errors
+    /// A sentence that says what is wrong with it, such as a suffix or another base.
+    pub fn from_literal(literal: &Literal) -> Result<Self, String> {
+        let text = literal.to_string();
+        let decimal = "expected a decimal number such as `0.5` or `2e-3`";
+        if !text.starts_with(|c: char| c.is_ascii_digit()) {
+            return Err(format!("found {text}: {decimal}"));
+        }
+        if text.len() > 1 && text.starts_with('0') && text[1..].starts_with(['x', 'o', 'b']) {
+            return Err(format!("`{text}` is not decimal: {decimal}"));
+        }
+        let text = text.replace('_', "");
+        let (mantissa, power) = match text.split_once(['e', 'E']) {
+            Some((mantissa, power)) => (mantissa, power.parse::<i32>().ok()),
+            None => (text.as_str(), Some(0)),
+        };
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        if let Some(suffix) = [whole, fraction].iter().find_map(|part| part.find(|c: char| !c.is_ascii_digit())) {
+            let at = if whole.len() > suffix && fraction.is_empty() { &whole[suffix..] } else { &fraction[suffix..] };
+            return Err(format!("unexpected suffix `{at}` on a number: {decimal}"));
+        }
+        let all = format!("{whole}{fraction}");
+        let trimmed = all.trim_start_matches('0');
+        let digits = trimmed.trim_end_matches('0');
+        if digits.is_empty() {
+            return Ok(Self { digits: "0".into(), exponent: 0 });
+        }
+        let shift = (trimmed.len() - digits.len()) as i32 - fraction.len().min(i32::MAX as usize) as i32;
+        let exponent = power.and_then(|power| power.checked_add(shift));
+        match exponent {
+            Some(exponent) if digits.len() <= DIGIT_LIMIT && exponent.abs() <= EXPONENT_LIMIT => {
+                Ok(Self { digits: digits.into(), exponent })
+            }
+            Some(_) if digits.len() > DIGIT_LIMIT => {
+                Err(format!("{} digits: a number may have at most {DIGIT_LIMIT}", digits.len()))
+            }
+            _ => Err("a number beyond the range of f64: expected an exponent between -300 and 300".into()),
+        }
+    }
+
+    /// The whole number, if it is one and fits.
+    pub fn to_integer(&self) -> Option<i32> {
+        let zeros = usize::try_from(self.exponent).ok()?;
+        format!("{}{}", self.digits, "0".repeat(zeros)).parse().ok()
+    }
+}
+
+/// In a form that every decimal parser reads.
+impl std::fmt::Display for Decimal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.digits)?;
+        if self.exponent == 0 { Ok(()) } else { write!(f, "e{}", self.exponent) }
+    }
+}
