@@ -17,6 +17,20 @@ pub fn regular() -> impl Strategy<Value = Whipple> {
     RANGES.map(|(_, low, high, _)| low..high).prop_map(|values| from_ranges(&values))
 }
 
+/// The design of a number: inside the ranges of [`RANGES`], the same on every run.
+pub fn numbered(number: u64) -> Whipple {
+    // Splitmix64, by Steele, Lea & Flood (2014): its state advances by an odd constant, so every number has its own.
+    let mut state = number.wrapping_mul(RANGES.len() as u64);
+    from_ranges(&RANGES.map(|(_, low, high, _)| {
+        state = state.wrapping_add(1);
+        let mixed = state.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let fraction = ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1u64 << 53) as f64;
+        low + fraction * (high - low)
+    }))
+}
+
 /// For each parameter: its name, a range of usual values, and a value at the edge of what is legitimate.
 ///
 /// Products of inertia are fractions of the largest that a body can have, the geometric mean of its moments xx and zz,

@@ -1,7 +1,7 @@
 //! Appendix A of Meijaard, Papadopoulos, Ruina & Schwab (2007) by hand, one statement for each formula of the paper.
 //!
-//! This is what one would write without a compiler: the reference for speed and for rounding errors. As written it
-//! takes 175 operations, sine and cosine among them.
+//! This is what one would write without a compiler: the reference for speed and for rounding errors. It takes 175
+//! operations, sine and cosine among them.
 
 #![allow(non_snake_case)] // The names are the paper's.
 
@@ -41,13 +41,12 @@ pub fn coefficients<T: Scalar>(design: &Whipple<T>) -> Coefficients<T, 2> {
     let ST = SR + SF;
     let SA = mA * uA + mu * mT * xT;
 
-    let M = [[ITxx, IAlx + mu * ITxz], [IAlx + mu * ITxz, IAll + two * mu * IAlz + mu * mu * ITzz]];
+    let M12 = IAlx + mu * ITxz;
+    let M = [[ITxx, M12], [M12, IAll + two * mu * IAlz + mu * mu * ITzz]];
     let K0 = [[mT * zT, -SA], [-SA, -SA * sin]];
     let K2 = [[zero, (ST - mT * zT) / w * cos], [zero, (SA + SF * sin) / w * cos]];
-    let C1 = [
-        [zero, mu * ST + SF * cos + ITxz / w * cos - mu * mT * zT],
-        [-(mu * ST + SF * cos), IAlz / w * cos + mu * (SA + ITzz / w * cos)],
-    ];
+    let C21 = mu * ST + SF * cos;
+    let C1 = [[zero, C21 + ITxz / w * cos - mu * mT * zT], [-C21, IAlz / w * cos + mu * (SA + ITzz / w * cos)]];
     let none = [[zero; 2]; 2];
     Coefficients::from_rows([M, none, C1, none, K0, K2])
 }

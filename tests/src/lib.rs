@@ -9,5 +9,6 @@ pub mod designs;
 pub mod exact;
 pub mod facts;
 pub mod hand_written;
+pub mod operations;
 pub mod published;
 pub mod real;

@@ -26,11 +26,6 @@ pub struct Real {
 }
 
 impl Real {
-    /// Zero.
-    pub fn zero() -> Self {
-        Self::from(0.0)
-    }
-
     /// The nearest number to a decimal such as `-5.5309437176539346`.
     pub fn parse(decimal: &str) -> Self {
         CONSTANTS.with_borrow_mut(|constants| BigFloat::parse(decimal, Radix::Dec, BITS, ROUNDING, constants).into())

@@ -2,4 +2,7 @@
 
 mod bicycles;
 mod designs;
+mod operations;
 mod published;
+#[cfg(feature = "compiler")]
+mod ui;

@@ -1,0 +1,119 @@
+//! Operations of a function, counted in its source.
+
+use std::fmt;
+use std::ops::AddAssign;
+
+use syn::visit::{self, Visit};
+use syn::{BinOp, Expr, ExprBinary, ExprMethodCall, ExprUnary, ImplItemFn, ItemFn, UnOp};
+
+/// How many operations on numbers a function does, if it has no loops.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Additions and subtractions.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Changes of sign.
+    pub negations: usize,
+    /// Sines, cosines, tangents and square roots.
+    pub functions: usize,
+}
+
+impl Operations {
+    /// All of them.
+    pub fn total(self) -> usize {
+        let Self { additions, multiplications, divisions, negations, functions } = self;
+        additions + multiplications + divisions + negations + functions
+    }
+}
+
+impl AddAssign for Operations {
+    fn add_assign(&mut self, other: Self) {
+        self.additions += other.additions;
+        self.multiplications += other.multiplications;
+        self.divisions += other.divisions;
+        self.negations += other.negations;
+        self.functions += other.functions;
+    }
+}
+
+impl fmt::Display for Operations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { additions, multiplications, divisions, negations, functions } = self;
+        write!(
+            f,
+            "{additions} + and -, {multiplications} *, {divisions} /, {negations} negations, {functions} functions"
+        )
+    }
+}
+
+/// Operations in the functions or methods called `name` of a Rust source file.
+///
+/// # Panics
+/// If the source does not parse or has no such function.
+pub fn count(source: &str, name: &str) -> Operations {
+    let mut counter = Counter { name, inside: false, found: false, operations: Operations::default() };
+    counter.visit_file(&syn::parse_file(source).expect("Rust source"));
+    assert!(counter.found, "no function is called {name}");
+    counter.operations
+}
+
+struct Counter<'a> {
+    name: &'a str,
+    inside: bool,
+    found: bool,
+    operations: Operations,
+}
+
+impl Counter<'_> {
+    fn enter(&mut self, name: &syn::Ident, body: &syn::Block) {
+        if name == self.name {
+            self.found = true;
+            self.inside = true;
+            self.visit_block(body);
+            self.inside = false;
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for Counter<'_> {
+    fn visit_item_fn(&mut self, function: &'ast ItemFn) {
+        self.enter(&function.sig.ident, &function.block);
+    }
+
+    fn visit_impl_item_fn(&mut self, method: &'ast ImplItemFn) {
+        self.enter(&method.sig.ident, &method.block);
+    }
+
+    fn visit_expr_binary(&mut self, expression: &'ast ExprBinary) {
+        if self.inside {
+            self.operations += match expression.op {
+                BinOp::Add(_) | BinOp::Sub(_) => Operations { additions: 1, ..Default::default() },
+                BinOp::Mul(_) => Operations { multiplications: 1, ..Default::default() },
+                BinOp::Div(_) => Operations { divisions: 1, ..Default::default() },
+                _ => panic!("an operator that is no arithmetic"),
+            };
+        }
+        visit::visit_expr_binary(self, expression);
+    }
+
+    fn visit_expr_unary(&mut self, expression: &'ast ExprUnary) {
+        // A negative literal is a constant.
+        let negated = matches!(expression.op, UnOp::Neg(_)) && !matches!(*expression.expr, Expr::Lit(_));
+        self.operations.negations += usize::from(self.inside && negated);
+        visit::visit_expr_unary(self, expression);
+    }
+
+    fn visit_expr_method_call(&mut self, call: &'ast ExprMethodCall) {
+        if self.inside {
+            self.operations.functions += match call.method.to_string().as_str() {
+                "sin_cos" => 2,
+                "sin" | "cos" | "tan" | "sqrt" => 1,
+                _ => 0,
+            };
+        }
+        visit::visit_expr_method_call(self, call);
+    }
+}
