@@ -4,6 +4,9 @@ use nalgebra::SMatrix;
 
 use crate::Scalar;
 
+/// A matrix of N x N numbers.
+pub type Matrix<T, const N: usize> = SMatrix<T, N, N>;
+
 /// The coefficient matrices of
 /// `M q'' + (C0 + v C1) q' + (Kc + g K0 + v^2 K2) q = f`, each N x N.
 ///
@@ -12,30 +15,23 @@ use crate::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients<T: Scalar, const N: usize> {
     /// Mass matrix M.
-    pub m: SMatrix<T, N, N>,
+    pub m: Matrix<T, N>,
     /// Damping C0 that does not depend on the speed.
-    pub c0: SMatrix<T, N, N>,
+    pub c0: Matrix<T, N>,
     /// Damping C1, to be multiplied by v.
-    pub c1: SMatrix<T, N, N>,
+    pub c1: Matrix<T, N>,
     /// Stiffness Kc that depends on neither gravity nor speed.
-    pub kc: SMatrix<T, N, N>,
+    pub kc: Matrix<T, N>,
     /// Stiffness K0, to be multiplied by g.
-    pub k0: SMatrix<T, N, N>,
+    pub k0: Matrix<T, N>,
     /// Stiffness K2, to be multiplied by v^2.
-    pub k2: SMatrix<T, N, N>,
+    pub k2: Matrix<T, N>,
 }
 
 impl<T: Scalar, const N: usize> Coefficients<T, N> {
     /// From the rows of each matrix, in the order M, C0, C1, Kc, K0, K2.
     pub fn from_rows([m, c0, c1, kc, k0, k2]: [[[T; N]; N]; 6]) -> Self {
         let matrix = |rows: [[T; N]; N]| SMatrix::from_fn(|row, column| rows[row][column]);
-        Self {
-            m: matrix(m),
-            c0: matrix(c0),
-            c1: matrix(c1),
-            kc: matrix(kc),
-            k0: matrix(k0),
-            k2: matrix(k2),
-        }
+        Self { m: matrix(m), c0: matrix(c0), c1: matrix(c1), kc: matrix(kc), k0: matrix(k0), k2: matrix(k2) }
     }
 }

@@ -124,10 +124,7 @@ pub struct Domain {
 
 impl Domain {
     /// Any finite value.
-    pub const FINITE: Self = Self {
-        lower: Bound::Unbounded,
-        upper: Bound::Unbounded,
-    };
+    pub const FINITE: Self = Self { lower: Bound::Unbounded, upper: Bound::Unbounded };
 
     /// Whether `value` is finite and inside.
     pub fn contains(&self, value: f64) -> bool {

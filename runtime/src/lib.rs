@@ -13,14 +13,24 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod coefficients;
+mod eigenvalues;
+mod error;
 mod info;
 mod model;
 mod scalar;
+#[cfg(feature = "std")]
+mod stability;
+mod system;
 
-pub use coefficients::Coefficients;
+pub use coefficients::{Coefficients, Matrix};
+pub use error::SystemError;
 pub use info::{Bound, CoordinateInfo, Domain, ModelInfo, ParameterInfo, SetInfo};
 pub use model::{LengthError, Model, ParameterError};
+pub use nalgebra::Complex;
 pub use scalar::Scalar;
+#[cfg(feature = "std")]
+pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};
+pub use system::{StateSpace, System};
 
 #[cfg(feature = "derive")]
 pub use carvallo_derive::model;

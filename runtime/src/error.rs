@@ -1,0 +1,49 @@
+//! What can keep a system from having an answer.
+
+use core::fmt;
+
+/// Why a system, its eigenvalues or its stability cannot be computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SystemError {
+    /// An argument or a matrix entry is infinite or not a number.
+    NotFinite {
+        /// What it is, such as `speed` or `C1`.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A speed below zero where the analysis runs over the speeds from zero.
+    NegativeSpeed {
+        /// The speed in m/s.
+        speed: f64,
+    },
+    /// The mass matrix M cannot be inverted: its determinant is zero as far as its entries can tell.
+    SingularMass,
+    /// The numbers differ so much in size that an intermediate result leaves the range of `f64`.
+    OutOfRange {
+        /// The result that left the range, such as `C0 + v C1`.
+        quantity: &'static str,
+    },
+    /// The eigenvalue iteration did not converge within its bound.
+    NotConverged {
+        /// The bound.
+        iterations: usize,
+    },
+}
+
+impl fmt::Display for SystemError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { quantity, value } => write!(f, "{quantity} is {value}; it must be finite"),
+            Self::NegativeSpeed { speed } => write!(f, "the speed is {speed} m/s; it must be >= 0"),
+            Self::SingularMass => f.write_str("the mass matrix M is singular; it must be invertible"),
+            Self::OutOfRange { quantity } => write!(f, "{quantity} leaves the range of double precision"),
+            Self::NotConverged { iterations } => {
+                write!(f, "the eigenvalues did not converge within {iterations} iterations")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SystemError {}
