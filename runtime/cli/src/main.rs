@@ -1,2 +1,148 @@
-use carvallo::Model;
-fn main(){ println!("{}", carvallo_models::Whipple::BENCHMARK.coefficients().m); }
+//! The command line of Carvallo: stability of bicycles.
+
+mod analysis;
+mod args;
+mod failure;
+mod input;
+mod output;
+mod plot;
+mod speeds;
+
+use std::io::{ErrorKind, Write as _};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use anstyle::{AnsiColor, Style};
+use carvallo_models::BICYCLES;
+
+use self::analysis::Analysis;
+use self::args::{Command, DEFAULT_BICYCLE, Format};
+use self::failure::Failure;
+use self::input::{Bicycle, Request};
+
+const ERROR: Style = AnsiColor::Red.on_default().bold();
+const WARNING: Style = AnsiColor::Yellow.on_default().bold();
+
+/// The speeds of tables, and of everything that is read by programs or drawn.
+const COARSE: &str = "0:10:1";
+const FINE: &str = "0:10:0.1";
+
+fn main() -> ExitCode {
+    match args::parse(std::env::args_os()).and_then(run) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            note(ERROR, "error", &failure.to_string());
+            failure.exit_code()
+        }
+    }
+}
+
+fn run(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Demo => demo(),
+        Command::Analyze { request, speeds, format, plot } => analyze(&request, speeds, format, plot.as_deref()),
+        Command::Bicycles => bicycles(),
+        Command::Show { request, plot } => show(&request, plot.as_deref()),
+    }
+}
+
+/// The benchmark bicycle and its picture, and how to go on.
+fn demo() -> Result<(), Failure> {
+    let request = Request { bicycle: DEFAULT_BICYCLE.to_owned(), overrides: Vec::new() };
+    let analysis = Analysis::new(load(&request)?)?;
+    let rows = analysis.rows(&default_speeds(COARSE)?)?;
+    let mut text = output::table(&analysis, &rows);
+    text.push('\n');
+    text.push_str(&output::sketch(&analysis, 10.0)?);
+    match picture_directory() {
+        Some(directory) => {
+            let path = directory.join(format!("{DEFAULT_BICYCLE}.svg"));
+            save_eigenvalues(&analysis, &[0.0, 10.0], &path)?;
+            text.push_str(&format!("\nPicture: {}\n", path.display()));
+        }
+        None => text.push_str("\nPicture: carvallo analyze --plot benchmark.svg\n"),
+    }
+    text.push_str("More: carvallo --help, carvallo bicycles\n");
+    print(&text)
+}
+
+/// Where cargo keeps what it builds, if the program runs from there. Elsewhere nothing is written unasked.
+fn picture_directory() -> Option<PathBuf> {
+    let executable = std::env::current_exe().ok()?;
+    let target = executable.parent()?.parent()?;
+    let directory = target.join("carvallo");
+    (target.join("CACHEDIR.TAG").exists() && std::fs::create_dir_all(&directory).is_ok()).then_some(directory)
+}
+
+fn analyze(request: &Request, speeds: Option<Vec<f64>>, format: Format, plot: Option<&Path>) -> Result<(), Failure> {
+    let analysis = Analysis::new(load(request)?)?;
+    let speeds_or = |default| speeds.clone().map_or_else(|| default_speeds(default), Ok);
+    let rows = analysis.rows(&speeds_or(if format == Format::Table { COARSE } else { FINE })?)?;
+    let text = match format {
+        Format::Table => output::table(&analysis, &rows),
+        Format::Json => output::json(&analysis, &rows),
+        Format::Csv => output::csv(&rows),
+    };
+    if let Some(path) = plot {
+        save_eigenvalues(&analysis, &speeds_or(FINE)?, path)?;
+        note(Style::new(), "wrote", &path.display().to_string());
+    }
+    print(&text)
+}
+
+fn bicycles() -> Result<(), Failure> {
+    let analyses = BICYCLES.iter().map(|bicycle| {
+        let request = Request { bicycle: bicycle.name.to_owned(), overrides: Vec::new() };
+        input::load(&request).and_then(Analysis::new)
+    });
+    print(&output::list(&analyses.collect::<Result<Vec<_>, _>>()?))
+}
+
+fn show(request: &Request, plot: Option<&Path>) -> Result<(), Failure> {
+    let bicycle = load(request)?;
+    if let Some(path) = plot {
+        let no_view = || Failure::Run(format!("the model {} has no side view", bicycle.info().name));
+        plot::save(&plot::side_view(&bicycle).ok_or_else(no_view)?, path)?;
+        note(Style::new(), "wrote", &path.display().to_string());
+    }
+    print(&output::parameters(&bicycle))
+}
+
+fn default_speeds(text: &str) -> Result<Vec<f64>, Failure> {
+    speeds::parse(text).map_err(Failure::usage)
+}
+
+/// Loads a bicycle, and tells what deserves to be known about its parameters.
+fn load(request: &Request) -> Result<Bicycle, Failure> {
+    let bicycle = input::load(request)?;
+    for text in &bicycle.notes {
+        note(WARNING, "note", text);
+    }
+    let values: Vec<f64> = bicycle.parameters.iter().map(|given| given.value).collect();
+    for text in input::warnings(bicycle.info(), &values) {
+        note(WARNING, "warning", &format!("{}: {text}", bicycle.name));
+    }
+    Ok(bicycle)
+}
+
+fn save_eigenvalues(analysis: &Analysis, speeds: &[f64], path: &Path) -> Result<(), Failure> {
+    let low = speeds.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = speeds.iter().copied().fold(0.0, f64::max);
+    plot::save(&plot::eigenvalues(analysis, (low, high))?, path)
+}
+
+/// Prints to the standard output; a reader that has seen enough is no failure.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut output = anstream::stdout().lock();
+    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::Run(format!("cannot write the output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Prints a line to the standard error. Where even that is closed, nothing more can be told.
+fn note(style: Style, what: &str, text: &str) {
+    let _ = writeln!(anstream::stderr(), "{style}{what}{style:#}: {text}");
+}

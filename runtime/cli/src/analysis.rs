@@ -1,0 +1,49 @@
+//! What is computed for a bicycle, once, for every way of showing it.
+
+use carvallo::{Coefficients, ModeValue, Model, Modes, Stability, SystemError};
+
+use crate::failure::Failure;
+use crate::input::Bicycle;
+
+/// A bicycle with everything about it along speed.
+pub struct Analysis {
+    pub bicycle: Bicycle,
+    /// The gravitational field strength in N/kg.
+    pub gravity: f64,
+    pub coefficients: Coefficients<f64, 2>,
+    pub stability: Stability,
+    modes: Modes,
+}
+
+/// The eigenvalues at one speed.
+pub struct Row {
+    pub speed: f64,
+    /// Castering, capsize, weave and weave.
+    pub values: [ModeValue; 4],
+}
+
+impl Analysis {
+    /// # Errors
+    /// If the equations of motion have no answer, such as for a singular mass matrix.
+    pub fn new(bicycle: Bicycle) -> Result<Self, Failure> {
+        let coefficients = bicycle.model.coefficients();
+        // A model without gravity as its parameter has no terms with it either.
+        let gravity = bicycle.model.gravity().unwrap_or(0.0);
+        let fail = |error: SystemError| Failure::Run(format!("{}: {error}", bicycle.name));
+        let stability = Stability::new(&coefficients, gravity).map_err(fail)?;
+        let modes = Modes::new(&coefficients, gravity).map_err(fail)?;
+        Ok(Self { bicycle, gravity, coefficients, stability, modes })
+    }
+
+    /// The eigenvalues at each of the speeds.
+    ///
+    /// # Errors
+    /// If they cannot be computed at one of them.
+    pub fn rows(&self, speeds: &[f64]) -> Result<Vec<Row>, Failure> {
+        let row = |&speed: &f64| match self.modes.at(speed) {
+            Ok(values) => Ok(Row { speed, values }),
+            Err(error) => Err(Failure::Run(format!("{} at {speed} m/s: {error}", self.bicycle.name))),
+        };
+        speeds.iter().map(row).collect()
+    }
+}

@@ -1,0 +1,183 @@
+//! The command line: what can be asked for, and its help.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, Styles, styling::AnsiColor};
+use clap::{Arg, ArgAction, ArgMatches, value_parser};
+
+use crate::failure::{Failure, Place, Problem};
+use crate::input::Request;
+use crate::speeds;
+
+/// What to do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Without any argument: the benchmark bicycle, as a first look.
+    Demo,
+    Analyze {
+        request: Request,
+        /// In m/s; `None` for those that suit the output.
+        speeds: Option<Vec<f64>>,
+        format: Format,
+        plot: Option<PathBuf>,
+    },
+    Bicycles,
+    Show {
+        request: Request,
+        plot: Option<PathBuf>,
+    },
+}
+
+/// How an analysis is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    Table,
+    Json,
+    Csv,
+}
+
+/// The bicycle that is analyzed unless another one is named.
+pub const DEFAULT_BICYCLE: &str = "benchmark";
+
+const ABOUT: &str = "Stability of bicycles: matrices, eigenvalues and critical speeds of the Whipple model.";
+
+const EXAMPLES: &str = "\
+Examples:
+  carvallo                                     A first look at the benchmark bicycle
+  carvallo analyze pista --plot pista.svg      A measured bicycle, with its picture
+  carvallo analyze --set mB=90 --set 'lam=20 deg'
+                                               The benchmark bicycle, changed
+  carvallo analyze my-bike.toml --format csv --speeds 0:8:0.05
+  carvallo show benchmark > my-bike.toml       A file to start from: edit it and analyze it
+  carvallo show browser --plot browser.svg     Parameters, and a side view to scale";
+
+const ANALYZE_HELP: &str = "\
+BICYCLE is a name that `carvallo bicycles` lists, the path of a file, or - for the standard input.
+Files: TOML as `carvallo show` writes it; YAML `name: value` and text `name = value+/-deviation` as
+BicycleParameters writes them; JSON, also as --format json writes it. Values may be expressions:
+pi/10, atan(1/3), 18 deg.
+
+JSON: {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},
+  \"critical_speeds\": [{\"kind\": \"weave\"|\"capsize\"|\"double_root\", \"speed\", \"eigenvalue\": {\"re\", \"im\"}, \"change\"}],
+  \"stable_ranges\": [[FROM, TO|null]], \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\"}]}]}
+SI units throughout; every number reads back to the same double. It is itself a file that can be read.
+
+Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";
+
+fn command() -> clap::Command {
+    let bicycle = Arg::new("bicycle").value_name("BICYCLE|FILE").help("A shipped bicycle, or a file; - reads stdin");
+    let gravity = Arg::new("gravity")
+        .long("gravity")
+        .value_name("G")
+        .allow_negative_numbers(true)
+        .help("Gravitational field strength in N/kg, the same as --set g=G");
+    let set = Arg::new("set")
+        .long("set")
+        .value_name("NAME=VALUE")
+        .action(ArgAction::Append)
+        .help("Replaces a parameter; may be given several times");
+    let plot = Arg::new("plot").long("plot").value_name("FILE").value_parser(value_parser!(PathBuf));
+    let styles = Styles::styled()
+        .header(AnsiColor::Green.on_default().bold())
+        .usage(AnsiColor::Green.on_default().bold())
+        .literal(AnsiColor::Cyan.on_default().bold())
+        .placeholder(AnsiColor::Cyan.on_default());
+    let analyze = clap::Command::new("analyze")
+        .about("Matrices, critical speeds, and eigenvalues against speed")
+        .after_help(ANALYZE_HELP)
+        .arg(bicycle.clone().default_value(DEFAULT_BICYCLE))
+        .arg(
+            Arg::new("speeds")
+                .long("speeds")
+                .value_name("SPEEDS")
+                .allow_hyphen_values(true)
+                .help("In m/s: LOW:HIGH:STEP, a list, or one [default: 0:10:1 in a table, else 0:10:0.1]"),
+        )
+        .arg(gravity.clone())
+        .arg(set.clone())
+        .arg(
+            Arg::new("format")
+                .long("format")
+                .value_name("FORMAT")
+                .value_parser(PossibleValuesParser::new(["table", "json", "csv"]))
+                .default_value("table")
+                .hide_possible_values(true)
+                .help("table, json or csv"),
+        )
+        .arg(plot.clone().help("Draws the eigenvalues against speed; .svg or .png"));
+    let show = clap::Command::new("show")
+        .about("The parameters as a file, with units and warnings")
+        .arg(bicycle.required(true))
+        .arg(gravity)
+        .arg(set)
+        .arg(plot.help("Draws a side view to scale; .svg or .png"));
+    clap::Command::new("carvallo")
+        .about(ABOUT)
+        .version(env!("CARGO_PKG_VERSION"))
+        .styles(styles)
+        .after_help(EXAMPLES)
+        .disable_help_subcommand(true)
+        .subcommand(analyze)
+        .subcommand(clap::Command::new("bicycles").about("The shipped bicycles, with their critical speeds"))
+        .subcommand(show)
+}
+
+/// Reads the command line. Prints help, and ends the process for it and for wrong usage.
+///
+/// # Errors
+/// What clap does not judge: speeds, `NAME=VALUE`, and the ending of a picture.
+pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, Failure> {
+    let matches = command().get_matches_from(arguments);
+    match matches.subcommand() {
+        None => Ok(Command::Demo),
+        Some(("analyze", matches)) => {
+            let text = matches.get_one::<String>("speeds");
+            let speeds = text.map(|text| {
+                speeds::parse(text).map_err(|message| {
+                    Failure::Input(vec![Problem { place: Place::Option(format!("--speeds {text}")), message }])
+                })
+            });
+            let format = match matches.get_one::<String>("format").map(String::as_str) {
+                Some("json") => Format::Json,
+                Some("csv") => Format::Csv,
+                _ => Format::Table,
+            };
+            let (request, plot) = (request(matches)?, plot(matches)?);
+            Ok(Command::Analyze { request, speeds: speeds.transpose()?, format, plot })
+        }
+        Some(("show", matches)) => Ok(Command::Show { request: request(matches)?, plot: plot(matches)? }),
+        Some(_) => Ok(Command::Bicycles),
+    }
+}
+
+fn request(matches: &ArgMatches) -> Result<Request, Failure> {
+    let mut overrides = Vec::new();
+    for setting in matches.get_many::<String>("set").into_iter().flatten() {
+        let option = format!("--set {setting}");
+        match setting.split_once('=') {
+            Some((name, value)) => overrides.push((option, name.trim().to_owned(), value.to_owned())),
+            None => {
+                let message = "expected NAME=VALUE, such as mB=90".to_owned();
+                return Err(Failure::Input(vec![Problem { place: Place::Option(option), message }]));
+            }
+        }
+    }
+    if let Some(gravity) = matches.get_one::<String>("gravity") {
+        overrides.push((format!("--gravity {gravity}"), "g".to_owned(), gravity.clone()));
+    }
+    let bicycle = matches.get_one::<String>("bicycle").map_or(DEFAULT_BICYCLE, String::as_str).to_owned();
+    Ok(Request { bicycle, overrides })
+}
+
+/// The picture is refused before anything is computed if its ending names no format.
+fn plot(matches: &ArgMatches) -> Result<Option<PathBuf>, Failure> {
+    let Some(path) = matches.get_one::<PathBuf>("plot") else { return Ok(None) };
+    match path.extension().and_then(|ending| ending.to_str()) {
+        Some("svg" | "png") => Ok(Some(path.clone())),
+        _ => {
+            let place = Place::Option(format!("--plot {}", path.display()));
+            Err(Failure::Input(vec![Problem { place, message: "the name must end in .svg or .png".to_owned() }]))
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Why a run ends without its result, and the exit code that tells so.
+
+use std::fmt;
+use std::process::ExitCode;
+
+/// Why a run ends without its result.
+#[derive(Debug)]
+pub enum Failure {
+    /// What the user asked for, or a file, is wrong; everything that is wrong at once.
+    Input(Vec<Problem>),
+    /// The analysis has no answer, or a file cannot be read or written.
+    Run(String),
+}
+
+impl Failure {
+    /// A single mistake in what was asked for.
+    pub fn usage(message: impl Into<String>) -> Self {
+        Self::Input(vec![Problem { place: Place::Nowhere, message: message.into() }])
+    }
+
+    pub fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Input(_) => ExitCode::from(2),
+            Self::Run(_) => ExitCode::FAILURE,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Run(message) => f.write_str(message),
+            Self::Input(problems) => match problems.as_slice() {
+                [problem] => problem.fmt(f),
+                problems => {
+                    write!(f, "{} problems", problems.len())?;
+                    problems.iter().try_for_each(|problem| write!(f, "\n{problem}"))
+                }
+            },
+        }
+    }
+}
+
+/// One thing that is wrong, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    pub place: Place,
+    pub message: String,
+}
+
+/// Where something is wrong, in the order in which problems are told.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// The message says it.
+    Nowhere,
+    /// An option of the command line, as it was given.
+    Option(String),
+    /// A file and a line in it.
+    Line(String, usize),
+    /// A file as a whole.
+    File(String),
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            Place::Nowhere => f.write_str(&self.message),
+            place => write!(f, "{place}: {}", self.message),
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Option(label) | Self::File(label) => f.write_str(label),
+            Self::Line(label, line) => write!(f, "{label}:{line}"),
+        }
+    }
+}

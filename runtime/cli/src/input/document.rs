@@ -1,0 +1,86 @@
+//! What every file format is read into, before any name or value is judged.
+
+use crate::failure::{Place, Problem};
+
+/// A parameter file, with its values still as they were written.
+#[derive(Debug, Default)]
+pub struct Document {
+    pub name: Option<String>,
+    pub kind: Option<String>,
+    pub source: Option<String>,
+    pub model: Option<String>,
+    /// In the order of the file.
+    pub entries: Vec<Entry>,
+    /// What was wrong with the format itself.
+    pub problems: Vec<Problem>,
+}
+
+/// One parameter as it was written.
+#[derive(Debug)]
+pub struct Entry {
+    pub name: String,
+    pub place: Place,
+    pub value: Written,
+    /// Its standard deviation.
+    pub deviation: Option<Written>,
+}
+
+/// A value as it was written.
+#[derive(Debug)]
+pub enum Written {
+    /// A number or an expression.
+    Text(String),
+    /// Something that cannot be a number, in words: `an array`.
+    Other(&'static str),
+}
+
+impl Entry {
+    /// An entry of a format that keeps value and deviation in one text: `1.02 +/- 0.01`.
+    pub fn from_text(name: &str, place: Place, text: &str) -> Self {
+        let (value, deviation) = match text.split_once("+/-").or_else(|| text.split_once('±')) {
+            Some((value, deviation)) => (value, Some(Written::Text(deviation.trim().to_owned()))),
+            None => (text, None),
+        };
+        Self { name: name.to_owned(), place, value: Written::Text(value.trim().to_owned()), deviation }
+    }
+}
+
+/// Where in a file something is: its label, and its text to count lines in.
+#[derive(Clone, Copy)]
+pub struct File<'a> {
+    /// The path as it was given, or `<stdin>`.
+    pub label: &'a str,
+    pub text: &'a str,
+}
+
+impl File<'_> {
+    pub fn line(&self, number: usize) -> Place {
+        Place::Line(self.label.to_owned(), number)
+    }
+
+    /// The line that holds the byte at `offset`.
+    pub fn line_at(&self, offset: usize) -> Place {
+        let before = self.text.as_bytes().iter().take(offset);
+        self.line(1 + before.filter(|&&byte| byte == b'\n').count())
+    }
+}
+
+impl Document {
+    /// Takes the text of a heading such as `name` or `source`; whether it is one.
+    pub fn take_heading(&mut self, key: &str, text: &str) -> bool {
+        let heading = match key {
+            // `bicycle` is what the JSON output of the command line calls it.
+            "name" | "bicycle" => &mut self.name,
+            "kind" => &mut self.kind,
+            "source" => &mut self.source,
+            "model" => &mut self.model,
+            _ => return false,
+        };
+        *heading = Some(text.to_owned());
+        true
+    }
+
+    pub fn problem(&mut self, place: Place, message: impl Into<String>) {
+        self.problems.push(Problem { place, message: message.into() });
+    }
+}

@@ -1,0 +1,81 @@
+//! Parameter files in JSON: an object of values, alone or under `parameters`, as `--format json` writes it.
+
+use jsonc_parser::ast::{Object, ObjectProp, Value};
+use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
+
+use super::document::{Document, Entry, File, Written};
+
+/// What the output of an analysis holds besides the parameters.
+const RESULTS: [&str; 4] = ["matrices", "critical_speeds", "stable_ranges", "eigenvalues"];
+
+/// Reads an object that holds an object `parameters`, or the parameters themselves.
+pub fn read(file: File) -> Document {
+    let mut document = Document::default();
+    let strict = ParseOptions {
+        allow_comments: false,
+        allow_loose_object_property_names: false,
+        allow_trailing_commas: false,
+        allow_missing_commas: false,
+        allow_single_quoted_strings: false,
+        allow_hexadecimal_numbers: false,
+        allow_unary_plus_numbers: false,
+        allow_bare_decimal_point_numbers: false,
+        // Python writes NaN and Infinity; they are read so that the message can name the parameter.
+        allow_non_finite_numbers: true,
+        allow_extended_string_escapes: false,
+    };
+    let object = match parse_to_ast(file.text, &CollectOptions::default(), &strict).map(|parsed| parsed.value) {
+        Ok(Some(Value::Object(object))) => object,
+        Ok(_) => {
+            document.problem(file.line(1), "this is not a JSON object of parameters");
+            return document;
+        }
+        Err(error) => {
+            document.problem(file.line_at(error.range().start), format!("this is not JSON: {}", error.kind()));
+            return document;
+        }
+    };
+    let nested = object.get_object("parameters");
+    for property in &object.properties {
+        let name = property.name.as_str();
+        match &property.value {
+            Value::StringLit(text) if document.take_heading(name, &text.value) => {}
+            _ if nested.is_some() && (name == "parameters" || RESULTS.contains(&name)) => {}
+            _ if nested.is_some() => {
+                document
+                    .problem(file.line_at(property.range.start), format!("`{name}` stands outside of `parameters`"));
+            }
+            _ => document.entries.push(entry(file, property)),
+        }
+    }
+    let properties = nested.map(|object| object.properties.as_slice()).unwrap_or_default();
+    document.entries.extend(properties.iter().map(|property| entry(file, property)));
+    document
+}
+
+/// `"name": value`, or `"name": { "value": …, "std": … }`.
+fn entry(file: File, property: &ObjectProp) -> Entry {
+    let name = property.name.as_str();
+    let place = file.line_at(property.range.start);
+    let member = |object: &Object, key: &str| object.get(key).map(|property| written(&property.value));
+    let (value, deviation) = match &property.value {
+        Value::StringLit(text) => return Entry::from_text(name, place, &text.value),
+        Value::Object(object) => match member(object, "value") {
+            Some(value) => (value, member(object, "std")),
+            None => (Written::Other("an object without `value`"), None),
+        },
+        value => (written(value), None),
+    };
+    Entry { name: name.to_owned(), place, value, deviation }
+}
+
+fn written(value: &Value) -> Written {
+    match value {
+        Value::StringLit(text) => Written::Text(text.value.to_string()),
+        Value::NumberLit(number) => Written::Text(number.value.to_owned()),
+        Value::BooleanLit(_) => Written::Other("a boolean"),
+        Value::Object(_) => Written::Other("an object"),
+        Value::Array(_) => Written::Other("an array"),
+        Value::NullKeyword(_) => Written::Other("null"),
+    }
+}

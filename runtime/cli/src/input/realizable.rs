@@ -1,0 +1,48 @@
+//! Whether rigid bodies with the given inertias can exist.
+
+use carvallo::ModelInfo;
+
+/// Measured inertias may miss a bound by the rounding of their last digit without meaning anything.
+const TOLERANCE: f64 = 1e-9;
+
+/// What deserves a warning: a moment of inertia that exceeds the sum of the other two, or is negative, in any body.
+///
+/// Bodies with a product of inertia are judged by their principal moments.
+pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
+    let value = |name: &str| info.position(name).and_then(|position| values.get(position)).copied();
+    let frame = |body: &str| {
+        let [xx, yy, zz, xz] = ["xx", "yy", "zz", "xz"].map(|axes| value(&format!("I{body}{axes}")));
+        let (xx, zz) = (xx?, zz?);
+        let radius = ((xx - zz) / 2.0).hypot(xz?);
+        let mean = (xx + zz) / 2.0;
+        Some([mean - radius, mean + radius, yy?])
+    };
+    let wheel = |body: &str| {
+        let radial = value(&format!("I{body}xx"))?;
+        Some([radial, radial, value(&format!("I{body}yy"))?])
+    };
+    let bodies = [
+        ("rear wheel R", wheel("R")),
+        ("rear frame B", frame("B")),
+        ("front frame H", frame("H")),
+        ("front wheel F", wheel("F")),
+    ];
+    bodies.into_iter().filter_map(|(body, moments)| judge(body, moments?)).collect()
+}
+
+fn judge(body: &str, mut moments: [f64; 3]) -> Option<String> {
+    moments.sort_by(f64::total_cmp);
+    let [small, middle, large] = moments;
+    let sum = small + middle;
+    if small < -TOLERANCE * large.abs() {
+        Some(format!("no rigid body has the inertias of the {body}: a principal moment is {small:.4} kg m²"))
+    } else if large - sum > TOLERANCE * large {
+        let excess = if sum > 0.0 { format!("{:.1} %", 100.0 * (large / sum - 1.0)) } else { "far".to_owned() };
+        Some(format!(
+            "no rigid body has the inertias of the {body}: its principal moment {large:.4} kg m² exceeds the sum of \
+             the others, {sum:.4} kg m², by {excess}"
+        ))
+    } else {
+        None
+    }
+}

@@ -1,0 +1,62 @@
+//! Parameter files in TOML: the format of the bicycles that ship with Carvallo.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::document::{Document, Entry, File, Written};
+
+/// Reads a file that holds a table `parameters`, or the parameters at its top.
+pub fn read(file: File) -> Document {
+    let mut document = Document::default();
+    let (table, errors) = DeTable::parse_recoverable(file.text);
+    for error in errors {
+        let place = file.line_at(error.span().map_or(0, |span| span.start));
+        document.problem(place, format!("this is not TOML: {}", error.message()));
+    }
+    let table = table.into_inner();
+    let nested = table.get("parameters").map(Spanned::get_ref).and_then(DeValue::as_table);
+    for (key, value) in &table {
+        let name = key.get_ref().as_ref();
+        match value.get_ref() {
+            DeValue::String(text) if document.take_heading(name, text) => {}
+            _ if name == "parameters" && nested.is_some() => {}
+            _ if nested.is_some() => {
+                document.problem(file.line_at(key.span().start), format!("`{name}` stands outside of [parameters]"));
+            }
+            _ => document.entries.push(entry(file, key.span().start, name, value)),
+        }
+    }
+    for (key, value) in nested.into_iter().flatten() {
+        document.entries.push(entry(file, key.span().start, key.get_ref(), value));
+    }
+    document
+}
+
+/// `value`, or `{ value = …, std = … }`.
+fn entry(file: File, offset: usize, name: &str, value: &Spanned<DeValue>) -> Entry {
+    let place = file.line_at(offset);
+    let named = match value.get_ref() {
+        DeValue::String(text) => return Entry::from_text(name, place, text),
+        DeValue::Table(table) => table.get("value").map(|value| (value, table.get("std"))),
+        _ => Some((value, None)),
+    };
+    let (value, deviation) = match named {
+        Some((value, deviation)) => (written(file, value), deviation.map(|deviation| written(file, deviation))),
+        None => (Written::Other("a table without `value`"), None),
+    };
+    Entry { name: name.to_owned(), place, value, deviation }
+}
+
+/// The digits of the file itself: none is lost on the way.
+fn written(file: File, value: &Spanned<DeValue>) -> Written {
+    match value.get_ref() {
+        DeValue::String(text) => Written::Text(text.to_string()),
+        DeValue::Integer(_) | DeValue::Float(_) => {
+            Written::Text(file.text.get(value.span()).unwrap_or_default().replace('_', ""))
+        }
+        DeValue::Boolean(_) => Written::Other("a boolean"),
+        DeValue::Datetime(_) => Written::Other("a date"),
+        DeValue::Array(_) => Written::Other("an array"),
+        DeValue::Table(_) => Written::Other("a table"),
+    }
+}

@@ -1,0 +1,102 @@
+//! A small picture of the real parts of the eigenvalues in characters, for terminals.
+
+use anstyle::{AnsiColor, Style};
+use carvallo::Mode;
+
+use super::{FAINT, GOOD, is_stable};
+use crate::analysis::{Analysis, Row};
+use crate::failure::Failure;
+
+/// Characters; a braille character has two dots across and four upright.
+const COLUMNS: usize = 66;
+const LINES: usize = 15;
+const DOTS: usize = 4 * LINES;
+
+/// A character of the picture: its dots, and the mode that they belong to.
+#[derive(Clone, Copy, Default)]
+struct Cell {
+    dots: u8,
+    mode: Option<Mode>,
+}
+
+/// # Errors
+/// If the eigenvalues cannot be computed at some speed.
+pub fn sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
+    let speeds: Vec<f64> = (0..2 * COLUMNS).map(|dot| high * dot as f64 / (2 * COLUMNS - 1) as f64).collect();
+    let rows = analysis.rows(&speeds)?;
+    let extent = crate::plot::extent(&rows);
+    let cells = cells(&rows, extent);
+
+    let mut text = format!("{FAINT}real parts (1/s) against v (m/s):{FAINT:#}");
+    for mode in [Mode::Castering, Mode::Capsize, Mode::Weave] {
+        let style = style(mode);
+        text.push_str(&format!("  {style}⠒ {mode}{style:#}"));
+    }
+    text.push('\n');
+    for (index, line) in cells.iter().enumerate() {
+        let label = match index {
+            0 => extent.to_string(),
+            index if index == LINES / 2 => "0".to_owned(),
+            index if index == LINES - 1 => format!("-{extent}"),
+            _ => String::new(),
+        };
+        text.push_str(&format!("{label:>6} {FAINT}│{FAINT:#}"));
+        for cell in line {
+            match cell.mode {
+                Some(mode) => {
+                    let (style, char) = (style(mode), char::from_u32(0x2800 + u32::from(cell.dots)).unwrap_or(' '));
+                    text.push_str(&format!("{style}{char}{style:#}"));
+                }
+                None if index == LINES / 2 => text.push_str(&format!("{FAINT}─{FAINT:#}")),
+                None => text.push(' '),
+            }
+        }
+        text.push('\n');
+    }
+    text.push_str(&format!("       {FAINT}└{FAINT:#}"));
+    for speed in speeds.iter().step_by(2) {
+        let stable = is_stable(&analysis.stability.stable_ranges, *speed);
+        let (style, char) = if stable { (GOOD, '━') } else { (FAINT, '─') };
+        text.push_str(&format!("{style}{char}{style:#}"));
+    }
+    text.push_str(&format!("\n        0{:>width$}   {GOOD}━ stable{GOOD:#}\n", high, width = COLUMNS - 1));
+    Ok(text)
+}
+
+fn style(mode: Mode) -> Style {
+    match mode {
+        Mode::Castering => AnsiColor::Blue.on_default(),
+        Mode::Capsize => AnsiColor::Yellow.on_default(),
+        Mode::Weave => AnsiColor::Red.on_default(),
+    }
+}
+
+fn cells(rows: &[Row], extent: f64) -> Vec<Vec<Cell>> {
+    let mut cells = vec![vec![Cell::default(); COLUMNS]; LINES];
+    // The height in dots from the top.
+    let dot = |value: f64| ((extent - value) / (2.0 * extent) * (DOTS - 1) as f64).round();
+    for index in 0..4 {
+        let mut before = None;
+        for (column, row) in rows.iter().enumerate() {
+            let height = dot(row.values[index].value.re);
+            // Steep lines are filled up from the height of the column before.
+            let (from, to) = match before {
+                Some(before) if before < height => (before + 1.0, height),
+                Some(before) if before > height => (height, before - 1.0),
+                _ => (height, height),
+            };
+            before = Some(height);
+            for line in (0..DOTS).filter(|&line| (from..=to).contains(&(line as f64))) {
+                let cell = &mut cells[line / 4][column / 2];
+                cell.dots |= braille(column % 2, line % 4);
+                cell.mode = Some(row.values[index].mode);
+            }
+        }
+    }
+    cells
+}
+
+/// The bit of a dot within its character.
+fn braille(column: usize, line: usize) -> u8 {
+    [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]][column][line]
+}

@@ -1,0 +1,76 @@
+//! Critical speeds in a graph: a line for each, and its value above the frame.
+
+use carvallo::{CriticalKind, Mode};
+
+use super::axes::{Axes, INK};
+use super::eigenvalues::color;
+use super::font;
+use super::labels::Labels;
+use super::scene::{Anchor, Color, Paint, Scene, dashed};
+use crate::analysis::Analysis;
+
+const SIZE: f32 = 13.0;
+/// The height of a row of values.
+const ROW: f32 = 19.0;
+const WHITE: Color = Color(0xff, 0xff, 0xff);
+
+/// A critical speed with its text, and the row above the frame that has room for it.
+pub struct Critical {
+    speed: f64,
+    text: String,
+    color: Color,
+    /// The middle of the text on the page.
+    x: f32,
+    width: f32,
+    row: u8,
+}
+
+/// The critical speeds that the axes show; only their horizontal extent matters here.
+pub fn critical(analysis: &Analysis, axes: &Axes) -> Vec<Critical> {
+    let mut placed: Vec<Critical> = Vec::new();
+    for critical in &analysis.stability.critical_speeds {
+        let speed = critical.speed;
+        if !(axes.x.0..=axes.x.1).contains(&speed) {
+            continue;
+        }
+        let (name, color) = match critical.kind {
+            CriticalKind::Weave => ("weave", color(Mode::Weave)),
+            CriticalKind::Capsize => ("capsize", color(Mode::Capsize)),
+            CriticalKind::DoubleRoot => ("double root", INK.lighter(0.3)),
+        };
+        let text = format!("{name} {speed:.4}");
+        let width = font::width(&text, SIZE);
+        // Left of the frame are the labels of its ticks, right of it the page ends.
+        let [left, _, right, _] = axes.area;
+        let x = axes.place(speed, 0.0).0.clamp(left - 6.0 + width / 2.0, right + 20.0 - width / 2.0);
+        let has_room = |row: &u8| {
+            let mut others = placed.iter().filter(|other| other.row == *row);
+            others.all(|other| (other.x - x).abs() > (other.width + width) / 2.0 + 10.0)
+        };
+        let row = (0..8).find(has_room).unwrap_or(8);
+        placed.push(Critical { speed, text, color, x, width, row });
+    }
+    placed
+}
+
+/// The height that the values need above the frame.
+pub fn height(critical: &[Critical]) -> f32 {
+    let rows = critical.iter().map(|critical| critical.row + 1).max().unwrap_or(0);
+    f32::from(rows) * ROW
+}
+
+pub fn draw(critical: &[Critical], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
+    let [_, top, _, bottom] = axes.area;
+    let base = |row: u8| top - 8.0 - f32::from(row) * ROW;
+    for Critical { speed, color, row, .. } in critical {
+        let (x, _) = axes.place(*speed, 0.0);
+        scene.polyline(&[(x, base(*row) + 4.0), (x, bottom)], dashed(1.2, [2.0, 3.0]), color.lighter(0.2));
+        labels.avoid_line(&[(x, top), (x, bottom)]);
+    }
+    for Critical { text, color, x, width, row, .. } in critical {
+        // The line of a value in a higher row may pass behind this one.
+        let (base, half) = (base(*row), width / 2.0 + 3.0);
+        scene.rectangle([x - half, base - 12.0, x + half, base + 4.0], Paint::Fill, WHITE);
+        scene.text((*x, base), Anchor::Middle, SIZE, *color, text);
+    }
+}

@@ -1,0 +1,121 @@
+//! Eigenvalues against speed, as figure 4 of Meijaard et al. (2007) shows them.
+
+use carvallo::Mode;
+
+use super::axes::{Axes, INK};
+use super::critical;
+use super::curves::{clip, curves, extent, samples};
+use super::font;
+use super::labels::Labels;
+use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
+use crate::analysis::{Analysis, Row};
+use crate::failure::Failure;
+
+const WIDTH: f32 = 960.0;
+const HEIGHT: f32 = 640.0;
+const LEFT: f32 = 76.0;
+const RIGHT: f32 = WIDTH - 28.0;
+const BOTTOM: f32 = HEIGHT - 66.0;
+const LABEL_SIZE: f32 = 15.0;
+const STABLE: Color = Color(0xdd, 0xf1, 0xde);
+const STABLE_TEXT: Color = Color(0x2e, 0x7d, 0x32);
+
+/// The eigenvalues between two speeds.
+///
+/// # Errors
+/// If they cannot be computed at one of the speeds.
+pub fn eigenvalues(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene, Failure> {
+    let title = format!("Eigenvalues of {} against forward speed", analysis.bicycle.name);
+    let mut scene = Scene::new(title.clone(), WIDTH, HEIGHT);
+    scene.text(((LEFT + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+
+    // A single speed is shown with what follows it.
+    let high = if high > low { high } else { low + 1.0 };
+    let rows = analysis.rows(&samples(analysis, low, high))?;
+    let extent = extent(&rows);
+    let mut axes = Axes { x: (low, high), y: (-extent, extent), area: [LEFT, 0.0, RIGHT, BOTTOM] };
+    let critical = critical::critical(analysis, &axes);
+    let top = 56.0 + critical::height(&critical);
+    axes.area[1] = top;
+
+    let mut labels = Labels::new(axes.area);
+    let stable = stable_ranges(analysis, &axes);
+    for &(left, right) in &stable {
+        scene.rectangle([left, top, right, BOTTOM], Paint::Fill, STABLE);
+    }
+    axes.grid(&mut scene);
+    stable_labels(&stable, &mut scene, &mut labels);
+    let (_, zero) = axes.place(low, 0.0);
+    labels.avoid_line(&[(LEFT, zero), (RIGHT, zero)]);
+    critical::draw(&critical, &axes, &mut scene, &mut labels);
+    modes(&rows, &axes, &mut scene, &mut labels);
+    axes.frame(&mut scene, "forward speed v (m/s)", "eigenvalue λ (1/s)");
+    Ok(scene)
+}
+
+/// Where the stable ranges begin and end on the page.
+fn stable_ranges(analysis: &Analysis, axes: &Axes) -> Vec<(f32, f32)> {
+    let ranges = analysis.stability.stable_ranges.iter();
+    let visible = ranges.map(|range| (range.from.max(axes.x.0), range.to.unwrap_or(axes.x.1).min(axes.x.1)));
+    visible.filter(|(from, to)| from < to).map(|(from, to)| (axes.place(from, 0.0).0, axes.place(to, 0.0).0)).collect()
+}
+
+/// Across where there is room, upwards where there is little.
+fn stable_labels(ranges: &[(f32, f32)], scene: &mut Scene, labels: &mut Labels) {
+    let width = font::width("stable", LABEL_SIZE);
+    for (left, right) in ranges {
+        let middle = (left + right) / 2.0;
+        if right - left > width + 10.0 {
+            scene.text((middle, BOTTOM - 10.0), Anchor::Middle, LABEL_SIZE, STABLE_TEXT, "stable");
+            labels.avoid_box([middle - width / 2.0, BOTTOM - 26.0, middle + width / 2.0, BOTTOM]);
+        } else if right - left > LABEL_SIZE {
+            scene.upward_text((middle + 5.0, BOTTOM - 12.0 - width / 2.0), LABEL_SIZE, STABLE_TEXT, "stable");
+            labels.avoid_box([middle - 8.0, BOTTOM - 16.0 - width, middle + 8.0, BOTTOM]);
+        }
+    }
+}
+
+/// The colour of a mode, and of the critical speed that it has.
+pub fn color(mode: Mode) -> Color {
+    match mode {
+        Mode::Castering => Color(0x1f, 0x6f, 0xb4),
+        Mode::Capsize => Color(0xb4, 0x6a, 0x00),
+        Mode::Weave => Color(0xc0, 0x28, 0x3c),
+    }
+}
+
+/// Real parts as lines, imaginary parts dashed and lighter, and one label for each.
+fn modes(rows: &[Row], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
+    let mut to_label = Vec::new();
+    for mode in [Mode::Castering, Mode::Capsize, Mode::Weave] {
+        let [real, imaginary] = curves(rows, mode);
+        let oscillates = imaginary.iter().any(|curve| curve.len() > 1);
+        let real_text = if oscillates { format!("{mode}, real part") } else { mode.to_string() };
+        for (curves, paint, color, text) in [
+            (imaginary, dashed(1.8, [7.0, 5.0]), color(mode).lighter(0.35), format!("{mode}, imaginary part")),
+            (real, line(2.4), color(mode), real_text),
+        ] {
+            let mut longest = (0.0, Vec::new());
+            for piece in curves.iter().flat_map(|curve| clip(curve, axes.y)) {
+                let points: Vec<(f32, f32)> = piece.into_iter().map(|(x, y)| axes.place(x, y)).collect();
+                scene.polyline(&points, paint, color);
+                labels.avoid_line(&points);
+                let length = length(&points);
+                if length > longest.0 {
+                    longest = (length, points);
+                }
+            }
+            to_label.push((longest.1, color, text));
+        }
+    }
+    // Labels come last: they keep off every line.
+    for (points, color, text) in to_label {
+        if let Some(place) = labels.beside(&points, &text, LABEL_SIZE) {
+            scene.text(place, Anchor::Start, LABEL_SIZE, color, &text);
+        }
+    }
+}
+
+fn length(points: &[(f32, f32)]) -> f32 {
+    points.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
+}

@@ -1,0 +1,89 @@
+//! Where labels go: beside their lines, and clear of everything else.
+
+use super::font;
+
+/// Weights of what a label should avoid; a pixel of distance from its line weighs 1.
+const OFF_MIDDLE: f32 = 0.03;
+const ON_LABEL: f32 = 5000.0;
+const ON_LINE: f32 = 60.0;
+const OUTSIDE: f32 = 1e6;
+
+/// What is on the page already.
+#[derive(Debug)]
+pub struct Labels {
+    /// Left, top, right, bottom.
+    area: [f32; 4],
+    boxes: Vec<[f32; 4]>,
+    points: Vec<(f32, f32)>,
+}
+
+impl Labels {
+    pub fn new(area: [f32; 4]) -> Self {
+        Self { area, boxes: Vec::new(), points: Vec::new() }
+    }
+
+    /// Keeps labels off a line.
+    pub fn avoid_line(&mut self, points: &[(f32, f32)]) {
+        self.points.extend(dense(points));
+    }
+
+    /// Keeps labels off a text or another box: left, top, right, bottom.
+    pub fn avoid_box(&mut self, bounds: [f32; 4]) {
+        self.boxes.push(bounds);
+    }
+
+    /// The left end of the baseline of a label for the line, and takes the place.
+    pub fn beside(&mut self, line: &[(f32, f32)], text: &str, size: f32) -> Option<(f32, f32)> {
+        let width = font::width(text, size);
+        // The height of capitals and of ascenders and descenders, roughly, for any Latin font.
+        let (ascent, descent) = (0.76 * size, 0.22 * size);
+        let middle = line.get(line.len() / 2).map_or(0.0, |&(x, _)| x);
+        let mut best: Option<(f32, [f32; 4])> = None;
+        for (x, y) in dense(line).step_by(3) {
+            for gap in [5.0, 9.0, 14.0, 20.0, 28.0] {
+                for left in [x - width / 2.0, x + gap, x - gap - width] {
+                    for base in [y - gap - descent, y + gap + ascent] {
+                        let bounds = [left, base - ascent, left + width, base + descent];
+                        let cost = gap + OFF_MIDDLE * (x - middle).abs() + self.cost(bounds);
+                        if best.is_none_or(|(least, _)| cost < least) {
+                            best = Some((cost, bounds));
+                        }
+                    }
+                }
+            }
+        }
+        let (_, bounds) = best?;
+        self.boxes.push(bounds);
+        Some((bounds[0], bounds[3] - descent))
+    }
+
+    fn cost(&self, bounds: [f32; 4]) -> f32 {
+        let [left, top, right, bottom] = self.area;
+        let inside =
+            bounds[0] > left + 3.0 && bounds[1] > top + 2.0 && bounds[2] < right - 3.0 && bounds[3] < bottom - 2.0;
+        let boxes = self.boxes.iter().filter(|taken| overlap(**taken, bounds)).count();
+        let near = |&&(x, y): &&(f32, f32)| {
+            x > bounds[0] - 3.0 && x < bounds[2] + 3.0 && y > bounds[1] - 3.0 && y < bounds[3] + 3.0
+        };
+        let points = self.points.iter().filter(near).count();
+        let outside = if inside { 0.0 } else { OUTSIDE };
+        outside + ON_LABEL * boxes as f32 + ON_LINE * points as f32
+    }
+}
+
+fn overlap(a: [f32; 4], b: [f32; 4]) -> bool {
+    let margin = 4.0;
+    a[0] < b[2] + margin && b[0] < a[2] + margin && a[1] < b[3] + margin && b[1] < a[3] + margin
+}
+
+/// Points along a line, at most four pixels apart.
+fn dense(line: &[(f32, f32)]) -> impl Iterator<Item = (f32, f32)> {
+    line.windows(2).flat_map(|pair| {
+        let [(x, y), (to_x, to_y)] = [pair[0], pair[1]];
+        let steps = ((to_x - x).hypot(to_y - y) / 4.0).ceil().max(1.0) as u16;
+        (0..steps).map(move |index| {
+            let share = f32::from(index) / f32::from(steps);
+            (x + share * (to_x - x), y + share * (to_y - y))
+        })
+    })
+}

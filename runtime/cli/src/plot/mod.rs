@@ -1,0 +1,34 @@
+//! Pictures, as SVG or PNG from one drawing.
+
+mod axes;
+mod critical;
+mod curves;
+mod eigenvalues;
+mod font;
+mod labels;
+mod png;
+mod scene;
+mod side_view;
+mod svg;
+
+use std::path::Path;
+
+use crate::failure::Failure;
+
+pub use self::curves::extent;
+pub use self::eigenvalues::eigenvalues;
+pub use self::scene::Scene;
+pub use self::side_view::side_view;
+
+/// Writes a drawing in the format that the ending of the path names: PNG, or else SVG.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn save(scene: &Scene, path: &Path) -> Result<(), Failure> {
+    let fail = |error: String| Failure::Run(format!("cannot write {}: {error}", path.display()));
+    let bytes = match path.extension() {
+        Some(ending) if ending == "png" => png::write(scene).map_err(fail)?,
+        _ => svg::write(scene).into_bytes(),
+    };
+    std::fs::write(path, bytes).map_err(|error| fail(error.to_string()))
+}

@@ -1,0 +1,225 @@
+//! A bicycle from its right side, to scale: wheels, steer axis, trail, and centres of mass.
+
+use super::axes::INK;
+use super::labels::Labels;
+use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
+use crate::input::Bicycle;
+
+const WIDTH: f32 = 960.0;
+const MAX_HEIGHT: f32 = 700.0;
+const MARGIN: f32 = 56.0;
+/// Room for the title above, and for the dimensions below the ground.
+const ABOVE: f32 = 64.0;
+const BELOW: f32 = 104.0;
+const TEXT_SIZE: f32 = 15.0;
+const FRAME: Color = Color(0xc8, 0xcd, 0xd2);
+const STEER: Color = Color(0x1f, 0x6f, 0xb4);
+const DIMENSION: Color = Color(0x60, 0x60, 0x60);
+
+/// What is drawn, in metres; heights are above the ground.
+struct Geometry {
+    wheel_base: f64,
+    trail: f64,
+    tilt: f64,
+    radii: [f64; 2],
+    /// Name, mass and position of each body.
+    bodies: [(&'static str, f64, (f64, f64)); 4],
+}
+
+impl Geometry {
+    fn of(bicycle: &Bicycle) -> Option<Self> {
+        let value = |name| bicycle.value(name);
+        let (wheel_base, rear, front) = (value("w")?, value("rR")?, value("rF")?);
+        Some(Self {
+            wheel_base,
+            trail: value("c")?,
+            tilt: value("lam")?,
+            radii: [rear, front],
+            bodies: [
+                ("R", value("mR")?, (0.0, rear)),
+                ("F", value("mF")?, (wheel_base, front)),
+                ("B", value("mB")?, (value("xB")?, -value("zB")?)),
+                ("H", value("mH")?, (value("xH")?, -value("zH")?)),
+            ],
+        })
+    }
+
+    /// The point of the steer axis at a distance upwards from where it meets the ground.
+    fn steer_axis(&self, distance: f64) -> (f64, f64) {
+        let (sin, cos) = self.tilt.sin_cos();
+        (self.wheel_base + self.trail - distance * sin, distance * cos)
+    }
+
+    /// How far the axis is drawn: past the front frame, unless it lies almost flat.
+    fn axis_length(&self) -> f64 {
+        let [.., (_, _, (_, height))] = self.bodies;
+        let height = height.max(2.4 * self.radii[1]) + 0.15 * self.wheel_base;
+        (height / self.tilt.cos()).min(2.0 * self.wheel_base)
+    }
+
+    /// The point of the steer axis nearest to the front hub, as a distance along the axis.
+    fn fork_end(&self) -> f64 {
+        let (sin, cos) = self.tilt.sin_cos();
+        self.trail * sin + self.radii[1] * cos
+    }
+}
+
+/// From metres to the page, the same for both axes.
+struct Scale {
+    left: f64,
+    bottom: f64,
+    factor: f64,
+    ground: f32,
+    indent: f32,
+}
+
+impl Scale {
+    fn place(&self, (x, height): (f64, f64)) -> (f32, f32) {
+        let pixels = |length: f64| (length * self.factor) as f32;
+        (self.indent + pixels(x - self.left), self.ground - pixels(height - self.bottom))
+    }
+}
+
+/// The side view; `None` for a model that has not the parameters of a bicycle.
+pub fn side_view(bicycle: &Bicycle) -> Option<Scene> {
+    let geometry = Geometry::of(bicycle)?;
+    let (scale, height) = scale(&geometry);
+    let mut scene = Scene::new(format!("{}: side view to scale", bicycle.name), WIDTH, height);
+    scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &scene.title.clone());
+    let mut labels = Labels::new([4.0, 40.0, WIDTH - 4.0, height - 4.0]);
+
+    let ground = scale.place((0.0, 0.0)).1;
+    scene.polyline(&[(24.0, ground), (WIDTH - 24.0, ground)], line(1.5), INK);
+    labels.avoid_line(&[(24.0, ground), (WIDTH - 24.0, ground)]);
+    frame(&geometry, &scale, &mut scene, &mut labels);
+    for (radius, hub) in geometry.radii.into_iter().zip([0.0, geometry.wheel_base]) {
+        let (center, pixels) = (scale.place((hub, radius)), (radius * scale.factor) as f32);
+        scene.circle(center, pixels, line(3.0), INK);
+        labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU));
+    }
+    dimensions(&geometry, &scale, &mut scene, &mut labels);
+    for (_, _, position) in geometry.bodies {
+        let (x, y) = scale.place(position);
+        center_of_mass((x, y), &mut scene);
+        labels.avoid_box([x - 7.0, y - 7.0, x + 7.0, y + 7.0]);
+    }
+    steer_axis(&geometry, &scale, &mut scene, &mut labels);
+    for (name, mass, position) in geometry.bodies {
+        let (x, y) = scale.place(position);
+        let text = format!("{name}  {} kg", three_decimals(mass));
+        if let Some(place) = labels.beside(&[(x, y), (x + 1.0, y)], &text, TEXT_SIZE) {
+            scene.text(place, Anchor::Start, TEXT_SIZE, INK, &text);
+        }
+    }
+    Some(scene)
+}
+
+/// Everything that is drawn fits on the page.
+fn scale(geometry: &Geometry) -> (Scale, f32) {
+    let [rear, front] = geometry.radii;
+    let ends = [geometry.steer_axis(0.0), geometry.steer_axis(geometry.axis_length())];
+    let centers = geometry.bodies.map(|(_, _, position)| position);
+    let corners = [(-rear, 0.0), (geometry.wheel_base + front, 2.0 * front), (0.0, 2.0 * rear)];
+    let points = || ends.into_iter().chain(centers).chain(corners);
+    let least = |by: fn((f64, f64)) -> f64| points().map(by).fold(0.0, f64::min);
+    let most = |by: fn((f64, f64)) -> f64| points().map(by).fold(0.0, f64::max);
+    let (left, right, bottom, top) = (least(|p| p.0), most(|p| p.0), least(|p| p.1), most(|p| p.1));
+    let across = f64::from(WIDTH - 2.0 * MARGIN) / (right - left);
+    let upright = f64::from(MAX_HEIGHT - ABOVE - BELOW) / (top - bottom);
+    let factor = across.min(upright);
+    let ground = ABOVE + ((top - bottom) * factor) as f32;
+    let indent = (WIDTH - ((right - left) * factor) as f32) / 2.0;
+    (Scale { left, bottom, factor, ground, indent }, ground + BELOW)
+}
+
+/// A hint of the frame: the model knows only its mass and inertia. The offset of the fork is true.
+fn frame(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+    let [rear, front] = geometry.radii;
+    let end = geometry.fork_end();
+    let head = end + 1.3 * front;
+    let [rear_hub, front_hub] = [(0.0, rear), (geometry.wheel_base, front)].map(|hub| scale.place(hub));
+    let [end, head] = [end, head].map(|distance| scale.place(geometry.steer_axis(distance)));
+    let bars = [rear_hub, head, end, front_hub];
+    scene.polyline(&bars, line(7.0), FRAME);
+    labels.avoid_line(&bars);
+}
+
+fn steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+    let length = geometry.axis_length();
+    let foot = geometry.steer_axis(0.0);
+    let ends = [scale.place(foot), scale.place(geometry.steer_axis(length))];
+    let vertical = [scale.place(foot), scale.place((foot.0, foot.1 + 0.97 * length))];
+    scene.polyline(&vertical, dashed(1.2, [3.0, 4.0]), DIMENSION);
+    scene.polyline(&ends, dashed(2.0, [12.0, 4.0]), STEER);
+    labels.avoid_line(&ends);
+    labels.avoid_line(&vertical);
+
+    let upwards = -std::f32::consts::FRAC_PI_2;
+    let angle = arc(ends[0], (0.9 * length * scale.factor) as f32, upwards, -geometry.tilt as f32);
+    scene.polyline(&angle, line(1.2), DIMENSION);
+    labels.avoid_line(&angle);
+    let text = format!("λ = {:.2}°", geometry.tilt.to_degrees()).replace('-', "−");
+    if let Some(place) = labels.beside(&angle, &text, TEXT_SIZE) {
+        scene.text(place, Anchor::Start, TEXT_SIZE, INK, &text);
+    }
+    // Its upper end is the freer one.
+    let upper = [scale.place(geometry.steer_axis(0.8 * length)), ends[1]];
+    if let Some(place) = labels.beside(&upper, "steer axis", TEXT_SIZE) {
+        scene.text(place, Anchor::Start, TEXT_SIZE, STEER, "steer axis");
+    }
+}
+
+/// Wheel base and trail, each on a line of its own below the ground.
+fn dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+    let ground = scale.place((0.0, 0.0)).1;
+    let x = |metres: f64| scale.place((metres, 0.0)).0;
+    let (rear, front, foot) = (x(0.0), x(geometry.wheel_base), x(geometry.wheel_base + geometry.trail));
+    for (x, depth) in [(rear, 42.0), (front, 78.0), (foot, 78.0)] {
+        scene.polyline(&[(x, ground + 3.0), (x, ground + depth)], line(1.0), DIMENSION);
+    }
+    let (row, middle) = (ground + 36.0, (rear + front) / 2.0);
+    arrow(scene, (rear, row), (front, row));
+    let text = format!("wheel base w = {} m", three_decimals(geometry.wheel_base));
+    scene.text((middle, row - 6.0), Anchor::Middle, TEXT_SIZE, INK, &text);
+    let row = ground + 72.0;
+    arrow(scene, (front, row), (foot, row));
+    let text = format!("trail c = {} m", three_decimals(geometry.trail)).replace('-', "−");
+    scene.text((front.min(foot) - 10.0, row + 5.0), Anchor::End, TEXT_SIZE, INK, &text);
+    labels.avoid_box([rear, ground, front.max(foot), ground + BELOW]);
+}
+
+/// A line with a head at each end, where it is long enough for heads.
+fn arrow(scene: &mut Scene, from: (f32, f32), to: (f32, f32)) {
+    scene.polyline(&[from, to], line(1.2), DIMENSION);
+    let direction = (to.0 - from.0).signum();
+    if (to.0 - from.0).abs() > 16.0 {
+        for ((x, y), inward) in [(from, direction), (to, -direction)] {
+            let head = [(x, y), (x + 7.0 * inward, y - 3.0), (x + 7.0 * inward, y + 3.0)];
+            scene.polyline(&head, Paint::Fill, DIMENSION);
+        }
+    }
+}
+
+/// The usual mark: a disc of which two opposite quarters are filled.
+fn center_of_mass((x, y): (f32, f32), scene: &mut Scene) {
+    let radius = 7.0;
+    scene.circle((x, y), radius, Paint::Fill, Color(0xff, 0xff, 0xff));
+    for start in [0.0, std::f32::consts::PI] {
+        let mut quarter = arc((x, y), radius, start, std::f32::consts::FRAC_PI_2);
+        quarter.push((x, y));
+        scene.polyline(&quarter, Paint::Fill, INK);
+    }
+    scene.circle((x, y), radius, line(1.5), INK);
+}
+
+/// Points along an arc; angles turn clockwise on the page, from the right.
+fn arc((x, y): (f32, f32), radius: f32, start: f32, turn: f32) -> Vec<(f32, f32)> {
+    const STEPS: u8 = 72;
+    let angle = |index: u8| start + turn * f32::from(index) / f32::from(STEPS);
+    (0..=STEPS).map(|index| (x + radius * angle(index).cos(), y + radius * angle(index).sin())).collect()
+}
+
+/// At most three decimals, without zeros at the end.
+fn three_decimals(value: f64) -> f64 {
+    (1000.0 * value).round() / 1000.0
+}

@@ -1,0 +1,168 @@
+//! Results against the published ones: Meijaard, Papadopoulos, Ruina & Schwab (2007), and for the second benchmark
+//! Schwab, Meijaard & Papadopoulos (2005). Critical speeds and eigenvalues were recomputed at 50 and 60 digits.
+
+use serde_json::Value;
+
+use crate::Directory;
+
+#[track_caller]
+fn assert_near(value: &Value, expected: f64, tolerance: f64) {
+    let value = value.as_f64().expect("a number");
+    assert!((value - expected).abs() <= tolerance * expected.abs().max(1.0), "{value} is not {expected}");
+}
+
+#[track_caller]
+fn assert_matrix(json: &Value, name: &str, expected: [[f64; 2]; 2]) {
+    for (row, expected) in expected.iter().enumerate() {
+        for (column, expected) in expected.iter().enumerate() {
+            assert_near(&json["matrices"][name][row][column], *expected, 1e-13);
+        }
+    }
+}
+
+#[track_caller]
+fn assert_critical(json: &Value, expected: &[(&str, f64)]) {
+    let critical = json["critical_speeds"].as_array().unwrap();
+    assert_eq!(critical.len(), expected.len(), "{critical:?}");
+    for (critical, (kind, speed)) in critical.iter().zip(expected) {
+        assert_eq!(critical["kind"], *kind);
+        assert_near(&critical["speed"], *speed, 4e-15);
+    }
+}
+
+#[test]
+fn the_benchmark_has_its_published_results() {
+    let json = Directory::new("benchmark").run(&["analyze", "--format", "json"]).json();
+    assert_eq!((&json["model"], &json["bicycle"]), (&"Whipple".into(), &"benchmark".into()));
+    assert_matrix(&json, "M", [[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]]);
+    assert_matrix(&json, "C1", [[0.0, 33.86641391492494], [-0.85035641456978, 1.6854039739756]]);
+    assert_matrix(&json, "K0", [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]]);
+    assert_matrix(&json, "K2", [[0.0, 76.59734589573222], [0.0, 2.65431523794604]]);
+    let (weave, capsize) = (4.292_382_536_341_104, 6.024_262_015_388_359);
+    assert_critical(&json, &[("double_root", 0.684_283_078_892_455_8), ("weave", weave), ("capsize", capsize)]);
+    assert_near(&json["critical_speeds"][0]["eigenvalue"]["re"], 3.782_904_051_293_2, 1e-7);
+    assert_near(&json["critical_speeds"][1]["eigenvalue"]["im"], 3.435_033_848_661_436_6, 1e-12);
+    assert_eq!(json["stable_ranges"].as_array().unwrap().len(), 1);
+    assert_near(&json["stable_ranges"][0][0], weave, 4e-15);
+    assert_near(&json["stable_ranges"][0][1], capsize, 4e-15);
+    assert_eq!(json["eigenvalues"].as_array().unwrap().len(), 101);
+}
+
+/// Table 2 of the paper, at its eleven speeds.
+#[test]
+fn the_benchmark_has_its_published_eigenvalues() {
+    #[rustfmt::skip]
+    let published = [
+        // castering, capsize, and the two of weave, each re and im
+        [(-5.530943717653934, 0.0), (-3.131643247906556, 0.0), (3.131643247906556, 0.0), (5.530943717653934, 0.0)],
+        [(-7.110080146374408, 0.0), (-3.134231250665784, 0.0), (3.526961709900694, -0.80774027519931), (3.526961709900694, 0.80774027519931)],
+        [(-8.673879848317372, 0.0), (-3.071586456415143, 0.0), (2.682345175127454, -1.680662965906758), (2.682345175127454, 1.680662965906758)],
+        [(-10.35101467245923, 0.0), (-2.633661372536653, 0.0), (1.706756056639735, -2.315824473843244), (1.706756056639735, 2.315824473843244)],
+        [(-12.15861426576444, 0.0), (-1.429444273613257, 0.0), (0.4132533152112413, -3.079108186032053), (0.4132533152112413, 3.079108186032053)],
+        [(-14.07838969279825, 0.0), (-0.322866429004087, 0.0), (-0.7753418821958418, -4.464867713788225), (-0.7753418821958418, 4.464867713788225)],
+        [(-16.08537123098028, 0.0), (-0.004066900769703362, 0.0), (-1.526444865841417, -5.876730605987084), (-1.526444865841417, 5.876730605987084)],
+        [(-18.15788466125202, 0.0), (0.1026817057476642, 0.0), (-2.138756442583634, -7.195259133298043), (-2.138756442583634, 7.195259133298043)],
+        [(-20.27940894394566, 0.0), (0.1432787976571295, 0.0), (-2.693486835810948, -8.460379713969336), (-2.693486835810948, 8.460379713969336)],
+        [(-22.43788559040859, 0.0), (0.157901840309173, 0.0), (-3.216754022524907, -9.693773515317822), (-3.216754022524907, 9.693773515317822)],
+        [(-24.62459635017404, 0.0), (0.1610533865317155, 0.0), (-3.720168404372876, -10.90681139476288), (-3.720168404372876, 10.90681139476288)],
+    ];
+    let json = Directory::new("eigenvalues").run(&["analyze", "--format", "json", "--speeds", "0:10:1"]).json();
+    for (index, (row, expected)) in json["eigenvalues"].as_array().unwrap().iter().zip(published).enumerate() {
+        assert_near(&row["speed"], index as f64, 0.0);
+        let mut values = row["values"].as_array().unwrap().clone();
+        let modes: Vec<&str> = values.iter().map(|value| value["mode"].as_str().unwrap()).collect();
+        assert_eq!(modes, ["castering", "capsize", "weave", "weave"]);
+        let order = |value: &Value| (value["re"].as_f64().unwrap(), value["im"].as_f64().unwrap());
+        values[2..].sort_by(|a, b| order(a).partial_cmp(&order(b)).unwrap());
+        for (value, (re, im)) in values.iter().zip(expected) {
+            assert_near(&value["re"], re, 1e-12);
+            assert_near(&value["im"], im, 1e-12);
+        }
+    }
+}
+
+#[test]
+fn the_benchmark_of_2005_has_its_published_results() {
+    let json = Directory::new("benchmark-2005").run(&["analyze", "benchmark-2005", "--format", "json"]).json();
+    assert_matrix(&json, "M", [[80.8121, 2.32343142623549], [2.32343142623549, 0.30126570934256]]);
+    assert_matrix(&json, "C1", [[0.0, 33.7738694759301], [-0.84823447825693, 1.70696539792387]]);
+    assert_matrix(&json, "K2", [[0.0, 76.40620875965657], [0.0, 2.67560553633218]]);
+    // Published with gravity in it.
+    let with_gravity = [[-794.1195, -25.739089291258], [-25.739089291258, -8.139414705882]];
+    assert_matrix(&json, "K0", with_gravity.map(|row| row.map(|value| value / 9.81)));
+    assert_critical(
+        &json,
+        &[
+            ("double_root", 0.693_712_762_387_387_5),
+            ("weave", 4.301_611_037_733_119),
+            ("capsize", 6.057_011_283_544_488),
+        ],
+    );
+}
+
+#[test]
+fn the_table_tells_critical_speeds_to_all_digits() {
+    let text = Directory::new("table").run(&["analyze"]).ok();
+    let json = Directory::new("table-json").run(&["analyze", "--format", "json"]).json();
+    for critical in json["critical_speeds"].as_array().unwrap() {
+        let speed = critical["speed"].as_f64().unwrap().to_string();
+        assert!(text.contains(&speed), "{speed} is not in {text}");
+    }
+    assert!(text.contains("80.81722"), "{text}");
+    assert!(text.contains("-10.351015"), "{text}");
+    assert!(!text.contains('\u{1b}'), "colours are for terminals: {text}");
+}
+
+#[test]
+fn csv_has_a_row_a_speed_and_the_same_numbers_as_json() {
+    let directory = Directory::new("csv");
+    let text = directory.run(&["analyze", "pista", "--format", "csv"]).ok();
+    let json = directory.run(&["analyze", "pista", "--format", "json"]).json();
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!((header[0], header[1], header[8]), ("speed (m/s)", "castering re (1/s)", "weave 2 im (1/s)"));
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|number| number.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.len(), 101);
+    for (row, expected) in rows.iter().zip(json["eigenvalues"].as_array().unwrap()) {
+        assert_eq!(row.len(), 9);
+        assert_eq!(Some(row[0]), expected["speed"].as_f64());
+        for (index, value) in expected["values"].as_array().unwrap().iter().enumerate() {
+            assert_eq!(Some(row[1 + 2 * index]), value["re"].as_f64());
+            assert_eq!(Some(row[2 + 2 * index]), value["im"].as_f64());
+        }
+    }
+}
+
+#[test]
+fn speeds_may_be_one_or_a_list() {
+    let directory = Directory::new("speeds");
+    for (speeds, expected) in
+        [("4.5", vec![4.5]), ("3,0.1,8", vec![3.0, 0.1, 8.0]), ("0:0.3:0.1", vec![0.0, 0.1, 0.2, 0.3])]
+    {
+        let json = directory.run(&["analyze", "--format", "json", "--speeds", speeds]).json();
+        let rows = json["eigenvalues"].as_array().unwrap().iter().map(|row| row["speed"].as_f64().unwrap());
+        assert_eq!(rows.collect::<Vec<f64>>(), expected);
+    }
+}
+
+/// The moon has less than a sixth of the gravity: speeds scale with its square root.
+#[test]
+fn gravity_can_be_set() {
+    let directory = Directory::new("gravity");
+    let scale = (1.62_f64 / 9.81).sqrt();
+    for arguments in [["--gravity", "1.62"], ["--set", "g=1.62"]] {
+        let json = directory.run(&[&["analyze", "--format", "json"], &arguments[..]].concat()).json();
+        assert_near(&json["critical_speeds"][1]["speed"], 4.292_382_536_341_104 * scale, 1e-14);
+        assert_near(&json["parameters"]["g"], 1.62, 0.0);
+    }
+}
+
+#[test]
+fn the_list_has_every_bicycle_with_its_critical_speeds() {
+    let text = Directory::new("list").run(&["bicycles"]).ok();
+    let line = |name: &str| text.lines().find(|line| line.starts_with(&format!("{name} "))).unwrap();
+    assert_eq!(text.lines().count(), 15);
+    assert!(line("benchmark").contains("4.2924 to 6.0243"), "{text}");
+    assert!(line("benchmark-2005").contains("4.3016 to 6.0570"), "{text}");
+}

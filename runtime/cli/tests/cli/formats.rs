@@ -1,0 +1,162 @@
+//! The same bicycle from every format gives the same numbers, to the last bit.
+
+use crate::{BENCHMARK, Directory};
+
+/// Text as BicycleParameters 1.5 writes it, with names that are not needed here.
+const TEXT: &str = "\
+w = 1.02+/-0.0
+c = 0.08+/-0.001
+lam = 0.314159265358979323846+/-0.0
+g = 9.81+/-0.0
+rR = 0.3+/-0.0
+mR = 2.0+/-0.0
+IRxx = 0.0603+/-0.0
+IRyy = 0.12+/-0.0
+IRzz = 0.0603+/-0.0
+xB = 0.3+/-0.0
+yB = 0.0+/-0.0
+zB = -0.9+/-0.0
+mB = 85.0+/-0.0
+IBxx = 9.2+/-0.0
+IBxz = 2.4+/-0.0
+IByy = 11.0+/-0.0
+IBzz = 2.8+/-0.0
+xH = 0.9+/-0.0
+zH = -0.7+/-0.0
+mH = 4.0+/-0.0
+IHxx = 0.05892+/-0.0
+IHxz = -0.00756+/-0.0
+IHyy = 0.06+/-0.0
+IHzz = 0.00708+/-0.0
+rF = 0.35+/-0.0
+mF = 3.0+/-0.0
+IFxx = 0.1405+/-0.0
+IFyy = 0.28+/-0.0
+";
+
+/// The shipped file as `name: value` lines.
+fn yaml() -> String {
+    let lines = BENCHMARK.lines().skip_while(|line| *line != "[parameters]").skip(1);
+    lines.map(|line| line.replacen(" = ", ": ", 1) + "\n").collect()
+}
+
+/// The shipped file as a flat JSON object.
+fn json() -> String {
+    let yaml = yaml();
+    let members = yaml.lines().filter_map(|line| line.split_once(": "));
+    let members: Vec<String> = members.map(|(name, value)| format!("\"{name}\": {value}")).collect();
+    format!("{{{}}}", members.join(",\n"))
+}
+
+/// The numbers of an analysis, without the name of the file.
+#[track_caller]
+fn numbers(directory: &Directory, file: &str, notes: &str) -> serde_json::Value {
+    let run = directory.run(&["analyze", file, "--format", "json"]);
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), notes));
+    let mut json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    json.as_object_mut().unwrap().remove("bicycle");
+    json
+}
+
+#[test]
+fn every_format_gives_the_same_numbers() {
+    let directory = Directory::new("formats");
+    let expected = numbers(&directory, "benchmark", "");
+    let indented: String = yaml().lines().map(|line| format!("  {line}\n")).collect();
+    let nested_yaml = format!("# note\nrider: True\ndescription: |\n  free: text\n\nvalues:\n{indented}");
+    let members: Vec<String> = json()
+        .trim_matches(['{', '}'])
+        .split(",\n")
+        .map(|member| {
+            let (name, value) = member.split_once(": ").unwrap();
+            format!(
+                "{name}: {{\"value\": {}, \"std\": \"0.01\"}}",
+                if value.starts_with('"') { value.to_owned() } else { format!("\"{value}\"") }
+            )
+        })
+        .collect();
+    let nested_json = format!("{{\"source\": \"a paper\", \"parameters\": {{{}}}}}", members.join(", "));
+    let flat_toml: String =
+        BENCHMARK.lines().filter(|line| *line != "[parameters]").map(|line| format!("{line}\n")).collect();
+    for (file, text) in [
+        ("bike.toml", BENCHMARK.to_owned()),
+        ("flat.toml", flat_toml.clone()),
+        ("toml-by-content", BENCHMARK.to_owned()),
+        ("flat-by-content.txt", flat_toml),
+        ("windows.toml", BENCHMARK.replace('\n', "\r\n")),
+        ("marked.toml", format!("\u{feff}{BENCHMARK}")),
+        ("bike.yml", yaml()),
+        ("nested.yaml", nested_yaml.clone()),
+        ("nested-by-content", nested_yaml),
+        ("windows.yml", yaml().replace('\n', "\r\n")),
+        ("yaml-by-content", yaml()),
+        ("marked.yml", format!("\u{feff}{}", yaml())),
+        ("marked.json", format!("\u{feff}{}", json())),
+        ("flat.json", json()),
+        ("nested.json", nested_json.clone()),
+        ("json-by-content", nested_json),
+    ] {
+        directory.write(file, text);
+        assert_eq!(numbers(&directory, file, ""), expected, "{file}");
+    }
+}
+
+#[test]
+fn text_of_bicycle_parameters_is_read_with_notes() {
+    let directory = Directory::new("text");
+    directory.write("BenchmarkBenchmark.txt", TEXT);
+    let notes = "\
+note: BenchmarkBenchmark.txt:9: `IRzz` is ignored: wheels are axisymmetric, so it equals IRxx
+note: BenchmarkBenchmark.txt:11: `yB` is ignored: the bicycle is laterally symmetric
+";
+    assert_eq!(numbers(&directory, "BenchmarkBenchmark.txt", notes), numbers(&directory, "benchmark", ""));
+}
+
+#[test]
+fn a_speed_in_a_file_is_ignored_with_a_note() {
+    let directory = Directory::new("speed-in-file");
+    directory.write("bike.yml", format!("v: 3.0\n{}", yaml()));
+    let note = "note: bike.yml:1: `v` is ignored: the speeds come from --speeds\n";
+    assert_eq!(numbers(&directory, "bike.yml", note), numbers(&directory, "benchmark", ""));
+}
+
+/// Every number of the output reads back to itself, and the output is a file that gives the same output.
+#[test]
+fn json_output_reads_back_bit_for_bit() {
+    let directory = Directory::new("read-back");
+    for bicycle in ["benchmark", "pista-rider", "crescendo", "balanceassistv1"] {
+        let first = directory.run(&["analyze", bicycle, "--format", "json"]).ok();
+        directory.write("result.json", &first);
+        assert_eq!(directory.run(&["analyze", "result.json", "--format", "json"]).ok(), first);
+        let from_stdin = directory.run_with_input(&["analyze", "-", "--format", "json"], &first).ok();
+        assert_eq!(from_stdin, first);
+    }
+}
+
+#[test]
+fn what_show_prints_is_a_file_that_gives_the_same_numbers() {
+    let directory = Directory::new("show-read-back");
+    for bicycle in ["benchmark", "benchmark-2005", "fisher", "silver"] {
+        let text = directory.run(&["show", bicycle]).ok();
+        directory.write("shown.toml", &text);
+        assert_eq!(directory.run(&["show", "shown.toml"]).ok(), text);
+        let [expected, found] =
+            [bicycle, "shown.toml"].map(|file| directory.run(&["analyze", file, "--format", "json"]).ok());
+        assert_eq!(found, expected);
+    }
+}
+
+/// The doubles nearest to pi/10 and atan(1/3), from mpmath at 50 digits.
+#[test]
+fn expressions_are_the_nearest_doubles() {
+    let directory = Directory::new("expressions");
+    for (value, bits) in [
+        ("pi/10", 0.314_159_265_358_979_3_f64),
+        ("18 deg", 0.314_159_265_358_979_3),
+        ("atan(1/3)", 0.321_750_554_396_642_2),
+    ] {
+        let setting = format!("lam={value}");
+        let json = directory.run(&["analyze", "--format", "json", "--set", &setting]).json();
+        assert_eq!(json["parameters"]["lam"].as_f64().map(f64::to_bits), Some(bits.to_bits()), "{value}");
+    }
+}

@@ -1,0 +1,84 @@
+//! How the program behaves among others: exit codes, pipes, colours, files.
+
+use std::io::Read as _;
+use std::process::Stdio;
+
+use crate::Directory;
+
+#[test]
+fn a_reader_that_closes_the_pipe_is_no_failure() {
+    let directory = Directory::new("pipe");
+    let mut command = directory.command(&["analyze", "--format", "csv", "--speeds", "0:100:0.005"]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut first = [0; 11];
+    child.stdout.take().unwrap().read_exact(&mut first).unwrap();
+    assert_eq!(&first, b"speed (m/s)");
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+}
+
+#[test]
+fn colours_can_be_forced_and_refused() {
+    let directory = Directory::new("colours");
+    let forced = directory.command(&["analyze"]).env("CLICOLOR_FORCE", "1").output().unwrap().stdout;
+    assert!(forced.contains(&0x1b));
+    let refused = directory.command(&["analyze"]).env("NO_COLOR", "1").output().unwrap().stdout;
+    assert!(!refused.contains(&0x1b));
+}
+
+#[test]
+fn help_has_examples_and_the_exit_codes() {
+    let directory = Directory::new("help");
+    let help = directory.run(&["--help"]).ok();
+    assert!(help.contains("carvallo analyze pista --plot pista.svg"), "{help}");
+    let help = directory.run(&["analyze", "--help"]).ok();
+    assert!(help.contains("Exit codes: 0"), "{help}");
+    assert!(help.contains("\"stable_ranges\": [[FROM, TO|null]]"), "{help}");
+}
+
+#[test]
+fn analyze_writes_no_file_unasked() {
+    let directory = Directory::new("no-litter");
+    directory.run(&["analyze"]).ok();
+    directory.run(&["show", "benchmark"]).ok();
+    directory.run(&[]).ok();
+    assert_eq!(std::fs::read_dir(&directory.0).unwrap().count(), 0);
+}
+
+/// Without arguments: the benchmark, and a picture where cargo keeps what it builds.
+#[test]
+fn a_first_look_needs_no_arguments() {
+    let directory = Directory::new("first-look");
+    let text = directory.run(&[]).ok();
+    let table = directory.run(&["analyze"]).ok();
+    assert!(text.starts_with(&table), "{text}");
+    let path = text.lines().find_map(|line| line.strip_prefix("Picture: ")).unwrap();
+    assert!(std::fs::read_to_string(path).unwrap().starts_with("<svg "), "{path}");
+}
+
+/// A bicycle without any inertia about the lean axis has no equations of motion to solve.
+#[test]
+fn a_singular_mass_matrix_is_a_failure_of_the_analysis() {
+    let directory = Directory::new("singular");
+    let zero =
+        ["mR", "IRxx", "IRyy", "mB", "IBxx", "IBzz", "IBxz", "IHxx", "IHzz", "IHxz", "mF", "IFxx", "IFyy", "xH", "zH"];
+    let settings: Vec<String> = zero.iter().map(|name| format!("{name}=0")).collect();
+    let mut arguments = vec!["analyze"];
+    for setting in &settings {
+        arguments.extend(["--set", setting]);
+    }
+    let run = directory.run(&arguments);
+    assert_eq!((run.code, run.stdout.as_str()), (Some(1), ""));
+    assert!(run.stderr.starts_with("error: benchmark: "), "{}", run.stderr);
+    assert!(run.stderr.contains("mass matrix"), "{}", run.stderr);
+}
+
+#[test]
+fn files_that_cannot_be_read_or_written_are_failures() {
+    let directory = Directory::new("io");
+    let run = directory.run(&["analyze", "."]);
+    assert_eq!((run.code, run.stderr.starts_with("error: cannot read .: ")), (Some(1), true), "{}", run.stderr);
+    let run = directory.run(&["analyze", "--plot", "missing/plot.svg"]);
+    assert_eq!((run.code, run.stdout.as_str()), (Some(1), ""));
+    assert!(run.stderr.starts_with("error: cannot write missing/plot.svg: "), "{}", run.stderr);
+}
