@@ -58,10 +58,12 @@ Files: TOML as `carvallo show` writes it; YAML `name: value` and text `name = va
 BicycleParameters writes them; JSON, also as --format json writes it. Values may be expressions:
 pi/10, atan(1/3), 18 deg.
 
-JSON: {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},
-  \"critical_speeds\": [{\"kind\": \"weave\"|\"capsize\"|\"double_root\", \"speed\", \"eigenvalue\": {\"re\", \"im\"}, \"change\"}],
-  \"stable_ranges\": [[FROM, TO|null]], \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\"}]}]}
-SI units throughout; every number reads back to the same double. It is itself a file that can be read.
+JSON, in SI units, every number reading back to the same double:
+  {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},
+   \"critical_speeds\": [{\"kind\": \"weave\"|\"capsize\"|\"double_root\", \"speed\", \"eigenvalue\": {\"re\", \"im\"},
+     \"change\": \"stabilizes\"|\"destabilizes\"|\"merges\"|\"splits\"|\"touches\"}],
+   \"stable_ranges\": [[FROM, TO|null]],
+   \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\": \"castering\"|\"capsize\"|\"weave\"}]}]}
 
 Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";
 

@@ -6,7 +6,7 @@ mod json;
 mod lines;
 mod names;
 mod parameters;
-mod realizable;
+mod plausible;
 mod toml;
 
 use std::io::Read as _;
@@ -18,7 +18,7 @@ use self::document::{Document, Entry, File};
 use crate::failure::{Failure, Place, Problem};
 
 pub use self::names::{nearest, unit};
-pub use self::realizable::warnings;
+pub use self::plausible::warnings;
 
 /// A bicycle for the model of Whipple and Carvallo.
 pub type Bicycle = parameters::Bicycle<Whipple<f64>>;

@@ -1,4 +1,4 @@
-//! An analysis as JSON; the form is documented in `carvallo analyze --help`, and stays.
+//! An analysis as JSON; its form is documented in `docs/json.md`, and stays.
 //!
 //! Numbers are written with the fewest digits that read back to the same double.
 

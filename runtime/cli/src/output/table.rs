@@ -29,13 +29,9 @@ fn heading(analysis: &Analysis, text: &mut String) {
 fn write_matrices(analysis: &Analysis, text: &mut String) {
     let coordinates: Vec<String> =
         analysis.bicycle.info().coordinates.iter().map(|q| format!("{} {}", q.label, q.name)).collect();
-    let gravity = analysis.gravity;
-    let _ = writeln!(
-        text,
-        "\n{HEADING}Equations of motion{HEADING:#}  M q'' + v C1 q' + (g K0 + v² K2) q = f,  q = ({}),  g = {gravity} \
-         N/kg",
-        coordinates.join(", ")
-    );
+    let equations = "M q'' + v C1 q' + (g K0 + v² K2) q = f";
+    let _ = writeln!(text, "\n{HEADING}Equations of motion{HEADING:#}  {equations}");
+    let _ = writeln!(text, "  with q = ({}) and g = {} N/kg", coordinates.join(", "), analysis.gravity);
     for (name, unit, rows) in matrices(&analysis.coefficients) {
         // Adding zero turns -0 into 0.
         let [[a, b], [c, d]] = rows.map(|row| row.map(|value| value + 0.0));

@@ -30,7 +30,7 @@ pub fn eigenvalues(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene
     scene.text(((LEFT + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
 
     // A single speed is shown with what follows it.
-    let high = if high > low { high } else { low + 1.0 };
+    let high = if high > low { high } else { low + f64::max(1.0, 0.1 * low) };
     let rows = analysis.rows(&samples(analysis, low, high))?;
     let extent = extent(&rows);
     let mut axes = Axes { x: (low, high), y: (-extent, extent), area: [LEFT, 0.0, RIGHT, BOTTOM] };

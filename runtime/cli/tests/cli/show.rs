@@ -60,3 +60,11 @@ fn inertias_that_no_body_can_have_are_a_warning() {
         run.stderr
     );
 }
+
+/// Heights are often measured upwards; here z points down.
+#[test]
+fn a_centre_of_mass_below_the_ground_is_a_warning() {
+    let run = Directory::new("below").run(&["show", "benchmark", "--set", "zB=0.9"]);
+    let warning = "warning: benchmark: `zB` is 0.9 m, below the ground: z points down\n";
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), warning));
+}

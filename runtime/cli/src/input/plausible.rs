@@ -1,13 +1,12 @@
-//! Whether rigid bodies with the given inertias can exist.
+//! Whether the parameters can be those of a real bicycle.
 
 use carvallo::ModelInfo;
 
 /// Measured inertias may miss a bound by the rounding of their last digit without meaning anything.
 const TOLERANCE: f64 = 1e-9;
 
-/// What deserves a warning: a moment of inertia that exceeds the sum of the other two, or is negative, in any body.
-///
-/// Bodies with a product of inertia are judged by their principal moments.
+/// What deserves a warning: a centre of mass below the ground, and in any body a moment of inertia that exceeds the sum
+/// of the other two, or is negative. Bodies with a product of inertia are judged by their principal moments.
 pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
     let value = |name: &str| info.position(name).and_then(|position| values.get(position)).copied();
     let frame = |body: &str| {
@@ -27,7 +26,12 @@ pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
         ("front frame H", frame("H")),
         ("front wheel F", wheel("F")),
     ];
-    bodies.into_iter().filter_map(|(body, moments)| judge(body, moments?)).collect()
+    let inertias = bodies.into_iter().filter_map(|(body, moments)| judge(body, moments?));
+    let below = ["zB", "zH"].into_iter().filter_map(|name| match value(name) {
+        Some(depth) if depth > 0.0 => Some(format!("`{name}` is {depth} m, below the ground: z points down")),
+        _ => None,
+    });
+    inertias.chain(below).collect()
 }
 
 fn judge(body: &str, mut moments: [f64; 3]) -> Option<String> {
