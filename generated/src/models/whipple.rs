@@ -310,156 +310,71 @@ pub struct WhippleMatrices<T = ::core::primitive::f64> {
 }
 #[allow(clippy::all, dead_code, non_snake_case)]
 impl<T: ::carvallo::Scalar> Whipple<T> {
-    /// The coefficient matrices, from one straight-line program.
+    /// The coefficient matrices, from one straight-line program:
+    /// 54 additions, 71 multiplications, 4 divisions, 3 negations and 2 trigonometric functions: 134 operations.
     ///
-    /// It takes 56 additions, 72 multiplications, 5 divisions, 3 negations and 2 trigonometric functions: 138 operations. The parameters are not validated.
+    /// The parameters are not validated.
     #[inline]
     #[must_use]
     pub fn matrices(&self) -> WhippleMatrices<T> {
-        let t2 = self.IRxx + self.IBxx;
         let t5 = self.IHxx + self.IFxx;
-        let t6 = t2 + t5;
-        let t9 = self.rR * self.rR;
-        let t10 = self.mR * t9;
-        let t11 = t6 + t10;
-        let t14 = self.zB * self.zB;
-        let t15 = self.mB * t14;
-        let t16 = t11 + t15;
-        let t19 = self.zH * self.zH;
-        let t20 = self.mH * t19;
-        let t21 = t16 + t20;
-        let t24 = self.rF * self.rF;
-        let t25 = self.mF * t24;
-        let t26 = t21 + t25;
-        let t27 = self.zH * self.mH;
-        let t28 = self.rF * self.mF;
-        let t29 = t27 - t28;
-        let t30 = self.mH + self.mF;
-        let t31 = <T as ::carvallo::Scalar>::from_f64(1.0) / t30;
-        let t32 = t29 * t31;
+        let t26 = (((((self.IRxx + self.IBxx) + t5) + (self.mR * (self.rR * self.rR)))
+            + (self.mB * (self.zB * self.zB))) + (self.mH * (self.zH * self.zH)))
+            + (self.mF * (self.rF * self.rF));
+        let mA = self.mH + self.mF;
+        let t28 = <T as ::carvallo::Scalar>::from_f64(1.0) / mA;
+        let t30 = self.rF * self.mF;
+        let t31 = (self.zH * self.mH) - t30;
+        let zA = t28 * t31;
         let (t34, t45) = ::carvallo::Scalar::sin_cos(self.lam);
-        let t35 = t32 * t34;
-        let t37 = self.xH * self.mH;
-        let t39 = self.w * self.mF;
-        let t40 = t37 + t39;
-        let t41 = t40 * t31;
-        let t42 = t41 - self.w;
-        let t44 = t42 - self.c;
-        let t46 = t44 * t45;
-        let t47 = t46 - t35;
-        let t48 = t30 * t47;
-        let t49 = t32 * t48;
-        let t50 = self.zH - t32;
-        let t51 = t50 * t50;
-        let t52 = self.mH * t51;
-        let t53 = self.rF + t32;
-        let t54 = t53 * t53;
-        let t55 = self.mF * t54;
-        let t56 = t52 + t55;
-        let t57 = t56 + t5;
-        let t58 = t57 * t34;
-        let t59 = t58 - t49;
-        let t61 = self.mH * t50;
-        let t62 = self.xH - t41;
-        let t63 = t61 * t62;
-        let t64 = self.IHxz - t63;
-        let t65 = self.mF * t53;
-        let t66 = t65 * t42;
-        let t67 = t64 - t66;
-        let t68 = t67 * t45;
-        let t69 = t59 + t68;
-        let t71 = self.IBxz + self.IHxz;
+        let t40 = (self.xH * self.mH) + (self.w * self.mF);
+        let xA = t40 * t28;
+        let t42 = xA - self.w;
+        let uA = ((t42 - self.c) * t45) - (zA * t34);
+        let t48 = mA * uA;
+        let t51 = self.zH - zA;
+        let t53 = self.xH - xA;
+        let t56 = self.rF + zA;
+        let IAxz = (self.IHxz - ((self.mH * t51) * t53)) - ((self.mF * t56) * t42);
+        let t60 = IAxz * t45;
+        let IAxx = ((self.mH * (t51 * t51)) + (self.mF * (t56 * t56))) + t5;
+        let t68 = IAxx * t34;
+        let IAlx = (t60 - (zA * t48)) + t68;
         let t73 = self.zB * self.mB;
-        let t74 = self.xB * t73;
-        let t75 = t71 - t74;
-        let t76 = self.xH * self.zH;
-        let t77 = t76 * self.mH;
-        let t78 = t75 - t77;
-        let t79 = self.w * t28;
-        let t80 = t78 + t79;
+        let ITxz = (((self.IBxz + self.IHxz) - (self.xB * t73))
+            - ((self.xH * self.zH) * self.mH)) + (self.w * t30);
         let t81 = t45 / self.w;
-        let t82 = self.c * t81;
-        let t83 = t80 * t82;
-        let t84 = t69 + t83;
-        let t85 = t47 * t47;
-        let t86 = t30 * t85;
-        let t87 = t34 * t34;
-        let t88 = t57 * t87;
-        let t89 = t86 + t88;
-        let t90 = t41 * t48;
-        let t91 = t67 * t34;
-        let t92 = t90 + t91;
-        let t94 = self.IHzz + self.IFxx;
-        let t95 = t62 * t62;
-        let t96 = self.mH * t95;
-        let t97 = t94 + t96;
-        let t98 = t42 * t42;
-        let t99 = self.mF * t98;
-        let t100 = t97 + t99;
-        let t101 = t100 * t45;
-        let t102 = t92 + t101;
-        let t103 = <T as ::carvallo::Scalar>::from_f64(2.0);
-        let t104 = t102 * t103;
-        let t106 = self.IRxx + self.IBzz;
-        let t107 = self.xB * self.xB;
-        let t108 = self.mB * t107;
-        let t109 = t106 + t108;
-        let t110 = self.xH * self.xH;
-        let t111 = self.mH * t110;
-        let t112 = t109 + t111;
-        let t113 = self.w * self.w;
-        let t114 = self.mF * t113;
-        let t115 = t112 + t114;
-        let t116 = t115 + t94;
-        let t117 = t116 * t82;
-        let t118 = t104 + t117;
-        let t119 = t82 * t118;
-        let t120 = t89 + t119;
-        let t121 = t103 * t91;
-        let t122 = t101 + t121;
-        let t123 = t45 * t122;
-        let t124 = t120 + t123;
-        let t125 = <T as ::carvallo::Scalar>::from_f64(0.0);
-        let t126 = self.mR + self.mB;
-        let t127 = t126 + t30;
-        let t128 = self.rR * self.mR;
-        let t129 = t73 - t128;
-        let t130 = t129 + t29;
-        let t131 = t130 / t127;
-        let t132 = t127 * t131;
-        let t133 = t82 * t132;
-        let t134 = t80 * t81;
-        let t135 = t134 - t133;
-        let t137 = self.IFyy / self.rF;
-        let t138 = t137 * t45;
-        let t140 = self.IRyy / self.rR;
-        let t141 = t137 + t140;
-        let t142 = t82 * t141;
-        let t143 = t138 + t142;
-        let t144 = t135 + t143;
-        let t145 = t102 * t81;
-        let t146 = self.xB * self.mB;
-        let t147 = t40 + t146;
-        let t148 = t82 * t147;
-        let t149 = t48 + t148;
-        let t150 = t116 * t81;
-        let t151 = t149 + t150;
-        let t152 = t82 * t151;
-        let t153 = t145 + t152;
-        let t154 = t34 * t149;
-        let t155 = t141 - t132;
-        let t156 = t81 * t155;
-        let t157 = t137 * t34;
-        let t158 = t149 + t157;
-        let t159 = t81 * t158;
-        let t160 = -t143;
-        let t161 = -t149;
-        let t162 = -t154;
+        let mu = self.c * t81;
+        let t84 = IAlx + (ITxz * mu);
+        let t88 = self.IHzz + self.IFxx;
+        let IAzz = (t88 + (self.mH * (t53 * t53))) + (self.mF * (t42 * t42));
+        let IAlz = ((xA * t48) + (IAxz * t34)) + (IAzz * t45);
+        let ITzz = ((((self.IRxx + self.IBzz) + (self.mB * (self.xB * self.xB)))
+            + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w))) + t88;
+        let t124 = (((mA * (uA * uA)) + (IAzz * (t45 * t45)))
+            + (mu * ((IAlz * <T as ::carvallo::Scalar>::from_f64(2.0)) + (ITzz * mu))))
+            + (t34 * (t68 + (<T as ::carvallo::Scalar>::from_f64(2.0) * t60)));
+        let SF = self.IFyy / self.rF;
+        let ST = SF + (self.IRyy / self.rR);
+        let t134 = (t73 + t31) - (self.rR * self.mR);
+        let t135 = ST - t134;
+        let t138 = SF * t45;
+        let t139 = ((ITxz * t81) + (mu * t135)) + t138;
+        let SA = t48 + (mu * (t40 + (self.xB * self.mB)));
+        let t150 = (IAlz * t81) + (mu * (SA + (ITzz * t81)));
+        let t152 = t81 * t135;
+        let t155 = t81 * (SA + (SF * t34));
+        let t156 = -(t138 + (mu * ST));
+        let t157 = -SA;
+        let t158 = -(t34 * SA);
         WhippleMatrices {
             m: [[t26, t84], [t84, t124]],
-            c1: [[t125, t144], [t160, t153]],
-            k0: [[t132, t161], [t161, t162]],
-            k2: [[t125, t156], [t125, t159]],
+            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t139], [t156, t150]],
+            k0: [[t134, t157], [t157, t158]],
+            k2: [
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t152],
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t155],
+            ],
         }
     }
 }
@@ -927,12 +842,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 ::carvallo::Scalar::to_f64(self.IFyy),
             ],
         )?;
-        let t2 = self.mR + self.mB;
-        let t5 = self.mH + self.mF;
-        let t6 = t2 + t5;
+        let mA = self.mH + self.mF;
+        let mT = (self.mR + self.mB) + mA;
         info.require(
             "mR + mB + mH + mF",
-            ::carvallo::Scalar::to_f64(t6),
+            ::carvallo::Scalar::to_f64(mT),
             "",
             ::carvallo::Domain {
                 lower: ::carvallo::Bound::Open(0.0),
@@ -941,7 +855,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
         )?;
         info.require(
             "mH + mF",
-            ::carvallo::Scalar::to_f64(t5),
+            ::carvallo::Scalar::to_f64(mA),
             "",
             ::carvallo::Domain {
                 lower: ::carvallo::Bound::Open(0.0),

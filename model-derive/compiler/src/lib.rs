@@ -18,6 +18,7 @@ mod syntax;
 
 use proc_macro2::TokenStream;
 
+pub use crate::emit::Driver;
 pub use crate::equations::Equations;
 use crate::model::Model;
 use crate::program::Program;
@@ -54,7 +55,7 @@ pub fn compile(declaration: TokenStream) -> syn::Result<Compiled> {
 ///
 /// # Errors
 /// As [`compile`].
-pub fn expand(declaration: TokenStream) -> syn::Result<TokenStream> {
+pub fn expand(declaration: TokenStream, driver: Driver) -> syn::Result<TokenStream> {
     let Compiled { model, matrices, requirements } = compile(declaration)?;
-    Ok(emit::emit(&model, &matrices, &requirements))
+    Ok(emit::emit(&model, &matrices, &requirements, driver))
 }

@@ -15,7 +15,7 @@ pub struct Model {
     /// The parameter that is the gravitational field strength.
     pub gravity: Option<usize>,
     /// In an order in which each uses only earlier ones.
-    pub definitions: Vec<Expr>,
+    pub definitions: Vec<(Ident, Expr)>,
     pub requirements: Vec<Requirement>,
     pub sets: Vec<ParameterSet>,
     pub coordinates: Vec<Coordinate>,

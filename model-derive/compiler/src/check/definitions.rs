@@ -1,5 +1,7 @@
 //! Definitions in an order in which each uses only earlier ones.
 
+use proc_macro2::Ident;
+
 use super::names::Scope;
 use super::resolve;
 use crate::model::Expr;
@@ -16,10 +18,11 @@ pub struct Resolved {
 }
 
 impl Resolved {
-    /// The definitions in their order, with references to them renumbered to match.
-    pub fn in_order(&self) -> Vec<Expr> {
+    /// The definitions with their names, in their order, and with references to them renumbered to match.
+    pub fn in_order(&self, declaration: &Declaration) -> Vec<(Ident, Expr)> {
         let new = self.new_positions();
-        self.order.iter().map(|old| renumbered(&self.definitions[*old], &new)).collect()
+        let entry = |old: &usize| (declaration.definitions[*old].name.clone(), renumbered(&self.definitions[*old], &new));
+        self.order.iter().map(entry).collect()
     }
 
     /// For each position in the declaration the one in the order.

@@ -47,6 +47,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let domains: Vec<_> = declaration.parameters.iter().map(|p| domains::domain(&p.bounds, report)).collect();
     let sets = sets::sets(&declaration, &domains, report);
     let gravity = gravity(&declaration, report);
+    let definitions = resolved.in_order(&declaration);
     let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();
     let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {
         symbol: parameter.symbol.unwrap_or_else(|| parameter.name.to_string()),
@@ -57,13 +58,13 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         used: used || gravity == Some(index),
     });
     Model {
+        definitions,
         parameters: parameters.collect(),
         name: declaration.name,
         visibility: declaration.visibility,
         docs: declaration.docs,
         source: declaration.source.unwrap_or_default(),
         gravity,
-        definitions: resolved.in_order(),
         requirements,
         sets,
         coordinates: declaration

@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::program::{Counts, Instruction, Program, Value};
 
 pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
-    let Names { model: name, matrices, scalar } = names;
+    let Names { model: name, matrices, scalar, .. } = names;
     let visibility = &model.visibility;
     let n = model.coordinates.len();
     let allow = allow();
@@ -20,11 +20,11 @@ pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
     ));
     let size = proc_macro2::Literal::usize_unsuffixed(n);
     let function_docs = docs(&format!(
-        "The coefficient matrices, from one straight-line program.\n\n\
-         It takes {}. The parameters are not validated.",
+        "The coefficient matrices, from one straight-line program:\n{}.\n\n\
+         The parameters are not validated.",
         Counts::of(program),
     ));
-    let body = Body::new(program, model, scalar);
+    let body = Body::new(program, model, names);
     let statements = &body.statements;
     let rows = (0..model.matrices.len()).map(|matrix| {
         let rows = (0..n).map(|row| {
@@ -59,75 +59,108 @@ pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
 pub struct Body {
     pub statements: Vec<TokenStream>,
     pub values: Vec<TokenStream>,
+    /// How deep each value's expression nests; zero for names and numbers.
+    depths: Vec<usize>,
 }
 
+/// Values that are used once and have no name nest into the expression that uses them, up to this depth.
+const MAX_DEPTH: usize = 6;
+
 impl Body {
-    pub fn new(program: &Program, model: &Model, scalar: &Ident) -> Self {
-        let mut body = Self { statements: Vec::new(), values: Vec::new() };
+    pub fn new(program: &Program, model: &Model, names: &Names) -> Self {
+        let mut uses = program.uses();
+        for instruction in &program.instructions {
+            if let Instruction::Square(a) = instruction {
+                // It is written twice.
+                uses[*a] += 1;
+            }
+        }
+        let mut body = Self { statements: Vec::new(), values: Vec::new(), depths: Vec::new() };
         // Sine and cosine of one angle come from one call.
         let partner = |wanted: Instruction| program.instructions.iter().position(|i| *i == wanted);
-        let mut paired: Vec<Option<TokenStream>> = vec![None; program.instructions.len()];
+        let mut paired: Vec<Option<Ident>> = vec![None; program.instructions.len()];
         for (value, instruction) in program.instructions.iter().enumerate() {
-            let at = |value: Value| body.values[value].clone();
-            let expression = match *instruction {
-                Instruction::Parameter(index) => {
-                    let name = &model.parameters[index].name;
-                    body.values.push(quote!(self.#name));
-                    continue;
-                }
-                Instruction::Constant(c) => {
-                    let c = number(c);
-                    quote!(<#scalar as ::carvallo::Scalar>::from_f64(#c))
-                }
-                Instruction::Sin(a) | Instruction::Cos(a) => {
-                    if let Some(name) = &paired[value] {
-                        body.values.push(name.clone());
-                        continue;
-                    }
-                    let angle = at(a);
-                    let sine = matches!(instruction, Instruction::Sin(_));
-                    let other = partner(if sine { Instruction::Cos(a) } else { Instruction::Sin(a) });
-                    if let Some(other) = other {
-                        let [first, second] = [value, other].map(|value| format_ident!("t{value}"));
-                        paired[other] = Some(quote!(#second));
-                        let (s, c) = if sine { (&first, &second) } else { (&second, &first) };
-                        body.statements.push(quote! { let (#s, #c) = ::carvallo::Scalar::sin_cos(#angle); });
-                        body.values.push(quote!(#first));
-                        continue;
-                    }
-                    if sine { quote!(::carvallo::Scalar::sin(#angle)) } else { quote!(::carvallo::Scalar::cos(#angle)) }
-                }
-                Instruction::Add(a, b) => binary(at(a), quote!(+), at(b)),
-                Instruction::Sub(a, b) => binary(at(a), quote!(-), at(b)),
-                Instruction::Mul(a, b) => binary(at(a), quote!(*), at(b)),
-                Instruction::Div(a, b) => binary(at(a), quote!(/), at(b)),
-                Instruction::Square(a) => binary(at(a), quote!(*), at(a)),
-                Instruction::Neg(a) => {
-                    let a = at(a);
-                    quote!(-#a)
-                }
-                Instruction::Reciprocal(a) => {
-                    let a = at(a);
-                    quote!(<#scalar as ::carvallo::Scalar>::from_f64(1.0) / #a)
-                }
-                Instruction::Sqrt(a) => {
-                    let a = at(a);
-                    quote!(::carvallo::Scalar::sqrt(#a))
-                }
-                Instruction::Tan(a) => {
-                    let a = at(a);
-                    quote!(::carvallo::Scalar::tan(#a))
-                }
-                Instruction::Power(..) => unreachable!("the pass `powers` leaves none"),
+            if let Some(name) = &paired[value] {
+                body.push(quote!(#name), 0);
+                continue;
+            }
+            let other = match *instruction {
+                Instruction::Sin(angle) => partner(Instruction::Cos(angle)).map(|cosine| (angle, value, cosine)),
+                Instruction::Cos(angle) => partner(Instruction::Sin(angle)).map(|sine| (angle, sine, value)),
+                _ => None,
             };
-            let name = format_ident!("t{value}");
-            body.statements.push(quote! { let #name = #expression; });
-            body.values.push(quote!(#name));
+            if let Some((angle, sine, cosine)) = other {
+                let [s, c] = [sine, cosine].map(|value| names.local(program, model, value));
+                let angle = &body.values[angle];
+                body.statements.push(quote! { let (#s, #c) = ::carvallo::Scalar::sin_cos(#angle); });
+                let this = if value == sine { &s } else { &c };
+                body.push(quote!(#this), 0);
+                paired[sine] = Some(s);
+                paired[cosine] = Some(c);
+                continue;
+            }
+            let expression = body.expression(*instruction, model, &names.scalar);
+            let depth = instruction.operands().map(|value| body.depths[value] + 1).max().unwrap_or(0);
+            let named = program.labels.iter().any(|(labelled, _)| *labelled == value) || program.outputs.contains(&value);
+            if depth == 0 || uses[value] == 1 && !named && depth < MAX_DEPTH {
+                body.push(expression, depth);
+            } else {
+                let name = names.local(program, model, value);
+                body.statements.push(quote! { let #name = #expression; });
+                body.push(quote!(#name), 0);
+            }
         }
         body
     }
-}
 
-fn binary(left: TokenStream, sign: TokenStream, right: TokenStream) -> TokenStream {
-    quote!(#left #sign #right)
+    fn push(&mut self, expression: TokenStream, depth: usize) {
+        self.values.push(expression);
+        self.depths.push(depth);
+    }
+
+    /// A value as an operand: in parentheses if it is more than a name.
+    fn operand(&self, value: Value) -> TokenStream {
+        let expression = &self.values[value];
+        if self.depths[value] == 0 { quote!(#expression) } else { quote!((#expression)) }
+    }
+
+    fn expression(&self, instruction: Instruction, model: &Model, scalar: &Ident) -> TokenStream {
+        let at = |value| self.operand(value);
+        let binary = |a, sign: TokenStream, b| {
+            let (a, b) = (at(a), at(b));
+            quote!(#a #sign #b)
+        };
+        let call = |function: TokenStream, argument: Value| {
+            let argument = &self.values[argument];
+            quote!(::carvallo::Scalar::#function(#argument))
+        };
+        match instruction {
+            Instruction::Parameter(index) => {
+                let name = &model.parameters[index].name;
+                quote!(self.#name)
+            }
+            Instruction::Constant(value) => {
+                let value = number(value);
+                quote!(<#scalar as ::carvallo::Scalar>::from_f64(#value))
+            }
+            Instruction::Add(a, b) => binary(a, quote!(+), b),
+            Instruction::Sub(a, b) => binary(a, quote!(-), b),
+            Instruction::Mul(a, b) => binary(a, quote!(*), b),
+            Instruction::Div(a, b) => binary(a, quote!(/), b),
+            Instruction::Square(a) => binary(a, quote!(*), a),
+            Instruction::Neg(a) => {
+                let a = at(a);
+                quote!(-#a)
+            }
+            Instruction::Reciprocal(a) => {
+                let a = at(a);
+                quote!(<#scalar as ::carvallo::Scalar>::from_f64(1.0) / #a)
+            }
+            Instruction::Sqrt(a) => call(quote!(sqrt), a),
+            Instruction::Sin(a) => call(quote!(sin), a),
+            Instruction::Cos(a) => call(quote!(cos), a),
+            Instruction::Tan(a) => call(quote!(tan), a),
+            Instruction::Power(..) => unreachable!("the pass `powers` leaves none"),
+        }
+    }
 }

@@ -77,7 +77,7 @@ pub fn emit(model: &Model, names: &Names, requirements: &Program) -> TokenStream
 }
 
 fn validate_requirements(model: &Model, names: &Names, program: &Program) -> TokenStream {
-    let body = Body::new(program, model, &names.scalar);
+    let body = Body::new(program, model, names);
     let statements = &body.statements;
     let checks = model.requirements.iter().zip(&program.outputs).map(|(requirement, value)| {
         let value = &body.values[*value];

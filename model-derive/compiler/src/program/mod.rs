@@ -76,6 +76,8 @@ pub struct Program {
     pub instructions: Vec<Instruction>,
     /// The values that it computes, in the order of the outputs.
     pub outputs: Vec<Value>,
+    /// Values that are a definition of the model, and the position of that definition: names for readers.
+    pub labels: Vec<(Value, usize)>,
 }
 
 impl Program {
@@ -113,6 +115,7 @@ impl Program {
                 _ => {}
             }
         }
-        assert!(self.outputs.iter().all(|value| *value < self.instructions.len()), "an output that nothing computes");
+        let named = self.outputs.iter().chain(self.labels.iter().map(|(value, _)| value));
+        assert!(named.into_iter().all(|value| *value < self.instructions.len()), "an output that nothing computes");
     }
 }

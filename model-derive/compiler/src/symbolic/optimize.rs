@@ -8,7 +8,7 @@ use super::form::{Engine, Form};
 use super::import::append;
 use crate::equations::Equations;
 use crate::model::Expr;
-use crate::program::{Counts, Instruction, Program, passes};
+use crate::program::{Counts, Instruction, Program, Value, passes};
 
 /// The cheapest program found for each set of equations.
 ///
@@ -18,32 +18,73 @@ pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
     enter(move |engine| equations.iter().map(|equations| cheapest(engine, equations)).collect())
 }
 
-fn cheapest(engine: &Engine, equations: &Equations) -> Program {
-    let candidates = candidates(engine, equations);
-    // The first of several equally cheap ones, so that the choice is the same on every run.
-    let best = candidates.into_iter().map(passes::optimize).min_by_key(|program| Counts::of(program).cost());
-    best.unwrap_or_default()
-}
-
-/// Which definitions disappear into the formulas that use them. Never all: that grows exponentially with their depth.
+/// How a program is made from a system of formulas.
 #[derive(Clone, Copy)]
-enum Inline {
-    None,
-    UsedOnce,
+struct Settings {
+    /// Each formula in its shortest equivalent form, rather than as it was written.
+    simplest: bool,
+    /// Without the engine's search for Horner schemes and common pairs.
+    direct: bool,
 }
 
-fn candidates(engine: &Engine, equations: &Equations) -> Vec<Program> {
-    let mut programs = Vec::new();
-    for inline in [Inline::None, Inline::UsedOnce] {
+const SETTINGS: [Settings; 4] = [
+    Settings { simplest: false, direct: true },
+    Settings { simplest: false, direct: false },
+    Settings { simplest: true, direct: true },
+    Settings { simplest: true, direct: false },
+];
+
+/// More quotients than this are not tried one by one, so that large models compile in a time that grows linearly.
+const MAX_TRIALS: usize = 16;
+
+fn cheapest(engine: &Engine, equations: &Equations) -> Program {
+    let run = |inline: &[bool], settings: Settings| {
         let system = System::new(engine, equations, inline);
-        for simplify in [false, true] {
-            let system = if simplify { system.simplest() } else { system.clone() };
-            for direct in [true, false] {
-                programs.push(system.program(engine, equations.parameters, direct));
-            }
+        let system = if settings.simplest { system.simplest() } else { system };
+        passes::optimize(system.program(engine, equations.parameters, settings.direct))
+    };
+    let cost = |program: &Program| Counts::of(program).cost();
+
+    // Definitions never all disappear into the formulas that use them: that grows exponentially with their depth.
+    let none = vec![false; equations.definitions.len()];
+    let used_once: Vec<bool> = uses(equations).iter().map(|uses| *uses == 1).collect();
+    let starts = [none, used_once].into_iter().flat_map(|inline| SETTINGS.map(|settings| (inline.clone(), settings)));
+    // The first of several equally cheap ones, so that the choice is the same on every run.
+    let best = starts.map(|(inline, settings)| (run(&inline, settings), inline, settings));
+    let Some((mut best, mut inline, settings)) = best.min_by_key(|(program, ..)| cost(program)) else {
+        return Program::default();
+    };
+    // A quotient whose divisor the formulas multiply by, such as a centre of mass, costs nothing once inside them.
+    let quotients = equations.definitions.iter().enumerate().filter(|(_, expr)| is_quotient(expr));
+    for (index, _) in quotients.take(MAX_TRIALS) {
+        if inline[index] {
+            continue;
+        }
+        inline[index] = true;
+        let program = run(&inline, settings);
+        inline[index] = cost(&program) < cost(&best);
+        if inline[index] {
+            best = program;
         }
     }
-    programs
+    best
+}
+
+fn is_quotient(expr: &Expr) -> bool {
+    matches!(expr, Expr::Product(factors) if factors.iter().any(|(inverse, _)| *inverse))
+}
+
+/// How often each definition is used.
+fn uses(equations: &Equations) -> Vec<usize> {
+    let mut uses = vec![0; equations.definitions.len()];
+    for expr in equations.definitions.iter().chain(&equations.outputs) {
+        expr.walk(&mut |part| {
+            if let Expr::Definition(index) = part {
+                uses[*index] += 1;
+            }
+        });
+    }
+    uses
 }
 
 /// Formulas in parameters and in the definitions that are kept.
@@ -55,23 +96,12 @@ struct System {
 }
 
 impl System {
-    fn new(engine: &Engine, equations: &Equations, inline: Inline) -> Self {
-        let mut uses = vec![0; equations.definitions.len()];
-        for expr in equations.definitions.iter().chain(&equations.outputs) {
-            expr.walk(&mut |part| {
-                if let Expr::Definition(index) = part {
-                    uses[*index] += 1;
-                }
-            });
-        }
+    fn new(engine: &Engine, equations: &Equations, inline: &[bool]) -> Self {
         let mut kept = Vec::new();
         let mut values = Vec::new();
         for (index, expr) in equations.definitions.iter().enumerate() {
             let form = engine.form(expr, &values);
-            let keep = match inline {
-                Inline::None => true,
-                Inline::UsedOnce => uses[index] > 1,
-            };
+            let keep = !inline[index];
             values.push(if keep { engine.definition(index) } else { form.clone() });
             kept.push(keep.then_some(form));
         }
@@ -103,8 +133,9 @@ impl System {
         let mut program = Program::new(parameters);
         let mut inputs: Vec<usize> = (0..parameters).map(|index| program.push(Instruction::Parameter(index))).collect();
         inputs.push(program.push(Instruction::Constant(std::f64::consts::PI)));
-        let open: Vec<usize> = kept.iter().map(|_| program.push(Instruction::Constant(0.0))).collect();
-        inputs.extend(&open);
+        let open: Vec<(usize, Value)> =
+            kept.iter().map(|(index, _)| (*index, program.push(Instruction::Constant(0.0)))).collect();
+        inputs.extend(open.iter().map(|(_, value)| value));
         let results = append(&mut program, &exported, &inputs);
         let (definitions, outputs) = results.split_at(kept.len());
         program.outputs = outputs.to_vec();

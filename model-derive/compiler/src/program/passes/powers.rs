@@ -14,7 +14,7 @@ pub fn expand(program: Program) -> Program {
             other => builder.push(other),
         });
     }
-    let program = builder.finish(program.outputs.iter().map(|value| new[*value]).collect());
+    let program = builder.finish(&program, |value| new[value], |value| Some(new[value]));
     debug_assert!(!program.instructions.iter().any(|i| matches!(i, Instruction::Power(..))));
     program
 }

@@ -35,5 +35,5 @@ pub fn divide(program: Program) -> Program {
         };
         new.push(value);
     }
-    common(builder.finish(program.outputs.iter().map(|value| new[*value]).collect()))
+    common(builder.finish(&program, |value| new[value], |value| Some(new[value])))
 }

@@ -63,8 +63,10 @@ impl Builder {
         self.program.instructions[value]
     }
 
-    pub fn finish(mut self, outputs: Vec<Value>) -> Program {
-        self.program.outputs = outputs;
+    /// The program, with the outputs and labels of the old one at their new values; labels may lose theirs.
+    pub fn finish(mut self, old: &Program, output: impl Fn(Value) -> Value, label: impl Fn(Value) -> Option<Value>) -> Program {
+        self.program.outputs = old.outputs.iter().map(|value| output(*value)).collect();
+        self.program.labels = old.labels.iter().filter_map(|(value, index)| Some((label(*value)?, *index))).collect();
         self.program
     }
 }
@@ -83,5 +85,5 @@ pub fn common(program: Program) -> Program {
     for (value, instruction) in program.instructions.iter().enumerate() {
         new.push(if used[value] { builder.push(instruction.map(|operand| new[operand])) } else { 0 });
     }
-    builder.finish(program.outputs.iter().map(|value| new[*value]).collect())
+    builder.finish(&program, |value| new[value], |value| used[value].then(|| new[value]))
 }

@@ -1,6 +1,8 @@
 //! Minus signs move outward through sums, products and functions, where they cost nothing.
 
-use super::rebuild::Builder;
+use std::collections::HashMap;
+
+use super::rebuild::{Builder, common};
 use crate::program::{Instruction, Program, Value};
 
 /// A value, and whether it stands for its negative.
@@ -18,8 +20,10 @@ pub fn collect(program: Program) -> Program {
         let signed = signed(&mut builder, *instruction, &new);
         new.push(signed);
     }
-    let outputs: Vec<Value> = program.outputs.iter().map(|value| plain(&mut builder, new[*value])).collect();
-    super::rebuild::common(builder.finish(outputs))
+    let plain: HashMap<Value, Value> =
+        program.outputs.iter().map(|value| (*value, plain(&mut builder, new[*value]))).collect();
+    let label = |value: Value| (!new[value].negative).then(|| new[value].value);
+    common(builder.finish(&program, |value| plain[&value], label))
 }
 
 fn signed(builder: &mut Builder, instruction: Instruction, new: &[Signed]) -> Signed {

@@ -2,13 +2,14 @@
 
 use crate::program::{Program, Value};
 
-/// Replaces each value of `open` by the one of `results`, and puts the instructions in an order that allows it.
+/// Replaces each value of `open`, which stands for a definition, by the one of `results`, labels it with the position of
+/// the definition, and puts the instructions in an order that allows it.
 ///
 /// # Panics
 /// If a result depends on its own open end.
-pub fn tie(program: Program, open: &[Value], results: &[Value]) -> Program {
+pub fn tie(program: Program, open: &[(usize, Value)], results: &[Value]) -> Program {
     let mut replace: Vec<Value> = (0..program.instructions.len()).collect();
-    for (open, result) in open.iter().zip(results) {
+    for ((_, open), result) in open.iter().zip(results) {
         replace[*open] = *result;
     }
     // A definition that is another's name, or a parameter's, makes a chain.
@@ -43,6 +44,7 @@ pub fn tie(program: Program, open: &[Value], results: &[Value]) -> Program {
         assert!(!std::mem::replace(&mut entered[value], true), "a definition depends on itself");
         stack.extend(missing.into_iter().rev());
     }
+    tied.labels = open.iter().filter_map(|(index, value)| Some((new[resolve(*value)]?, *index))).collect();
     tied.outputs = outputs.iter().map(|value| new[*value].unwrap_or_default()).collect();
     tied
 }
