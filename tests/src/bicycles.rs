@@ -30,6 +30,6 @@ fn number(value: &Value) -> f64 {
         // The two steer axis tilts that the papers give by an expression, by their nearest `f64`.
         Value::String(expression) if expression == "pi/10" => 0.314_159_265_358_979_3,
         Value::String(expression) if expression == "atan(1/3)" => 0.321_750_554_396_642_2,
-        other => panic!("not a number: {other}"),
+        other => panic!("not a number: {other:?}"),
     }
 }

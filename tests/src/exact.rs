@@ -56,7 +56,7 @@ impl Add for Size {
 impl Sub for Size {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self(self.0 + other.0)
+        Add::add(self, other)
     }
 }
 
