@@ -52,5 +52,7 @@ use proc_macro::TokenStream;
 /// All mistakes of a declaration are reported at once, each where it is, with what was expected.
 #[proc_macro]
 pub fn model(declaration: TokenStream) -> TokenStream {
-    carvallo_compiler::expand(declaration.into(), carvallo_compiler::Driver::Macro).unwrap_or_else(syn::Error::into_compile_error).into()
+    carvallo_compiler::expand(declaration.into(), carvallo_compiler::Driver::Macro)
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
 }

@@ -25,6 +25,10 @@ impl Equations {
     }
 
     fn of(model: &Model, outputs: Vec<Expr>) -> Self {
-        Self { parameters: model.parameters.len(), definitions: model.definitions.iter().map(|(_, expr)| expr.clone()).collect(), outputs }
+        Self {
+            parameters: model.parameters.len(),
+            definitions: model.definitions.iter().map(|(_, expr)| expr.clone()).collect(),
+            outputs,
+        }
     }
 }

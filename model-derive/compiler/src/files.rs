@@ -27,7 +27,9 @@ pub fn regenerate(generated: &Path, check: bool) -> Result<String, String> {
             let what = if present.is_some() { "stale" } else { "missing" };
             differences.push(format!("error: generated/src/models/{name} is {what}: {MEND}"));
         } else {
-            fs::create_dir_all(&folder).and_then(|()| fs::write(&path, text)).map_err(|e| format!("error: {name}: {e}"))?;
+            fs::create_dir_all(&folder)
+                .and_then(|()| fs::write(&path, text))
+                .map_err(|e| format!("error: {name}: {e}"))?;
             differences.push(format!("wrote generated/src/models/{name}"));
         }
     }

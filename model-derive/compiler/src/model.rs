@@ -7,45 +7,68 @@ use crate::syntax::{Decimal, MatrixName};
 /// A model that passed all checks.
 #[derive(Debug)]
 pub struct Model {
+    /// The name of the struct that is generated.
     pub name: Ident,
+    /// `pub` and the like, or nothing.
     pub visibility: TokenStream,
+    /// The documentation of the declaration.
     pub docs: String,
+    /// Where the model comes from, or empty.
     pub source: String,
+    /// In declared order.
     pub parameters: Vec<Parameter>,
     /// The parameter that is the gravitational field strength.
     pub gravity: Option<usize>,
-    /// In an order in which each uses only earlier ones.
+    /// With their names, in an order in which each uses only earlier ones.
     pub definitions: Vec<(Ident, Expr)>,
+    /// Conditions on several parameters.
     pub requirements: Vec<Requirement>,
+    /// Named parameter sets.
     pub sets: Vec<ParameterSet>,
+    /// The coordinates q, in the order of the rows of the matrices.
     pub coordinates: Vec<Coordinate>,
     /// The declared matrices, in the order of the equation of motion.
     pub matrices: Vec<(MatrixName, Vec<Vec<Expr>>)>,
 }
 
+/// One parameter.
 #[derive(Debug)]
 pub struct Parameter {
+    /// The name of the field.
     pub name: Ident,
+    /// The symbol in formulas; the name where none is declared.
     pub symbol: String,
+    /// The documentation of the declaration.
     pub docs: String,
+    /// The unit in its canonical spelling.
     pub unit: String,
+    /// The values that are allowed.
     pub domain: Domain,
     /// Whether a matrix depends on it.
     pub used: bool,
 }
 
+/// One coordinate.
 #[derive(Debug)]
 pub struct Coordinate {
+    /// The symbol in formulas.
     pub name: String,
+    /// What it is; the symbol where nothing is declared.
     pub label: String,
+    /// The documentation of the declaration.
     pub docs: String,
+    /// The unit in its canonical spelling.
     pub unit: String,
 }
 
+/// One named parameter set.
 #[derive(Debug)]
 pub struct ParameterSet {
+    /// The name as declared.
     pub name: Ident,
+    /// The documentation of the declaration.
     pub docs: String,
+    /// Where the values come from, or empty.
     pub source: String,
     /// One for each parameter, in declared order.
     pub values: Vec<f64>,
@@ -56,51 +79,71 @@ pub struct ParameterSet {
 pub struct Requirement {
     /// The expression as it was written.
     pub text: String,
+    /// The same, resolved.
     pub value: Expr,
+    /// The values that are allowed.
     pub domain: Domain,
 }
 
 /// Finite values between two bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {
+    /// The lower end.
     pub lower: Bound,
+    /// The upper end.
     pub upper: Bound,
 }
 
+/// One end of a domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
+    /// Any finite value.
     Unbounded,
+    /// Without the bound itself.
     Open(f64),
+    /// With the bound itself.
     Closed(f64),
 }
 
 /// A formula in parameters and definitions, by position.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expr {
+    /// A decimal number, exact.
     Number(Decimal),
+    /// The number π.
     Pi,
+    /// The parameter at a position.
     Parameter(usize),
+    /// The definition at a position.
     Definition(usize),
     /// Terms, each with whether it is subtracted.
     Sum(Vec<(bool, Expr)>),
     /// Factors, each with whether it divides.
     Product(Vec<(bool, Expr)>),
+    /// A whole power.
     Power(Box<Expr>, i32),
+    /// A function of an argument.
     Call(Function, Box<Expr>),
 }
 
 /// The functions that formulas may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Function {
+    /// Sine.
     Sin,
+    /// Cosine.
     Cos,
+    /// Tangent.
     Tan,
+    /// The non-negative square root.
     Sqrt,
 }
 
 impl Function {
+    /// All of them.
     pub const ALL: [Self; 4] = [Self::Sin, Self::Cos, Self::Tan, Self::Sqrt];
 
+    /// As it is written.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sin => "sin",
@@ -110,6 +153,7 @@ impl Function {
         }
     }
 
+    /// The function called `name`.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|function| function.name() == name)
     }

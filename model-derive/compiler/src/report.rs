@@ -14,11 +14,6 @@ impl Region {
     pub fn to(self, end: Region) -> Region {
         Region { start: self.start, end: end.end }
     }
-
-    /// The first token of the region.
-    pub fn start(self) -> Span {
-        self.start
-    }
 }
 
 impl From<Span> for Region {

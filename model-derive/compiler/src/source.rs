@@ -13,7 +13,8 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 pub fn compile(path: &Path, shown: &str) -> Result<String, String> {
     let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
     let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
-    let rust = carvallo_compiler::expand(tokens, carvallo_compiler::Driver::File).map_err(|error| render(&error, shown, &text))?;
+    let rust = carvallo_compiler::expand(tokens, carvallo_compiler::Driver::File)
+        .map_err(|error| render(&error, shown, &text))?;
     let file = syn::parse2(rust).map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
     Ok(format!("{}\n{}", header(shown, &text), prettyplease::unparse(&file)))
 }
@@ -40,7 +41,9 @@ fn declaration(text: &str) -> syn::Result<TokenStream> {
     let tokens: Vec<TokenTree> = text.parse::<TokenStream>()?.into_iter().collect();
     let start: String = tokens.iter().take(5).map(ToString::to_string).collect();
     match &tokens[..] {
-        [.., TokenTree::Group(group)] if tokens.len() == 6 && group.delimiter() == Delimiter::Brace && start == "carvallo::model!" => {
+        [.., TokenTree::Group(group)]
+            if tokens.len() == 6 && group.delimiter() == Delimiter::Brace && start == "carvallo::model!" =>
+        {
             Ok(group.stream())
         }
         _ => {
@@ -57,7 +60,8 @@ fn render(error: &syn::Error, shown: &str, text: &str) -> String {
         let line = text.lines().nth(start.line.saturating_sub(1)).unwrap_or_default();
         let length = if end.line == start.line { end.column.saturating_sub(start.column).max(1) } else { 1 };
         let (pad, mark) = (" ".repeat(start.column), "^".repeat(length));
-        let _ = write!(out, "{shown}:{}:{}: error: {error}\n  | {line}\n  | {pad}{mark}\n", start.line, start.column + 1);
+        let _ =
+            write!(out, "{shown}:{}:{}: error: {error}\n  | {line}\n  | {pad}{mark}\n", start.line, start.column + 1);
     }
     out
 }

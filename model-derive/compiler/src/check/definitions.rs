@@ -21,7 +21,8 @@ impl Resolved {
     /// The definitions with their names, in their order, and with references to them renumbered to match.
     pub fn in_order(&self, declaration: &Declaration) -> Vec<(Ident, Expr)> {
         let new = self.new_positions();
-        let entry = |old: &usize| (declaration.definitions[*old].name.clone(), renumbered(&self.definitions[*old], &new));
+        let entry =
+            |old: &usize| (declaration.definitions[*old].name.clone(), renumbered(&self.definitions[*old], &new));
         self.order.iter().map(entry).collect()
     }
 
@@ -67,8 +68,11 @@ enum State {
 }
 
 pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> Resolved {
-    let definitions: Vec<Expr> =
-        declaration.definitions.iter().map(|definition| resolve::expression(&definition.value, scope, report)).collect();
+    let definitions: Vec<Expr> = declaration
+        .definitions
+        .iter()
+        .map(|definition| resolve::expression(&definition.value, scope, report))
+        .collect();
     let uses: Vec<Vec<usize>> = definitions.iter().map(uses).collect();
     let mut state = vec![State::New; definitions.len()];
     let mut order = Vec::new();
@@ -93,10 +97,8 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
                 State::Done => {}
                 State::Open => {
                     let path = stack.iter().map(|(node, _)| *node).skip_while(|node| *node != used);
-                    let names: Vec<String> = path
-                        .chain([used])
-                        .map(|node| format!("`{}`", declaration.definitions[node].name))
-                        .collect();
+                    let names: Vec<String> =
+                        path.chain([used]).map(|node| format!("`{}`", declaration.definitions[node].name)).collect();
                     let message =
                         format!("a definition in a cycle: {}; expected definitions that end", names.join(" uses "));
                     report.error(&declaration.definitions[used].name, message);

@@ -32,21 +32,17 @@ pub fn sets(declaration: &Declaration, domains: &[Domain], report: &mut Report) 
 }
 
 /// The values in declared order of the parameters.
-fn values(
-    declaration: &Declaration,
-    set: &syntax::ParameterSet,
-    domains: &[Domain],
-    report: &mut Report,
-) -> Vec<f64> {
+fn values(declaration: &Declaration, set: &syntax::ParameterSet, domains: &[Domain], report: &mut Report) -> Vec<f64> {
     let mut given: HashMap<String, f64> = HashMap::new();
-    let mut known = || declaration.parameters.iter().map(|p| p.name.to_string());
+    let known = || declaration.parameters.iter().map(|p| p.name.to_string());
     for entry in &set.values {
         let name = entry.name.to_string();
         let parameter = known().position(|known| known == name);
         if parameter.is_none() && !declaration.unread.iter().any(|unread| *unread == name) {
             let names: Vec<String> = known().collect();
             let hint = nearest(&name, names.iter().map(String::as_str)).map(|near| format!("; did you mean `{near}`?"));
-            let message = format!("unknown parameter `{name}`: expected a parameter of the model{}", hint.unwrap_or_default());
+            let message =
+                format!("unknown parameter `{name}`: expected a parameter of the model{}", hint.unwrap_or_default());
             report.error(&entry.name, message);
         }
         let Some(expression) = &entry.value else {
@@ -71,9 +67,14 @@ fn values(
             report.error(&entry.name, format!("`{name}` is given twice: expected one value for each parameter"));
         }
     }
-    let missing: Vec<String> = known().filter(|name| !given.contains_key(name)).map(|name| format!("`{name}`")).collect();
+    let missing: Vec<String> =
+        known().filter(|name| !given.contains_key(name)).map(|name| format!("`{name}`")).collect();
     if !missing.is_empty() {
-        let message = format!("the set `{}` has no value for {}: expected a value for each parameter", set.name, missing.join(", "));
+        let message = format!(
+            "the set `{}` has no value for {}: expected a value for each parameter",
+            set.name,
+            missing.join(", ")
+        );
         report.error(&set.name, message);
     }
     known().map(|name| given.get(&name).copied().unwrap_or(0.0)).collect()

@@ -101,7 +101,8 @@ impl Body {
             }
             let expression = body.expression(*instruction, model, &names.scalar);
             let depth = instruction.operands().map(|value| body.depths[value] + 1).max().unwrap_or(0);
-            let named = program.labels.iter().any(|(labelled, _)| *labelled == value) || program.outputs.contains(&value);
+            let named =
+                program.labels.iter().any(|(labelled, _)| *labelled == value) || program.outputs.contains(&value);
             if depth == 0 || uses[value] == 1 && !named && depth < MAX_DEPTH {
                 body.push(expression, depth);
             } else {

@@ -36,7 +36,11 @@ pub fn emit(model: &Model, names: &Names, requirements: &Program) -> TokenStream
     let zero = quote!([[<#scalar as ::carvallo::Scalar>::from_f64(0.0); #n]; #n]);
     let rows = MatrixName::ALL.map(|matrix| {
         let field = format_ident!("{}", matrix.field());
-        if model.matrices.iter().any(|(declared, _)| *declared == matrix) { quote!(matrices.#field) } else { zero.clone() }
+        if model.matrices.iter().any(|(declared, _)| *declared == matrix) {
+            quote!(matrices.#field)
+        } else {
+            zero.clone()
+        }
     });
     quote! {
         #allow

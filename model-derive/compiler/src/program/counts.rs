@@ -13,7 +13,9 @@ pub struct Counts {
     pub multiplications: usize,
     /// Divisions, reciprocals among them.
     pub divisions: usize,
+    /// Changes of sign.
     pub negations: usize,
+    /// Square roots.
     pub roots: usize,
     /// Sines, cosines and tangents.
     pub trigonometric: usize,

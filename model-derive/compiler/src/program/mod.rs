@@ -12,21 +12,33 @@ pub type Value = usize;
 /// One step of a program. It uses only earlier values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Instruction {
+    /// The parameter at a position.
     Parameter(usize),
+    /// A number.
     Constant(f64),
+    /// a + b.
     Add(Value, Value),
+    /// a - b.
     Sub(Value, Value),
+    /// a b.
     Mul(Value, Value),
+    /// a / b.
     Div(Value, Value),
+    /// -a.
     Neg(Value),
+    /// a^2.
     Square(Value),
-    /// 1 / x.
+    /// 1 / a.
     Reciprocal(Value),
-    /// x to a whole power; only until the pass `powers`.
+    /// a to a whole power; only until the pass `powers`.
     Power(Value, i32),
+    /// The square root of a.
     Sqrt(Value),
+    /// The sine of a, in radians.
     Sin(Value),
+    /// The cosine of a, in radians.
     Cos(Value),
+    /// The tangent of a, in radians.
     Tan(Value),
 }
 
@@ -73,6 +85,7 @@ impl Instruction {
 pub struct Program {
     /// The number of parameters that it may read.
     pub parameters: usize,
+    /// In an order in which each uses only earlier ones.
     pub instructions: Vec<Instruction>,
     /// The values that it computes, in the order of the outputs.
     pub outputs: Vec<Value>,
@@ -108,7 +121,10 @@ impl Program {
     /// If it does not hold. That is a mistake in a pass, never in a user's model.
     pub fn assert_invariants(&self) {
         for (position, instruction) in self.instructions.iter().enumerate() {
-            assert!(instruction.operands().all(|value| value < position), "{position}: {instruction:?} uses a later value");
+            assert!(
+                instruction.operands().all(|value| value < position),
+                "{position}: {instruction:?} uses a later value"
+            );
             match *instruction {
                 Instruction::Parameter(index) => assert!(index < self.parameters, "{position}: no parameter {index}"),
                 Instruction::Constant(value) => assert!(value.is_finite(), "{position}: constant {value}"),

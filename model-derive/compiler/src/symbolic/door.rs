@@ -97,3 +97,26 @@ fn lock_folders() -> impl Iterator<Item = PathBuf> {
     let home = std::env::home_dir().map(|home| home.join(".cache").join("carvallo"));
     home.into_iter().chain([std::env::temp_dir().join(format!("carvallo-{user}"))])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn threads_take_turns() {
+        let threads: Vec<_> = (0..4)
+            .map(|index| thread::spawn(move || enter(move |engine| engine.parameter(index).derivative(index).is_zero())))
+            .collect();
+        for thread in threads {
+            let entered = thread.join().expect("the door does not panic");
+            assert!(!entered.expect("the engine works"), "the derivative of x by x is 1");
+        }
+    }
+
+    #[test]
+    fn a_panic_inside_is_a_failure_outside_and_the_door_opens_again() {
+        let failure = enter(|_| panic!("no {}", "way")).expect_err("it panicked");
+        assert_eq!(failure.to_string(), "the symbolic engine failed on this model: no way");
+        assert!(enter(|engine| engine.parameter(0).is_zero()).is_ok());
+    }
+}

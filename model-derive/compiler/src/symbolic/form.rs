@@ -4,7 +4,7 @@ use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::domains::integer::Z;
 use symbolica::domains::rational::{Q, Rational};
 use symbolica::symbol;
-use symbolica::transcendental::{TranscendentalFunctions, tan};
+use symbolica::transcendental::{TranscendentalFunctions, sec, tan};
 
 use crate::model::{Expr, Function};
 use crate::syntax::Decimal;
@@ -84,11 +84,6 @@ impl Form {
         Self(self.0.replace(parameter(index)).with(value.0.clone()))
     }
 
-    /// The sum of this and another formula.
-    pub fn plus(&self, other: &Self) -> Self {
-        Self(&self.0 + &other.0)
-    }
-
     /// This less another formula.
     pub fn minus(&self, other: &Self) -> Self {
         Self(&self.0 - &other.0)
@@ -100,8 +95,11 @@ impl Form {
     /// under sin² + cos² = 1. Formulas that are zero only by an addition theorem are not recognized.
     pub fn is_zero(&self) -> bool {
         let plain = self.0.expand().replace_map_bottom_up(|view, _, out| {
-            if let Some(argument) = call_of(view, tan()) {
+            let [tangent, secant] = [tan(), sec()].map(|function| call_of(view, function));
+            if let Some(argument) = tangent {
                 **out = argument.sin() / argument.cos();
+            } else if let Some(argument) = secant {
+                **out = argument.cos().pow(-1);
             } else if let Some((base, whole, rest)) = fractional_power(view) {
                 **out = base.pow(whole) * base.pow(Atom::num(rest));
             }
@@ -125,7 +123,8 @@ impl Form {
     /// The one of several equivalent forms that takes the fewest operations.
     pub fn simplest(&self) -> Self {
         let atom = &self.0;
-        let forms = [atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor(), atom.together()];
+        let forms =
+            [atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor(), atom.together()];
         let operations = |form: &Atom| {
             let count = form.count_operations();
             count.additions + count.multiplications + 4 * count.inversions + 20 * count.function_calls
@@ -150,4 +149,91 @@ fn fractional_power(view: AtomView<'_>) -> Option<(Atom, i64, Rational)> {
     let whole = exponent.floor().to_i64()?;
     let rest = exponent - Rational::from(whole);
     Some((base.to_owned(), whole, rest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::enter;
+    use super::*;
+
+    fn number(value: &str) -> Expr {
+        Expr::Number(Decimal { digits: value.into(), exponent: 0 })
+    }
+
+    fn call(function: Function, index: usize) -> Expr {
+        Expr::Call(function, Box::new(Expr::Parameter(index)))
+    }
+
+    fn power(base: Expr, exponent: i32) -> Expr {
+        Expr::Power(Box::new(base), exponent)
+    }
+
+    /// Runs a check of formulas in x = parameter 0 and y = parameter 1.
+    fn check(name: &'static str, test: impl FnOnce(&dyn Fn(&Expr) -> Form) -> bool + Send + 'static) {
+        let holds = enter(|engine| test(&|expr| engine.form(expr, &[]))).expect("the engine works");
+        assert!(holds, "{name}");
+    }
+
+    #[test]
+    fn identities_are_proved() {
+        check("sin^2 + cos^2 = 1", |form| {
+            let squares = [call(Function::Sin, 0), call(Function::Cos, 0)].map(|f| (false, power(f, 2)));
+            let one = (true, number("1"));
+            form(&Expr::Sum(squares.into_iter().chain([one]).collect())).is_zero()
+        });
+        check("tan cos = sin", |form| {
+            let product = Expr::Product(vec![(false, call(Function::Tan, 0)), (false, call(Function::Cos, 0))]);
+            form(&Expr::Sum(vec![(false, product), (true, call(Function::Sin, 0))])).is_zero()
+        });
+        check("sqrt(x)^3 / x = sqrt(x)", |form| {
+            let root = call(Function::Sqrt, 0);
+            let quotient = Expr::Product(vec![(false, power(root.clone(), 3)), (true, Expr::Parameter(0))]);
+            form(&Expr::Sum(vec![(false, quotient), (true, root)])).is_zero()
+        });
+        check("1/x + 1/y = (x + y)/(x y)", |form| {
+            let [x, y] = [0, 1].map(Expr::Parameter);
+            let left = [x.clone(), y.clone()].map(|p| (false, power(p, -1)));
+            let sum = Expr::Sum(vec![(false, x.clone()), (false, y.clone())]);
+            let right = Expr::Product(vec![(false, sum), (true, x), (true, y)]);
+            form(&Expr::Sum(left.into_iter().chain([(true, right)]).collect())).is_zero()
+        });
+    }
+
+    #[test]
+    fn what_is_not_zero_is_not_proved() {
+        check("sin^2 is not 0", |form| !form(&power(call(Function::Sin, 0), 2)).is_zero());
+        check("sin x - sin y is not 0", |form| {
+            !form(&Expr::Sum(vec![(false, call(Function::Sin, 0)), (true, call(Function::Sin, 1))])).is_zero()
+        });
+    }
+
+    #[test]
+    fn derivatives_and_substitutions_follow_the_rules() {
+        check("d(x^2 sin y)/dx = 2 x sin y", |form| {
+            let sine = call(Function::Sin, 1);
+            let product = Expr::Product(vec![(false, power(Expr::Parameter(0), 2)), (false, sine.clone())]);
+            let expected = Expr::Product(vec![(false, number("2")), (false, Expr::Parameter(0)), (false, sine)]);
+            form(&product).derivative(0).minus(&form(&expected)).is_zero()
+        });
+        check("d tan x/dx = 1 + tan^2 x", |form| {
+            let tangent = call(Function::Tan, 0);
+            let expected = Expr::Sum(vec![(false, number("1")), (false, power(tangent.clone(), 2))]);
+            form(&tangent).derivative(0).minus(&form(&expected)).is_zero()
+        });
+        check("x^2 at x = 3 is 9", |form| {
+            let nine = form(&power(Expr::Parameter(0), 2)).substitute(0, &form(&number("3")));
+            nine.minus(&form(&number("9"))).is_zero()
+        });
+    }
+
+    #[test]
+    fn the_simplest_form_is_equal_and_not_longer() {
+        check("x y + x", |form| {
+            let [x, y] = [0, 1].map(Expr::Parameter);
+            let product = Expr::Product(vec![(false, x.clone()), (false, y)]);
+            let long = form(&Expr::Sum(vec![(false, product), (false, x)]));
+            let short = long.simplest();
+            short.minus(&long).is_zero() && short.0.count_operations().multiplications == 1
+        });
+    }
 }

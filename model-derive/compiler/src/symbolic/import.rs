@@ -15,7 +15,11 @@ use crate::program::{Instruction, Program, Value};
 ///
 /// # Panics
 /// On an instruction that no formula of the declaration language leads to; the door reports that as its failure.
-pub fn append(program: &mut Program, exported: &ExportedInstructions<Complex<Rational>>, inputs: &[Value]) -> Vec<Value> {
+pub fn append(
+    program: &mut Program,
+    exported: &ExportedInstructions<Complex<Rational>>,
+    inputs: &[Value],
+) -> Vec<Value> {
     let constants = exported.constants.iter().map(|constant| to_f64(&constant.re)).collect();
     let mut slots = Slots { program, inputs, constants, values: HashMap::new() };
     for instruction in &exported.instructions {
@@ -81,8 +85,17 @@ impl Slots<'_> {
     }
 
     fn call(&mut self, function: Symbol, argument: Value) -> Value {
-        let direct = [(Symbol::SIN, Instruction::Sin as fn(Value) -> Instruction), (Symbol::COS, Instruction::Cos), (tan(), Instruction::Tan), (Symbol::SQRT, Instruction::Sqrt)];
-        let inverse = [(csc(), Instruction::Sin as fn(Value) -> Instruction), (sec(), Instruction::Cos), (cot(), Instruction::Tan)];
+        let direct = [
+            (Symbol::SIN, Instruction::Sin as fn(Value) -> Instruction),
+            (Symbol::COS, Instruction::Cos),
+            (tan(), Instruction::Tan),
+            (Symbol::SQRT, Instruction::Sqrt),
+        ];
+        let inverse = [
+            (csc(), Instruction::Sin as fn(Value) -> Instruction),
+            (sec(), Instruction::Cos),
+            (cot(), Instruction::Tan),
+        ];
         if let Some((_, make)) = direct.iter().find(|(symbol, _)| *symbol == function) {
             return self.program.push(make(argument));
         }

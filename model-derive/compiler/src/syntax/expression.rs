@@ -35,11 +35,10 @@ pub struct Term {
     pub value: Expression,
 }
 
-/// One factor of a product; `operator` is the sign before it, where one is written.
+/// One factor of a product.
 #[derive(Clone, Debug)]
 pub struct Factor {
     pub inverse: bool,
-    pub operator: Option<Span>,
     pub value: Expression,
 }
 
@@ -80,11 +79,10 @@ fn sum_of(terms: Vec<Term>) -> Expression {
 
 fn product(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     let mut factors = Vec::new();
-    let mut operator = None;
     let mut inverse = false;
     loop {
         let value = signed(input, depth)?;
-        factors.push(Factor { inverse, operator, value });
+        factors.push(Factor { inverse, value });
         let next = input.cursor().punct().map(|(punct, _)| (punct.as_char(), punct.span()));
         let Some((sign @ ('*' | '/'), span)) = next else { break };
         input.parse::<TokenTree>()?;
@@ -92,7 +90,6 @@ fn product(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
             return Err(error(Region::from(span).to(second.span().into()), "found `**`: expected `^` for a power"));
         }
         inverse = sign == '/';
-        operator = Some(span);
     }
     if factors.len() == 1 {
         return Ok(factors.remove(0).value);
@@ -176,7 +173,11 @@ fn invisible_group(input: ParseStream<'_>) -> syn::Result<Option<(TokenStream, S
 fn expression_to_end(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     let value = sum(input, depth)?;
     reject_other_syntax(input)?;
-    if input.is_empty() { Ok(value) } else { Err(expected(input, "an operator (`+ - * / ^`) or the end of the formula")) }
+    if input.is_empty() {
+        Ok(value)
+    } else {
+        Err(expected(input, "an operator (`+ - * / ^`) or the end of the formula"))
+    }
 }
 
 fn name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {

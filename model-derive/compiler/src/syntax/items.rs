@@ -6,8 +6,8 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
 use super::declaration::{
-    Bound, Coordinate, Declaration, Definition, Doc, Matrix, MatrixName, Parameter, ParameterSet, Relation, Requirement,
-    SetValue,
+    Bound, Coordinate, Declaration, Definition, Doc, Matrix, MatrixName, Parameter, ParameterSet, Relation,
+    Requirement, SetValue,
 };
 use super::expression::{Expression, expression};
 use super::tokens::{docs, expected, name, semicolon, skip_statement, text};
@@ -133,7 +133,7 @@ fn block(
 fn definition(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
     input.parse::<Token![let]>()?;
     let name = name(input, "the name of a definition")?;
-    let mut value = || {
+    let value = || {
         if !input.peek(Token![=]) || input.peek(Token![==]) {
             return Err(expected(input, "`=` and a formula"));
         }
@@ -261,7 +261,7 @@ fn set(input: ParseStream<'_>, docs: Doc, model: &mut Declaration, report: &mut 
     let mut values = Vec::new();
     block(input, "the values of the set", report, |input, _| {
         let name = self::name(input, "the name of a parameter")?;
-        let mut value = || {
+        let value = || {
             if !input.peek(Token![=]) || input.peek(Token![==]) {
                 return Err(expected(input, "`=` and a value"));
             }
@@ -282,9 +282,7 @@ fn matrix(input: ParseStream<'_>, name: MatrixName, span: proc_macro2::Span) -> 
     if input.parse::<Option<Token![=]>>()?.is_none() {
         return Err(expected(input, "`=` and the rows of the matrix"));
     }
-    let (region, rows) = list(input, "the rows `[[…], […]]`", |input| {
-        list(input, "a row `[…]`", expression)
-    })?;
+    let (region, rows) = list(input, "the rows `[[…], […]]`", |input| list(input, "a row `[…]`", expression))?;
     Ok(Matrix { name, span, rows, region })
 }
 

@@ -7,11 +7,8 @@ mod number;
 mod tokens;
 mod unit;
 
-pub use declaration::{
-    Bound, Coordinate, Declaration, Definition, Doc, Matrix, MatrixName, Parameter, ParameterSet, Relation, Requirement,
-    SetValue,
-};
-pub use expression::{Expression, Factor, Kind, Term};
+pub use declaration::{Bound, Declaration, MatrixName, ParameterSet, Relation};
+pub use expression::{Expression, Kind};
 pub use number::Decimal;
 
 use proc_macro2::TokenStream;

@@ -76,3 +76,29 @@ impl std::fmt::Display for Decimal {
         if self.exponent == 0 { Ok(()) } else { write!(f, "e{}", self.exponent) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<String, String> {
+        let literal: Literal = text.parse().map_err(|_| format!("{text} is no literal"))?;
+        Decimal::from_literal(&literal).map(|decimal| decimal.to_string())
+    }
+
+    #[test]
+    fn decimals_are_exact() {
+        let cases =
+            [("0.5", "5e-1"), ("1_000", "1e3"), ("2.50e-3", "25e-4"), ("0.0", "0"), ("007", "7"), ("1.", "1"), ("3E2", "3e2")];
+        for (text, expected) in cases {
+            assert_eq!(read(text).as_deref(), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_decimal_is_refused() {
+        for text in ["0x10", "0b1", "1u8", "1.5f64", "\"1\"", "'1'", "1e999", "1e99999999999"] {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
+}

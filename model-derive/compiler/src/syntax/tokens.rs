@@ -60,7 +60,8 @@ pub fn signed_integer(input: ParseStream<'_>) -> syn::Result<(i32, Region)> {
         return Err(expected(input, what));
     };
     let literal: Literal = input.parse()?;
-    let region = minus.map_or(Region::from(literal.span()), |minus| Region::from(minus.span()).to(literal.span().into()));
+    let region =
+        minus.map_or(Region::from(literal.span()), |minus| Region::from(minus.span()).to(literal.span().into()));
     let number = Decimal::from_literal(&literal).map_err(|message| error(literal.span(), message))?;
     let integer = number.to_integer().filter(|value| value.unsigned_abs() <= MAX_EXPONENT);
     let Some(value) = integer else {

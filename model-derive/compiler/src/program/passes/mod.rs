@@ -27,3 +27,93 @@ fn checked(program: Program) -> Program {
     program.assert_invariants();
     program
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::{Counts, Instruction};
+
+    /// Builds a program in two parameters x and y from instructions that follow them.
+    fn program(instructions: &[Instruction], outputs: &[usize]) -> Program {
+        let mut program = Program::new(2);
+        program.push(Instruction::Parameter(0));
+        program.push(Instruction::Parameter(1));
+        instructions.iter().for_each(|instruction| {
+            program.push(*instruction);
+        });
+        program.outputs = outputs.to_vec();
+        program
+    }
+
+    fn check(before: Program, counts: Counts, expected: impl Fn(f64, f64) -> Vec<f64>) {
+        let after = optimize(before);
+        assert_eq!(Counts::of(&after), counts, "{after:?}");
+        for (x, y) in [(1.5, 0.25), (-3.0, 7.0), (0.125, -2.0)] {
+            assert_eq!(after.interpret(&[x, y]), expected(x, y), "at {x}, {y}");
+        }
+    }
+
+    #[test]
+    fn powers_share_their_squares() {
+        let before = program(&[Instruction::Power(0, 6), Instruction::Power(0, 4), Instruction::Power(1, -1)], &[2, 3, 4]);
+        let counts = Counts { multiplications: 3, divisions: 1, ..Counts::default() };
+        check(before, counts, |x, y| vec![x * x * (x * x * (x * x)), x * x * (x * x), 1.0 / y]);
+    }
+
+    #[test]
+    fn signs_move_out_of_sums_and_products() {
+        // (-x) * y + (-(x + y)) is -(x y + (x + y)).
+        let before = program(
+            &[
+                Instruction::Neg(0),
+                Instruction::Mul(2, 1),
+                Instruction::Add(0, 1),
+                Instruction::Neg(4),
+                Instruction::Add(3, 5),
+            ],
+            &[6],
+        );
+        let counts = Counts { additions: 2, multiplications: 1, negations: 1, ..Counts::default() };
+        check(before, counts, |x, y| vec![-(x * y + (x + y))]);
+    }
+
+    #[test]
+    fn opposite_differences_are_computed_once() {
+        let before = program(&[Instruction::Sub(0, 1), Instruction::Sub(1, 0), Instruction::Mul(2, 3)], &[4]);
+        let counts = Counts { additions: 1, multiplications: 1, negations: 1, ..Counts::default() };
+        check(before, counts, |x, y| vec![-((x - y) * (x - y))]);
+    }
+
+    #[test]
+    fn one_quotient_divides_and_several_share_a_reciprocal() {
+        let before = program(&[Instruction::Reciprocal(1), Instruction::Mul(0, 2)], &[3]);
+        check(before, Counts { divisions: 1, ..Counts::default() }, |x, y| vec![x / y]);
+
+        let before = program(&[Instruction::Div(0, 1), Instruction::Add(0, 1), Instruction::Div(3, 1)], &[2, 4]);
+        let counts = Counts { additions: 1, multiplications: 2, divisions: 1, ..Counts::default() };
+        check(before, counts, |x, y| vec![x * (1.0 / y), (x + y) * (1.0 / y)]);
+    }
+
+    #[test]
+    fn equal_and_unused_instructions_go() {
+        let before = program(
+            &[Instruction::Add(0, 1), Instruction::Add(1, 0), Instruction::Sin(0), Instruction::Mul(2, 3)],
+            &[5],
+        );
+        let counts = Counts { additions: 1, multiplications: 1, ..Counts::default() };
+        check(before, counts, |x, y| vec![(x + y) * (x + y)]);
+    }
+
+    #[test]
+    #[should_panic(expected = "uses a later value")]
+    fn a_program_that_looks_ahead_is_refused() {
+        program(&[Instruction::Add(0, 2)], &[2]).assert_invariants();
+    }
+
+    #[test]
+    #[should_panic(expected = "a definition depends on itself")]
+    fn ends_that_bite_their_own_tail_are_refused() {
+        let open = program(&[Instruction::Constant(0.0), Instruction::Add(2, 0)], &[3]);
+        tie(open, &[(0, 2)], &[3]);
+    }
+}

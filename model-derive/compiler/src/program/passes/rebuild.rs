@@ -64,7 +64,12 @@ impl Builder {
     }
 
     /// The program, with the outputs and labels of the old one at their new values; labels may lose theirs.
-    pub fn finish(mut self, old: &Program, output: impl Fn(Value) -> Value, label: impl Fn(Value) -> Option<Value>) -> Program {
+    pub fn finish(
+        mut self,
+        old: &Program,
+        output: impl Fn(Value) -> Value,
+        label: impl Fn(Value) -> Option<Value>,
+    ) -> Program {
         self.program.outputs = old.outputs.iter().map(|value| output(*value)).collect();
         self.program.labels = old.labels.iter().filter_map(|(value, index)| Some((label(*value)?, *index))).collect();
         self.program
