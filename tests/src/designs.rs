@@ -3,6 +3,12 @@
 use carvallo::{Model, Scalar};
 use carvallo_models::Whipple;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+/// Random cases that are the same on every run; another seed looks further.
+pub fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig { cases, rng_seed: RngSeed::Fixed(1899), failure_persistence: None, ..ProptestConfig::default() }
+}
 
 /// Designs from the ranges of [`RANGES`], where each parameter takes its edge value once in ten times.
 pub fn any() -> impl Strategy<Value = Whipple> {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::AddAssign;
 
 use syn::visit::{self, Visit};
-use syn::{BinOp, Expr, ExprBinary, ExprMethodCall, ExprUnary, ImplItemFn, ItemFn, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprMethodCall, ExprUnary, ImplItemFn, ItemFn, UnOp};
 
 /// How many operations on numbers a function does, if it has no loops.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -76,6 +76,16 @@ impl Counter<'_> {
             self.inside = false;
         }
     }
+
+    fn call(&mut self, function: &syn::Ident) {
+        if self.inside {
+            self.operations.functions += match function.to_string().as_str() {
+                "sin_cos" => 2,
+                "sin" | "cos" | "tan" | "sqrt" => 1,
+                _ => 0,
+            };
+        }
+    }
 }
 
 impl<'ast> Visit<'ast> for Counter<'_> {
@@ -107,13 +117,16 @@ impl<'ast> Visit<'ast> for Counter<'_> {
     }
 
     fn visit_expr_method_call(&mut self, call: &'ast ExprMethodCall) {
-        if self.inside {
-            self.operations.functions += match call.method.to_string().as_str() {
-                "sin_cos" => 2,
-                "sin" | "cos" | "tan" | "sqrt" => 1,
-                _ => 0,
-            };
-        }
+        self.call(&call.method);
         visit::visit_expr_method_call(self, call);
+    }
+
+    fn visit_expr_call(&mut self, call: &'ast ExprCall) {
+        if let Expr::Path(path) = &*call.func
+            && let Some(last) = path.path.segments.last()
+        {
+            self.call(&last.ident);
+        }
+        visit::visit_expr_call(self, call);
     }
 }

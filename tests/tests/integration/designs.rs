@@ -37,7 +37,7 @@ fn check<T: Scalar>(design: &Whipple<T>, computed: &Coefficients<T, 2>, epsilon:
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(designs::config(300))]
 
     #[test]
     fn generated_agrees_with_exact_arithmetic(design in designs::any()) {

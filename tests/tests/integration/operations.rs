@@ -5,7 +5,7 @@ use carvallo_tests::operations::{Operations, count};
 #[test]
 fn every_kind_is_counted() {
     let source =
-        "impl A { fn f(a: f64, b: f64) -> f64 { let c = (a + b) * a - 2.0 / -b; c.sin() + c.sin_cos().0 * -1.0 } }";
+        "impl A { fn f(a: f64, b: f64) -> f64 { let c = (a + b) * a - 2.0 / -b; c.sin() + f64::sin_cos(c).0 * -1.0 } }";
     let expected = Operations { additions: 3, multiplications: 2, divisions: 1, negations: 1, functions: 3 };
     assert_eq!(count(source, "f"), expected);
     assert_eq!(expected.total(), 10);
@@ -31,5 +31,5 @@ fn generated_code_states_its_operations_and_never_takes_more_than_before() {
     let counts = [additions, multiplications, divisions, negations, functions, counted.total()];
     assert_eq!(stated(source), counts);
     // Lower the number when the compiler finds a shorter program.
-    assert!(counted.total() <= 136, "{counted}");
+    assert!(counted.total() <= 134, "{counted}");
 }
