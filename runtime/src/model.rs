@@ -63,7 +63,11 @@ impl fmt::Display for ParameterError {
         if !matches!(*unit, "" | "1") {
             write!(f, " {unit}")?;
         }
-        write!(f, "; it must be {required}")
+        f.write_str("; it must be ")?;
+        if !value.is_finite() && *required != Domain::FINITE {
+            f.write_str("finite and ")?;
+        }
+        write!(f, "{required}")
     }
 }
 

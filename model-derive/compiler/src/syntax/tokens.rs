@@ -107,12 +107,13 @@ pub fn skip_statement(input: ParseStream<'_>, mut moved: bool) {
             return;
         }
         moved = true;
-        let ends = match &token {
-            TokenTree::Punct(punct) => punct.as_char() == ';',
-            TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
-            _ => false,
-        };
-        if input.parse::<TokenTree>().is_err() || ends {
+        let semicolon = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == ';');
+        let brace = matches!(&token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+        if input.parse::<TokenTree>().is_err() || semicolon {
+            return;
+        }
+        // `let a = if b { c };` ends behind its braces.
+        if brace && !input.peek(Token![;]) {
             return;
         }
     }

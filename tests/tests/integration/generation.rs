@@ -1,0 +1,97 @@
+//! The two drivers of the compiler, the macro and the files that are checked in, and the program behind both.
+
+use carvallo::Model;
+use carvallo_compiler::{Driver, compile, expand};
+use carvallo_models::Whipple;
+use carvallo_tests::designs;
+use proc_macro2::TokenStream;
+
+/// The model, compiled here by the macro from the source of the one that is checked in.
+mod by_macro {
+    include!("../../../generated/models/whipple.rs");
+}
+
+/// What stands between the braces of the source.
+fn declaration() -> TokenStream {
+    let source = include_str!("../../../generated/models/whipple.rs");
+    let (_, body) = source.split_once('{').expect("an opening brace");
+    let (body, _) = body.rsplit_once('}').expect("a closing brace");
+    body.parse().expect("tokens")
+}
+
+#[test]
+fn macro_and_file_give_the_same_bits() {
+    for number in 0..2_000 {
+        let design = designs::numbered(number);
+        let same = by_macro::Whipple::from_array(design.to_array());
+        assert_eq!(bits(same.coefficients()), bits(design.coefficients()), "design {number}");
+        let (same, design) = (same.cast::<f32>(), design.cast::<f32>());
+        assert_eq!(bits(same.coefficients()), bits(design.coefficients()), "design {number} as f32");
+    }
+    assert_eq!(by_macro::Whipple::BENCHMARK.to_array(), Whipple::BENCHMARK.to_array());
+    assert_eq!(by_macro::Whipple::BENCHMARK_2005.to_array(), Whipple::BENCHMARK_2005.to_array());
+    assert_eq!(<by_macro::Whipple as Model<2>>::INFO, <Whipple as Model<2>>::INFO);
+}
+
+fn bits<T: carvallo::Scalar>(matrices: carvallo::Coefficients<T, 2>) -> Vec<u64> {
+    let carvallo::Coefficients { m, c0, c1, kc, k0, k2 } = matrices;
+    [m, c0, c1, kc, k0, k2].iter().flat_map(|matrix| matrix.iter().map(|entry| entry.to_f64().to_bits())).collect()
+}
+
+#[test]
+fn generated_code_does_what_its_program_says() {
+    let program = compile(declaration()).expect("the model compiles").matrices;
+    for number in 0..200 {
+        let design = designs::numbered(number);
+        let matrices = design.matrices();
+        let rows = [matrices.m, matrices.c1, matrices.k0, matrices.k2];
+        let expected: Vec<f64> = rows.into_iter().flatten().flatten().collect();
+        assert_eq!(program.interpret(&design.to_array()), expected, "design {number}");
+    }
+}
+
+#[test]
+fn every_run_gives_the_same_code() {
+    let expand = |driver| expand(declaration(), driver).expect("the model compiles").to_string();
+    let first = [Driver::Macro, Driver::File].map(expand);
+    // Another model in between changes nothing.
+    let other = "model Other { parameters { lam: m, > 0; } coordinates { x: m; } M = [[lam^2 + tan(lam)]]; }";
+    assert!(compile(other.parse().expect("tokens")).is_ok());
+    assert_eq!([Driver::Macro, Driver::File].map(expand), first);
+}
+
+#[test]
+fn matrices_that_are_left_out_are_zero_and_not_stored() {
+    assert_eq!(size_of::<carvallo_models::WhippleMatrices>(), 4 * 4 * size_of::<f64>());
+    let coefficients = Whipple::BENCHMARK.coefficients();
+    assert_eq!(coefficients.c0, nalgebra::Matrix2::zeros());
+    assert_eq!(coefficients.kc, nalgebra::Matrix2::zeros());
+}
+
+#[test]
+fn parameters_go_to_slices_and_back_in_declared_order() {
+    let mut values = [0.0; 26];
+    Whipple::BENCHMARK.write_to(&mut values).expect("room for all");
+    let info = <Whipple as Model<2>>::INFO;
+    let at = |name| values[info.position(name).expect("a parameter")];
+    assert_eq!((at("w"), at("lam"), at("mB"), at("IFyy")), (1.02, 0.314_159_265_358_979_3, 85.0, 0.28));
+    assert_eq!(Whipple::from_slice(&values), Ok(Whipple::BENCHMARK));
+    let error = Whipple::<f64>::from_slice(&values[..3]).expect_err("too short");
+    assert_eq!(error.to_string(), "Whipple: 3 values given; it has 26 parameters");
+}
+
+#[test]
+fn validation_names_parameter_value_and_requirement() {
+    let error = |design: Whipple| design.validate().expect_err("it is invalid").to_string();
+    let bike = Whipple::BENCHMARK;
+    assert_eq!(bike.validate(), Ok(()));
+    assert_eq!(error(Whipple { w: -1.0, ..bike }), "Whipple: `w` is -1 m; it must be > 0");
+    assert_eq!(error(Whipple { mR: -0.5, ..bike }), "Whipple: `mR` is -0.5 kg; it must be >= 0");
+    assert_eq!(error(Whipple { xB: f64::NAN, ..bike }), "Whipple: `xB` is NaN m; it must be finite");
+    assert_eq!(error(Whipple { w: f64::INFINITY, ..bike }), "Whipple: `w` is inf m; it must be finite and > 0");
+    assert_eq!(
+        error(Whipple { lam: 2.0, ..bike }),
+        "Whipple: `lam` is 2 rad; it must be > -1.5707963267948966 and < 1.5707963267948966"
+    );
+    assert_eq!(error(Whipple { mH: 0.0, mF: 0.0, ..bike }), "Whipple: `mH + mF` is 0; it must be > 0");
+}
