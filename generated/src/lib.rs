@@ -6,4 +6,4 @@ mod bicycles;
 mod models;
 
 pub use bicycles::{BICYCLES, Bicycle};
-pub use models::Whipple;
+pub use models::{Whipple, WhippleMatrices};
