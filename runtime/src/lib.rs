@@ -17,6 +17,7 @@ mod eigenvalues;
 mod error;
 mod info;
 mod model;
+mod numeric;
 mod scalar;
 #[cfg(feature = "std")]
 mod stability;

@@ -11,4 +11,5 @@ pub mod facts;
 pub mod hand_written;
 pub mod operations;
 pub mod published;
+pub mod quartic;
 pub mod real;

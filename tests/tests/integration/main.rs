@@ -1,8 +1,15 @@
 //! Integration tests: results of generated code and of the runtime against facts from outside of both.
 
 mod bicycles;
+mod critical_speeds;
 mod designs;
+mod eigenvalues;
+#[cfg(feature = "compiler")]
+mod generation;
+mod modes;
 mod operations;
 mod published;
+mod stability;
+mod state_space;
 #[cfg(feature = "compiler")]
 mod ui;

@@ -47,6 +47,7 @@ pub fn domain(bounds: &[Bound], report: &mut Report) -> Domain {
         if let Some(region) = region {
             report.error(region, "an empty domain: expected a lower bound below the upper one");
         }
+        return Domain::default();
     }
     domain
 }

@@ -23,6 +23,10 @@ pub fn matrices(
             report.error(matrix.span, format!("`{name}` is declared twice: expected one of each matrix"));
             continue;
         }
+        if n == 0 {
+            // Without coordinates no shape is right, and the one mistake is that there are none.
+            continue;
+        }
         let shape = format!("expected {n} x {n}, a row and a column for each coordinate");
         if matrix.rows.len() != n {
             let found = count(matrix.rows.len(), "row");

@@ -25,13 +25,13 @@ pub struct Scope {
     names: HashMap<String, Meaning>,
     /// In declared order, for suggestions.
     order: Vec<String>,
-    /// Names that were suggested for an unknown one: probably meant, so not reported as unused.
-    pub suggested: HashSet<String>,
+    /// Names that are not reported as unused: refused ones, and those suggested for an unknown one, so probably meant.
+    pub excused: HashSet<String>,
 }
 
 impl Scope {
     pub fn new(declaration: &Declaration, report: &mut Report) -> Self {
-        let mut scope = Self { names: HashMap::new(), order: Vec::new(), suggested: HashSet::new() };
+        let mut scope = Self { names: HashMap::new(), order: Vec::new(), excused: HashSet::new() };
         for (index, parameter) in declaration.parameters.iter().enumerate() {
             scope.declare(&parameter.name, Meaning::Parameter(index), report);
         }
@@ -52,8 +52,10 @@ impl Scope {
         if text == "pi" || Function::from_name(&text).is_some() {
             let what = if text == "pi" { "the number π" } else { "a function" };
             report.error(name, format!("`{text}` is the name of {what}: expected another name"));
+            self.excused.insert(text);
         } else if self.names.contains_key(&text) {
             report.error(name, format!("`{text}` is declared twice: expected one declaration of each name"));
+            self.excused.insert(text);
         } else {
             self.names.insert(text.clone(), meaning);
             self.order.push(text);
@@ -70,7 +72,7 @@ impl Scope {
         match nearest(&name.to_string(), usable.map(String::as_str)) {
             Some(known) => {
                 let text = format!("; did you mean `{known}`?");
-                self.suggested.insert(known.to_string());
+                self.excused.insert(known.to_string());
                 text
             }
             None => String::new(),

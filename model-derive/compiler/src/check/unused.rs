@@ -35,7 +35,7 @@ pub fn report(
     let reached = reached(resolved, roots());
     for (definition, reached) in declaration.definitions.iter().zip(reached) {
         let name = definition.name.to_string();
-        if !reached && !scope.suggested.contains(&name) {
+        if !reached && !scope.excused.contains(&name) {
             report.error(
                 &definition.name,
                 format!("`{name}` is never used: expected a matrix or a requirement that depends on it"),
@@ -51,7 +51,7 @@ pub fn report(
             (Some(span), true) => {
                 report.error(span, format!("`{name}` is used: expected no `unused` here"));
             }
-            (None, false) if parameter.gravity.is_none() && !scope.suggested.contains(&name) => {
+            (None, false) if parameter.gravity.is_none() && !scope.excused.contains(&name) => {
                 let message = format!(
                     "`{name}` is never used: expected a formula that depends on it, or the word `unused` after its unit"
                 );

@@ -105,7 +105,9 @@ mod tests {
     #[test]
     fn threads_take_turns() {
         let threads: Vec<_> = (0..4)
-            .map(|index| thread::spawn(move || enter(move |engine| engine.parameter(index).derivative(index).is_zero())))
+            .map(|index| {
+                thread::spawn(move || enter(move |engine| engine.parameter(index).derivative(index).is_zero()))
+            })
             .collect();
         for thread in threads {
             let entered = thread.join().expect("the door does not panic");

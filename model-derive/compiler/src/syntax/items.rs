@@ -16,7 +16,7 @@ use crate::report::{Region, Report, error};
 
 /// `/// docs  pub model Name { statements }`
 pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Declaration> {
-    let docs = docs(input)?;
+    let docs = docs(input, report)?;
     let visibility = visibility(input)?;
     if !input.peek(syn::Ident::peek_any) || input.fork().call(syn::Ident::parse_any)? != "model" {
         return Err(expected(input, "`model Name { … }`, with `pub` before it if it is public"));
@@ -73,7 +73,7 @@ const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, 
                           `coordinates { … }`, `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, `K0`, `K2`";
 
 fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
-    let docs = docs(input)?;
+    let docs = docs(input, report)?;
     if input.peek(Token![let]) {
         return definition(input, model);
     }
@@ -87,13 +87,13 @@ fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repor
             if model.source.replace(source).is_some() {
                 report.error(keyword.span(), "a second `source`: expected one");
             }
-            semicolon(input, "the source")
+            semicolon(input, "`;`", "the source")
         }
-        "parameters" => block(input, "the parameters", report, |input, _| {
-            parameter(input, &mut model.parameters, &mut model.unread)
+        "parameters" => block(input, "the parameters", report, |input, report| {
+            parameter(input, &mut model.parameters, &mut model.unread, report)
         }),
-        "coordinates" => block(input, "the coordinates", report, |input, _| {
-            model.coordinates.push(coordinate(input)?);
+        "coordinates" => block(input, "the coordinates", report, |input, report| {
+            model.coordinates.push(coordinate(input, report)?);
             Ok(())
         }),
         "require" => {
@@ -102,13 +102,13 @@ fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repor
                 return Err(expected(input, "a comparison such as `> 0`"));
             };
             model.requirements.push(Requirement { value, bound });
-            semicolon(input, "the requirement")
+            semicolon(input, AFTER_FORMULA, "the requirement")
         }
         "set" => set(input, docs, model, report),
         other => match MatrixName::from_name(other) {
             Some(matrix_name) => {
                 model.matrices.push(matrix(input, matrix_name, keyword.span())?);
-                semicolon(input, "the matrix")
+                semicolon(input, "`;`", "the matrix")
             }
             None => Err(error(keyword.span(), format!("found `{other}`: expected {STATEMENTS}"))),
         },
@@ -139,7 +139,7 @@ fn definition(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()
         }
         input.parse::<Token![=]>()?;
         let value = expression(input)?;
-        semicolon(input, "the definition")?;
+        semicolon(input, AFTER_FORMULA, "the definition")?;
         Ok(value)
     };
     match value() {
@@ -152,8 +152,13 @@ fn definition(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()
     Ok(())
 }
 
-fn parameter(input: ParseStream<'_>, parameters: &mut Vec<Parameter>, unread: &mut Vec<syn::Ident>) -> syn::Result<()> {
-    let docs = docs(input)?;
+fn parameter(
+    input: ParseStream<'_>,
+    parameters: &mut Vec<Parameter>,
+    unread: &mut Vec<syn::Ident>,
+    report: &mut Report,
+) -> syn::Result<()> {
+    let docs = docs(input, report)?;
     let name = name(input, "the name of a parameter")?;
     match parameter_after_name(input, docs, &name) {
         Ok(parameter) => parameters.push(parameter),
@@ -187,9 +192,12 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
             return Err(expected(input, AFTER_UNIT));
         }
     }
-    semicolon(input, "the parameter")?;
+    semicolon(input, "`,` or `;`", "the parameter")?;
     Ok(parameter)
 }
+
+/// What may follow a formula at the end of a statement.
+const AFTER_FORMULA: &str = "an operator (`+ - * / ^`) or `;`";
 
 const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `in (a, b)`, `in [a, b]`), `gravity` or `unused`";
 
@@ -245,13 +253,13 @@ fn interval(input: ParseStream<'_>) -> syn::Result<[Bound; 2]> {
     Ok([bound(relations[0], low), bound(relations[1], high)])
 }
 
-fn coordinate(input: ParseStream<'_>) -> syn::Result<Coordinate> {
-    let docs = docs(input)?;
+fn coordinate(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Coordinate> {
+    let docs = docs(input, report)?;
     let name = name(input, "the name of a coordinate")?;
     let label = text(input)?;
     colon(input)?;
     let unit = unit(input)?;
-    semicolon(input, "the coordinate")?;
+    semicolon(input, "`;`", "the coordinate")?;
     Ok(Coordinate { docs, name, label, unit })
 }
 
@@ -267,7 +275,7 @@ fn set(input: ParseStream<'_>, docs: Doc, model: &mut Declaration, report: &mut 
             }
             input.parse::<Token![=]>()?;
             let value = expression(input)?;
-            semicolon(input, "the value")?;
+            semicolon(input, AFTER_FORMULA, "the value")?;
             Ok(value)
         };
         let value = value();

@@ -20,12 +20,16 @@ use crate::report::Report;
 ///
 /// Nothing is returned if not even the name of the model and its braces are there.
 pub fn parse(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
-    let parser = |input: syn::parse::ParseStream<'_>| items::declaration(input, report);
-    match parser.parse2(tokens) {
-        Ok(declaration) => Some(declaration),
-        Err(error) => {
+    let mut declaration = None;
+    let parser = |input: syn::parse::ParseStream<'_>| {
+        declaration = Some(items::declaration(input, report)?);
+        Ok(())
+    };
+    if let Err(error) = parser.parse2(tokens) {
+        // After a statement that could not be read `syn` also notes what is left inside its brackets.
+        if declaration.is_none() || report.is_empty() {
             report.push(error);
-            None
         }
     }
+    declaration
 }

@@ -88,8 +88,15 @@ mod tests {
 
     #[test]
     fn decimals_are_exact() {
-        let cases =
-            [("0.5", "5e-1"), ("1_000", "1e3"), ("2.50e-3", "25e-4"), ("0.0", "0"), ("007", "7"), ("1.", "1"), ("3E2", "3e2")];
+        let cases = [
+            ("0.5", "5e-1"),
+            ("1_000", "1e3"),
+            ("2.50e-3", "25e-4"),
+            ("0.0", "0"),
+            ("007", "7"),
+            ("1.", "1"),
+            ("3E2", "3e2"),
+        ];
         for (text, expected) in cases {
             assert_eq!(read(text).as_deref(), Ok(expected), "{text}");
         }

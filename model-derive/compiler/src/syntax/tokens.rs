@@ -8,7 +8,7 @@ use syn::spanned::Spanned;
 
 use super::declaration::Doc;
 use super::number::Decimal;
-use crate::report::{Region, error};
+use crate::report::{Region, Report, error};
 
 /// "expected `what`, found …" at the next token.
 pub fn expected(input: ParseStream<'_>, what: &str) -> syn::Error {
@@ -43,13 +43,13 @@ pub fn name(input: ParseStream<'_>, what: &str) -> syn::Result<syn::Ident> {
     Ok(ident)
 }
 
-/// The `;` that ends a statement.
-pub fn semicolon(input: ParseStream<'_>, after: &str) -> syn::Result<()> {
+/// The `;` that ends a statement; `what` says what could stand in its place.
+pub fn semicolon(input: ParseStream<'_>, what: &str, after: &str) -> syn::Result<()> {
     if input.peek(Token![;]) {
         input.parse::<Token![;]>()?;
         return Ok(());
     }
-    Err(expected(input, &format!("`;` after {after}")))
+    Err(expected(input, &format!("{what} after {after}")))
 }
 
 /// An integer with an optional sign, as in an exponent, and where it stands.
@@ -73,8 +73,8 @@ pub fn signed_integer(input: ParseStream<'_>) -> syn::Result<(i32, Region)> {
 /// Larger exponents have no use in mechanics and would only make large programs.
 const MAX_EXPONENT: u32 = 64;
 
-/// Documentation comments; any other attribute is a mistake.
-pub fn docs(input: ParseStream<'_>) -> syn::Result<Doc> {
+/// Documentation comments; any other attribute is a mistake, and what it stands on is read all the same.
+pub fn docs(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Doc> {
     let mut lines = Vec::new();
     for attribute in input.call(syn::Attribute::parse_outer)? {
         let text = match &attribute.meta {
@@ -86,7 +86,8 @@ pub fn docs(input: ParseStream<'_>) -> syn::Result<Doc> {
         };
         let Some(text) = text else {
             let region = Region::from(attribute.pound_token.span()).to(attribute.bracket_token.span.close().into());
-            return Err(error(region, "an attribute that is not supported here: expected documentation (`/// …`)"));
+            report.error(region, "an attribute that is not supported here: expected documentation (`/// …`)");
+            continue;
         };
         lines.push(text.strip_prefix(' ').unwrap_or(&text).trim_end().to_string());
     }

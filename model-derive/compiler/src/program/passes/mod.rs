@@ -55,7 +55,8 @@ mod tests {
 
     #[test]
     fn powers_share_their_squares() {
-        let before = program(&[Instruction::Power(0, 6), Instruction::Power(0, 4), Instruction::Power(1, -1)], &[2, 3, 4]);
+        let before =
+            program(&[Instruction::Power(0, 6), Instruction::Power(0, 4), Instruction::Power(1, -1)], &[2, 3, 4]);
         let counts = Counts { multiplications: 3, divisions: 1, ..Counts::default() };
         check(before, counts, |x, y| vec![x * x * (x * x * (x * x)), x * x * (x * x), 1.0 / y]);
     }
