@@ -1,0 +1,83 @@
+//! Modes followed along speed.
+
+use carvallo::{Mode, ModeValue, Model, Modes};
+use carvallo_tests::bicycles;
+use carvallo_tests::published::EIGENVALUES_2007;
+use nalgebra::Complex;
+
+const STEP: f64 = 0.001;
+const STEPS: i32 = 12_000;
+
+fn modes(name: &str) -> Modes {
+    let bicycle = bicycles::named(name);
+    Modes::new(&bicycle.coefficients(), bicycle.g).unwrap()
+}
+
+#[test]
+fn every_value_is_an_eigenvalue_and_every_eigenvalue_has_a_mode() {
+    for (name, bicycle) in bicycles::all() {
+        let modes = modes(name);
+        for step in 0..=240 {
+            let speed = f64::from(step) * 0.05;
+            let eigenvalues = bicycle.coefficients().at(speed, bicycle.g).unwrap().eigenvalues().unwrap();
+            let mut values: Vec<Complex<f64>> = modes.at(speed).unwrap().iter().map(|mode| mode.value).collect();
+            values.sort_by(|a, b| a.re.total_cmp(&b.re).then(a.im.total_cmp(&b.im)));
+            assert_eq!(values, eigenvalues, "{name} at {speed}");
+        }
+    }
+}
+
+#[test]
+fn there_is_one_castering_one_capsize_and_two_of_weave() {
+    for (name, _) in bicycles::all() {
+        for speed in [0.0, 0.3, 1.0, 5.0, 20.0] {
+            let modes = modes(name).at(speed).unwrap().map(|mode| mode.mode);
+            assert_eq!(modes, [Mode::Castering, Mode::Capsize, Mode::Weave, Mode::Weave], "{name} at {speed}");
+        }
+    }
+}
+
+#[test]
+fn the_benchmark_has_the_published_modes() {
+    let modes = modes("benchmark");
+    // At rest there is no weave yet; from 1 m/s on the paper names each column.
+    for (speed, [re, im, capsize, castering]) in &EIGENVALUES_2007[1..] {
+        let expected = [(*castering, 0.0), (*capsize, 0.0), (*re, -im), (*re, *im)];
+        let mut found = modes.at(*speed).unwrap().map(|mode| mode.value);
+        found[2..].sort_by(|a, b| a.im.total_cmp(&b.im));
+        for (found, (re, im)) in found.into_iter().zip(expected) {
+            assert!((found - Complex::new(re, im)).norm() <= 1e-12, "at {speed}: {found} instead of {re} + {im}i");
+        }
+    }
+}
+
+/// Over a small step the values of a mode go where they are nearest: no exchange of two of them is shorter.
+///
+/// Where two values meet and part again as another pair, an exchange means nothing; there a step moves them by its
+/// square root, and a difference of that much is let pass.
+#[test]
+fn values_move_continuously_and_never_change_places() {
+    for (name, _) in bicycles::all() {
+        let modes = modes(name);
+        let mut before = modes.at(0.0).unwrap();
+        for step in 1..=STEPS {
+            let speed = f64::from(step) * STEP;
+            let now = modes.at(speed).unwrap();
+            let distance = |from: usize, to: usize| (before[from].value - now[to].value).norm();
+            for mode in 0..4 {
+                assert!(distance(mode, mode) <= 10.0 * STEP.sqrt(), "{name} at {speed}: {before:?} to {now:?}");
+                for other in 0..mode {
+                    let kept = distance(mode, mode) + distance(other, other);
+                    let exchanged = distance(mode, other) + distance(other, mode);
+                    let meeting = distance_between(&now, mode, other) <= 10.0 * STEP.sqrt();
+                    assert!(kept <= exchanged || meeting, "{name} at {speed}: {before:?} to {now:?}");
+                }
+            }
+            before = now;
+        }
+    }
+}
+
+fn distance_between(values: &[ModeValue; 4], one: usize, other: usize) -> f64 {
+    (values[one].value - values[other].value).norm()
+}
