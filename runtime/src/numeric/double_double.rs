@@ -1,0 +1,123 @@
+//! Numbers with twice the precision of `f64`.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The unevaluated sum of two `f64` that do not overlap: about 32 digits in the range of `f64`.
+///
+/// Operations err by a few units of 2^-104 relative to their result (Dekker 1971; Hida, Li & Bailey 2001). Products are
+/// split by Veltkamp's method: a fused multiply-add is a slow library call on targets without the instruction.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub(crate) struct DoubleDouble {
+    hi: f64,
+    lo: f64,
+}
+
+impl DoubleDouble {
+    pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+    pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
+
+    /// `a b`, exactly.
+    pub(crate) fn product(a: f64, b: f64) -> Self {
+        let hi = a * b;
+        let (a_hi, a_lo) = split(a);
+        let (b_hi, b_lo) = split(b);
+        Self { hi, lo: ((a_hi * b_hi - hi) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo }
+    }
+
+    pub(crate) fn to_f64(self) -> f64 {
+        self.hi
+    }
+}
+
+impl From<f64> for DoubleDouble {
+    fn from(value: f64) -> Self {
+        Self { hi: value, lo: 0.0 }
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { hi: -self.hi, lo: -self.lo }
+    }
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let hi = sum(self.hi, other.hi);
+        let lo = sum(self.lo, other.lo);
+        let partial = quick_sum(hi.hi, hi.lo + lo.hi);
+        quick_sum(partial.hi, partial.lo + lo.lo)
+    }
+}
+
+impl Sub for DoubleDouble {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let product = Self::product(self.hi, other.hi);
+        quick_sum(product.hi, product.lo + (self.hi * other.lo + self.lo * other.hi))
+    }
+}
+
+impl Div for DoubleDouble {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let first = self.hi / other.hi;
+        let rest = self - other * first.into();
+        let second = rest.hi / other.hi;
+        let rest = rest - other * second.into();
+        quick_sum(first, second) + (rest.hi / other.hi).into()
+    }
+}
+
+/// `a + b`, exactly.
+fn sum(a: f64, b: f64) -> DoubleDouble {
+    let hi = a + b;
+    let b_part = hi - a;
+    DoubleDouble { hi, lo: (a - (hi - b_part)) + (b - b_part) }
+}
+
+/// `a + b`, exactly, where |a| >= |b|.
+fn quick_sum(a: f64, b: f64) -> DoubleDouble {
+    let hi = a + b;
+    DoubleDouble { hi, lo: b - (hi - a) }
+}
+
+/// Two parts of 26 bits each that sum to `a`.
+fn split(a: f64) -> (f64, f64) {
+    let t = 134_217_729.0 * a;
+    let hi = t - (t - a);
+    (hi, a - hi)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::DoubleDouble;
+    use crate::numeric::Real;
+
+    /// One third of 2^-53 is far below `f64` at 1; Dekker's pair must keep it.
+    #[test]
+    fn keeps_what_f64_rounds_away() {
+        let small = DoubleDouble::from(2f64.powi(-53)) / 3.0.into();
+        let sum = DoubleDouble::ONE + small;
+        assert_eq!(sum.to_f64(), 1.0);
+        assert!(((sum - DoubleDouble::ONE) - small).abs().to_f64() < 2f64.powi(-105));
+    }
+
+    #[test]
+    fn inverts_its_own_operations() {
+        let two = DoubleDouble::from(2.0);
+        let error = two.sqrt() * two.sqrt() - two;
+        assert!(error.abs().to_f64() < 2f64.powi(-102));
+        let third = DoubleDouble::ONE / 3.0.into();
+        assert!((third * 3.0.into() - DoubleDouble::ONE).abs().to_f64() < 2f64.powi(-104));
+    }
+}

@@ -1,0 +1,79 @@
+//! Sums that know when they have cancelled.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+use super::DoubleDouble;
+
+/// What is left of a sum, relative to the terms that went into it, when only rounding is left.
+///
+/// A double-double operation errs by 2^-104; the longest chain here, the discriminant and its evaluation, has fewer than
+/// 2^10 operations.
+pub(crate) const NOISE: f64 = 1.0 / (1u128 << 94) as f64;
+
+/// A number together with the sum of the magnitudes of the terms that it was computed from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sum {
+    pub(crate) value: DoubleDouble,
+    pub(crate) size: f64,
+}
+
+impl Sum {
+    pub(crate) const ZERO: Self = Self { value: DoubleDouble::ZERO, size: 0.0 };
+
+    /// -1, 0 or 1; zero if the terms cancel as far as the arithmetic can tell.
+    pub(crate) fn sign(self) -> i8 {
+        let value = self.value.to_f64();
+        if value.abs() <= NOISE * self.size {
+            0
+        } else if value < 0.0 {
+            -1
+        } else {
+            1
+        }
+    }
+
+    /// An estimate of the absolute error.
+    pub(crate) fn noise(self) -> f64 {
+        NOISE * self.size
+    }
+}
+
+impl From<DoubleDouble> for Sum {
+    fn from(value: DoubleDouble) -> Self {
+        Self { value, size: value.to_f64().abs() }
+    }
+}
+
+impl From<f64> for Sum {
+    fn from(value: f64) -> Self {
+        DoubleDouble::from(value).into()
+    }
+}
+
+impl Neg for Sum {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { value: -self.value, size: self.size }
+    }
+}
+
+impl Add for Sum {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { value: self.value + other.value, size: self.size + other.size }
+    }
+}
+
+impl Sub for Sum {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Sum {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self { value: self.value * other.value, size: self.size * other.size }
+    }
+}
