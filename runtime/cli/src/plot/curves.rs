@@ -35,24 +35,44 @@ pub fn extent(rows: &[Row]) -> f64 {
     power * steps.into_iter().find(|step| step * power >= typical).unwrap_or(10.0)
 }
 
-/// The curves of the real and of the positive imaginary parts of a mode.
-pub fn curves(rows: &[Row], mode: Mode) -> [Vec<Curve>; 2] {
-    let (mut real, mut imaginary) = (Vec::new(), vec![Curve::new()]);
+/// The curves of a mode.
+#[derive(Default)]
+pub struct Curves {
+    pub real: Vec<Curve>,
+    /// The imaginary parts without their signs.
+    pub imaginary: Vec<Curve>,
+    /// Where the mode forms a pair with another one, the real part that both have.
+    pub shared: Vec<Curve>,
+}
+
+pub fn curves(rows: &[Row], mode: Mode) -> Curves {
+    let mut curves = Curves::default();
     for Row { speed, values } in rows {
         let mut values: Vec<_> = values.iter().filter(|value| value.mode == mode).map(|value| value.value).collect();
         values.sort_by(|a, b| a.re.total_cmp(&b.re));
-        real.resize_with(values.len(), Curve::new);
-        for (curve, value) in real.iter_mut().zip(&values) {
+        curves.real.resize_with(values.len(), Curve::new);
+        for (curve, value) in curves.real.iter_mut().zip(&values) {
             curve.push((*speed, value.re));
         }
-        let largest = values.iter().map(|value| value.im).fold(0.0, f64::max);
-        if largest > 0.0 {
-            imaginary.last_mut().into_iter().for_each(|curve| curve.push((*speed, largest)));
-        } else if imaginary.last().is_some_and(|curve| !curve.is_empty()) {
-            imaginary.push(Curve::new());
-        }
+        let largest = values.iter().map(|value| value.im.abs()).fold(0.0, f64::max);
+        extend(&mut curves.imaginary, (largest > 0.0).then_some((*speed, largest)));
+        let shared = match values[..] {
+            [value] if value.im != 0.0 => Some((*speed, value.re)),
+            _ => None,
+        };
+        extend(&mut curves.shared, shared);
     }
-    [real, imaginary]
+    curves
+}
+
+/// Adds a point to the last curve; without a point the next one begins.
+fn extend(curves: &mut Vec<Curve>, point: Option<(f64, f64)>) {
+    match (curves.last_mut(), point) {
+        (Some(curve), Some(point)) => curve.push(point),
+        (None, Some(point)) => curves.push(vec![point]),
+        (Some(curve), None) if !curve.is_empty() => curves.push(Curve::new()),
+        _ => {}
+    }
 }
 
 /// The pieces of a curve that lie between two heights, cut at them.

@@ -4,7 +4,7 @@ use carvallo::Mode;
 
 use super::axes::{Axes, INK};
 use super::critical;
-use super::curves::{clip, curves, extent, samples};
+use super::curves::{Curve, Curves, clip, curves, extent, samples};
 use super::font;
 use super::labels::Labels;
 use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
@@ -88,16 +88,24 @@ pub fn color(mode: Mode) -> Color {
 fn modes(rows: &[Row], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
     let mut to_label = Vec::new();
     for mode in [Mode::Castering, Mode::Capsize, Mode::Weave] {
-        let [real, imaginary] = curves(rows, mode);
-        let oscillates = imaginary.iter().any(|curve| curve.len() > 1);
-        let real_text = if oscillates { format!("{mode}, real part") } else { mode.to_string() };
+        let Curves { real, mut imaginary, shared } = curves(rows, mode);
+        let (real_text, imaginary_text) = match mode {
+            Mode::Weave => ("weave, real part".to_owned(), "weave, imaginary part"),
+            _ => (mode.to_string(), "castering/capsize, imaginary part"),
+        };
+        // Where castering and capsize form a pair, castering shows as a border of capsize.
+        if mode == Mode::Castering {
+            imaginary.clear();
+            for points in lines(&shared, axes) {
+                scene.polyline(&points, line(6.0), color(mode));
+            }
+        }
         for (curves, paint, color, text) in [
-            (imaginary, dashed(1.8, [7.0, 5.0]), color(mode).lighter(0.35), format!("{mode}, imaginary part")),
+            (imaginary, dashed(1.8, [7.0, 5.0]), color(mode).lighter(0.35), imaginary_text.to_owned()),
             (real, line(2.4), color(mode), real_text),
         ] {
             let mut longest = (0.0, Vec::new());
-            for piece in curves.iter().flat_map(|curve| clip(curve, axes.y)) {
-                let points: Vec<(f32, f32)> = piece.into_iter().map(|(x, y)| axes.place(x, y)).collect();
+            for points in lines(&curves, axes) {
                 scene.polyline(&points, paint, color);
                 labels.avoid_line(&points);
                 let length = length(&points);
@@ -114,6 +122,12 @@ fn modes(rows: &[Row], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
             scene.text(place, Anchor::Start, LABEL_SIZE, color, &text);
         }
     }
+}
+
+/// The parts of the curves that the axes show, on the page.
+fn lines(curves: &[Curve], axes: &Axes) -> Vec<Vec<(f32, f32)>> {
+    let pieces = curves.iter().flat_map(|curve| clip(curve, axes.y));
+    pieces.map(|piece| piece.into_iter().map(|(x, y)| axes.place(x, y)).collect()).collect()
 }
 
 fn length(points: &[(f32, f32)]) -> f32 {
