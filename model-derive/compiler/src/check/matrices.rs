@@ -4,7 +4,7 @@ use super::names::Scope;
 use super::resolve;
 use crate::model::Expr;
 use crate::report::{Region, Report};
-use crate::syntax::{Declaration, MatrixName};
+use crate::syntax::{Declaration, Matrix, MatrixName};
 
 /// The declared matrices, in the order of the equation of motion.
 pub fn matrices(
@@ -23,20 +23,9 @@ pub fn matrices(
             report.error(matrix.span, format!("`{name}` is declared twice: expected one of each matrix"));
             continue;
         }
-        if n == 0 {
-            // Without coordinates no shape is right, and the one mistake is that there are none.
-            continue;
-        }
-        let shape = format!("expected {n} x {n}, a row and a column for each coordinate");
-        if matrix.rows.len() != n {
-            let found = count(matrix.rows.len(), "row");
-            report.error(matrix.region, format!("`{name}` has {found}: {shape}"));
-        }
-        for (region, row) in &matrix.rows {
-            if row.len() != n {
-                let found = count(row.len(), "entry");
-                report.error(*region, format!("a row of `{name}` has {found}: {shape}"));
-            }
+        // Without coordinates no shape is right, and the one mistake is that there are none.
+        if n > 0 {
+            check_shape(matrix, n, report);
         }
         let mut resolve = |row: &Vec<_>| row.iter().map(|entry| resolve::expression(entry, scope, report)).collect();
         matrices.push((matrix.name, matrix.rows.iter().map(|(_, row)| resolve(row)).collect()));
@@ -46,6 +35,21 @@ pub fn matrices(
     }
     matrices.sort_by_key(|(name, _)| *name);
     matrices
+}
+
+fn check_shape(matrix: &Matrix, n: usize, report: &mut Report) {
+    let name = matrix.name.name();
+    let shape = format!("expected {n} x {n}, a row and a column for each coordinate");
+    if matrix.rows.len() != n {
+        let found = count(matrix.rows.len(), "row");
+        report.error(matrix.region, format!("`{name}` has {found}: {shape}"));
+    }
+    for (region, row) in &matrix.rows {
+        if row.len() != n {
+            let found = count(row.len(), "entry");
+            report.error(*region, format!("a row of `{name}` has {found}: {shape}"));
+        }
+    }
 }
 
 fn count(number: usize, what: &str) -> String {

@@ -7,7 +7,7 @@ mod number;
 mod tokens;
 mod unit;
 
-pub use declaration::{Bound, Declaration, MatrixName, ParameterSet, Relation};
+pub use declaration::{Bound, Declaration, Matrix, MatrixName, ParameterSet, Relation};
 pub use expression::{Expression, Kind};
 pub use number::Decimal;
 
