@@ -2,14 +2,27 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-use carvallo::System;
+use carvallo::{Coefficients, System};
 
 use crate::exact::Number;
 use crate::real::Real;
 
 /// Coefficients of `det(M s^2 + C s + K)` from s^4 down to s^0; in [`Size`](crate::exact::Size) the terms they sum.
 pub fn characteristic<R: Number>(system: &System<2>) -> [R; 5] {
-    let entry = |row, column| [system.m, system.c, system.k].map(|matrix| R::from(matrix[(row, column)]));
+    determinant(|row, column| [system.m, system.c, system.k].map(|matrix| R::from(matrix[(row, column)])))
+}
+
+/// The same of a bicycle at a speed, with its coefficients, the gravity and the speed taken to be exact.
+pub fn characteristic_at(coefficients: &Coefficients<f64, 2>, gravity: f64, speed: Real) -> [Real; 5] {
+    let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+    determinant(|row, column| {
+        let [m, c0, c1, kc, k0, k2] = [m, c0, c1, kc, k0, k2].map(|matrix| Real::from(matrix[(row, column)]));
+        [m, c0 + speed * c1, kc + Real::from(gravity) * k0 + speed * speed * k2]
+    })
+}
+
+/// Of a 2 x 2 matrix whose entries are polynomials of the second degree.
+fn determinant<R: Number>(entry: impl Fn(usize, usize) -> [R; 3]) -> [R; 5] {
     let product = |a: [R; 3], b: [R; 3]| {
         let mut product = [R::from(0.0); 5];
         for i in 0..3 {
@@ -143,9 +156,9 @@ pub struct Signature {
 }
 
 impl Signature {
-    /// Of a system; its eigenvalues must be farther from zero, the imaginary axis and each other than 30 digits tell.
-    pub fn of(system: &System<2>) -> Self {
-        let roots = roots(characteristic(system)).map(|root| {
+    /// Of a polynomial; its roots must be farther from zero, the imaginary axis and each other than 30 digits tell.
+    pub fn of(polynomial: [Real; 5]) -> Self {
+        let roots = roots(polynomial).map(|root| {
             let negligible = Real::from(2f64.powi(-100)) * (root.re.abs() + root.im.abs());
             (root.im.abs() <= negligible, root.re > Real::from(0.0))
         });
@@ -181,14 +194,9 @@ mod tests {
 
     #[test]
     fn a_signature_counts_each_kind() {
-        // An unstable real pair, and a stable oscillation: s^2 - 4 and s^2 + 2 s + 10.
-        let system = System {
-            m: nalgebra::Matrix2::identity(),
-            c: nalgebra::Matrix2::new(0.0, 0.0, 0.0, 2.0),
-            k: nalgebra::Matrix2::new(-4.0, 0.0, 0.0, 10.0),
-        };
-        let expected = Signature { real: 2, unstable_real: 1, unstable_complex: 0 };
-        assert_eq!(Signature::of(&system), expected);
-        assert!(!expected.is_stable());
+        // (s^2 - 4) (s^2 + 2 s + 10)
+        let signature = Signature::of([1.0, 2.0, 6.0, -8.0, -40.0].map(Real::from));
+        assert_eq!(signature, Signature { real: 2, unstable_real: 1, unstable_complex: 0 });
+        assert!(!signature.is_stable());
     }
 }

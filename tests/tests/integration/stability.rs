@@ -1,12 +1,13 @@
 //! Stable ranges and verdicts against signs of exact eigenvalues.
 
 use carvallo::{Coefficients, Model, Stability, Verdict};
-use carvallo_tests::quartic::Signature;
+use carvallo_tests::quartic::{Signature, characteristic_at};
+use carvallo_tests::real::Real;
 use carvallo_tests::{bicycles, designs, facts};
 use proptest::prelude::*;
 
 fn signature(coefficients: &Coefficients<f64, 2>, gravity: f64, speed: f64) -> Signature {
-    Signature::of(&coefficients.at(speed, gravity).unwrap())
+    Signature::of(characteristic_at(coefficients, gravity, Real::from(speed)))
 }
 
 fn is_in_a_range(stability: &Stability, speed: f64) -> bool {
