@@ -20,4 +20,4 @@ pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
 pub(crate) use roots::{Root, positive_roots};
 #[cfg(feature = "std")]
-pub(crate) use sum::Sum;
+pub(crate) use sum::{NOISE, Sum};

@@ -10,7 +10,7 @@ use super::{DoubleDouble, Polynomial, Real};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Root {
     pub(crate) at: DoubleDouble,
-    /// An estimate of the absolute error.
+    /// How far the root may move if the terms of the polynomial are rounded to `f64`.
     pub(crate) error: f64,
     /// The sign of the polynomial just below the root.
     pub(crate) before: i8,
@@ -123,26 +123,28 @@ fn crossing(
             break;
         }
     }
-    let slope = derivative.at(at).value.to_f64().abs();
-    let bracket = (high - low).to_f64();
-    let error = if slope > 0.0 { (polynomial.at(at).noise() / slope).min(bracket) } else { bracket };
-    Root { at, error: error + RESOLUTION * at.to_f64(), before: -after, after }
+    Root { at, error: uncertainty(polynomial, at), before: -after, after }
 }
 
 /// The root at stationary points where the polynomial is zero to within its noise.
 fn touching(polynomial: &Polynomial, zeros: (DoubleDouble, DoubleDouble), before: i8, after: i8) -> Root {
     let at = (zeros.0 + zeros.1) * 0.5.into();
     let spread = (zeros.1 - zeros.0).to_f64();
-    // The polynomial cannot be told from zero up to here.
-    let mut error = at.to_f64() * f64::EPSILON * f64::EPSILON;
-    while error < at.to_f64() {
-        let (left, right) = (at - error.into(), at + error.into());
-        if polynomial.at(left).sign() != 0 && polynomial.at(right).sign() != 0 {
-            break;
-        }
-        error *= 2.0;
+    Root { at, error: uncertainty(polynomial, at).max(spread), before, after }
+}
+
+/// The distance from a root, up to a factor of two, at which the polynomial differs from zero by more than the rounding
+/// of its terms to `f64`; at most the root itself.
+fn uncertainty(polynomial: &Polynomial, root: DoubleDouble) -> f64 {
+    let differs = |x: DoubleDouble| {
+        let sum = polynomial.at(x);
+        sum.value.to_f64().abs() > f64::EPSILON * sum.size
+    };
+    let mut distance = 0.125 * f64::EPSILON * root.to_f64();
+    while distance < root.to_f64() && !(differs(root - distance.into()) && differs(root + distance.into())) {
+        distance *= 2.0;
     }
-    Root { at, error: error.max(spread), before, after }
+    distance
 }
 
 #[cfg(test)]

@@ -31,11 +31,6 @@ impl Sum {
             1
         }
     }
-
-    /// An estimate of the absolute error.
-    pub(crate) fn noise(self) -> f64 {
-        NOISE * self.size
-    }
 }
 
 impl From<DoubleDouble> for Sum {

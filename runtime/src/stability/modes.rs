@@ -2,10 +2,13 @@
 
 use core::fmt;
 
+use super::branches::{Stretch, stretches};
+use super::characteristic::Characteristic;
+use super::require_speed;
 use crate::{Coefficients, Complex, Scalar, SystemError};
 
 /// A mode of the uncontrolled bicycle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Mode {
     /// The front frame swings into line: one eigenvalue.
     Castering,
@@ -36,25 +39,102 @@ pub struct ModeValue {
 }
 
 /// The modes of a model with two coordinates, followed along speed.
+///
+/// Modes are named at the lowest speeds, just above zero, and keep to their eigenvalues from there:
+///
+/// - of four real eigenvalues the lowest is castering, the next one capsize, the upper two are weave;
+/// - of two real ones and a pair the lower real one is castering, the other one capsize, and the pair is weave;
+/// - of two pairs the one with the lower real part is castering and capsize, the other one weave.
+///
+/// Eigenvalues change continuously with the speed. Real ones keep their order and a pair stays a pair up to a speed at
+/// which two eigenvalues coincide. There names pass to the nearest eigenvalues above that speed: two real ones that merge
+/// pass both of their names to the pair, castering and capsize, for one; when it splits, the name that comes first in
+/// castering, capsize, weave goes to the lower real eigenvalue unless only the other way is continuous. What has met may
+/// well be exchanged, since it is equal there; nothing else is, and no eigenvalue is named twice.
+///
+/// A pair may so carry two names, and a name a different kind of motion than at rest.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Modes {}
+pub struct Modes {
+    coefficients: Coefficients<f64, 2>,
+    gravity: f64,
+    /// Ascending, the first one from zero; with each the names that belong to the places of its order.
+    stretches: Vec<(Stretch, [Mode; 4])>,
+}
 
 impl Modes {
     /// Follows the modes along speed, at a gravitational field strength in N/kg.
     ///
     /// # Errors
-    /// As [`Stability::new`](crate::Stability::new).
+    /// As [`Stability::new`](crate::Stability::new), and if there are no eigenvalues in the range of `f64` at a speed next
+    /// to a double-root speed.
     pub fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
-        let _ = (coefficients, gravity);
-        todo!()
+        let characteristic = Characteristic::new(coefficients, gravity)?;
+        let mut modes = Self { coefficients: coefficients.finite()?, gravity, stretches: Vec::new() };
+        for stretch in stretches(&characteristic) {
+            let above = modes.ordered(stretch.near_lower_end(), &stretch)?;
+            let names = match modes.stretches.last() {
+                None => names_at_rest(above),
+                Some((last, names)) => {
+                    let below = modes.ordered(last.near_upper_end(), last)?;
+                    pass_on(*names, below, above)
+                }
+            };
+            modes.stretches.push((stretch, names));
+        }
+        Ok(modes)
     }
 
     /// The eigenvalues at a speed in m/s: castering, capsize, weave, weave.
     ///
+    /// They are those of [`System::quartic_eigenvalues`](crate::System::quartic_eigenvalues), each of them once.
+    ///
     /// # Errors
-    /// If the speed is negative or not finite, or if the system there has no eigenvalues in the range of `f64`.
+    /// If the speed is negative or not finite, or if the eigenvalues there leave the range of `f64`.
     pub fn at(&self, speed: f64) -> Result<[ModeValue; 4], SystemError> {
-        let _ = speed;
-        todo!()
+        require_speed(speed)?;
+        let above = self.stretches.partition_point(|(stretch, _)| stretch.from <= speed);
+        let (stretch, names) = &self.stretches[above.max(1) - 1];
+        let ordered = self.ordered(speed, stretch)?;
+        let mut values: [ModeValue; 4] = core::array::from_fn(|i| ModeValue { mode: names[i], value: ordered[i] });
+        values.sort_by_key(|value| value.mode);
+        Ok(values)
+    }
+
+    fn ordered(&self, speed: f64, stretch: &Stretch) -> Result<[Complex<f64>; 4], SystemError> {
+        let factored = self.coefficients.at(speed, self.gravity)?.factored_eigenvalues()?;
+        Ok(stretch.order.arrange(factored))
     }
 }
+
+/// The names in the lowest stretch, by place. Real eigenvalues are in order already; so is a single pair.
+fn names_at_rest(ordered: [Complex<f64>; 4]) -> [Mode; 4] {
+    use Mode::{Capsize, Castering, Weave};
+    let two_pairs = ordered[0].im != 0.0;
+    if two_pairs && ordered[2].re < ordered[0].re {
+        [Weave, Weave, Castering, Capsize]
+    } else {
+        [Castering, Capsize, Weave, Weave]
+    }
+}
+
+/// The names of eigenvalues above a speed from those below it: each one's goes to the nearest, as a whole.
+fn pass_on(names: [Mode; 4], below: [Complex<f64>; 4], above: [Complex<f64>; 4]) -> [Mode; 4] {
+    let orders = (0..256).map(|code| [code / 64, code / 16 % 4, code / 4 % 4, code % 4]);
+    let permutations = orders.filter(|order| (0..4).all(|place| order.contains(&place)));
+    let mut best = (f64::INFINITY, [0, 1, 2, 3]);
+    for order in permutations {
+        let distance: f64 = (0..4).map(|i| (below[i] - above[order[i]]).norm()).sum();
+        // What merges or splits is as far from either half of a pair: the first order is to win such ties.
+        if distance < best.0 * (1.0 - TIE) {
+            best = (distance, order);
+        }
+    }
+    let mut passed = names;
+    for (name, place) in names.into_iter().zip(best.1) {
+        passed[place] = name;
+    }
+    passed
+}
+
+/// The difference of distances, relative to them, up to which they count as equal.
+const TIE: f64 = 1e-6;

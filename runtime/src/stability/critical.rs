@@ -1,0 +1,77 @@
+//! Critical speeds: what they are.
+
+use core::fmt;
+
+use crate::Complex;
+
+/// A speed above zero at which the kind of motion changes.
+///
+/// The speed zero is never listed. It is the end of the speeds, not a speed at which anything changes; and without
+/// damping that does not depend on the speed (C0 = 0) the eigenvalues there are symmetric about the imaginary axis, so
+/// that conditions for critical speeds hold there for every model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CriticalSpeed {
+    /// What happens there.
+    pub kind: CriticalKind,
+    /// The speed in m/s.
+    pub speed: f64,
+    /// An estimate of the absolute error of the speed in m/s: what the rounding of the matrix entries to `f64` may do to
+    /// it, and its own rounding. Large where the change is fragile, such as where eigenvalues only touch.
+    pub error: f64,
+    /// The eigenvalue in 1/s: zero at capsize speeds, i omega with omega > 0 at weave speeds, the double eigenvalue at
+    /// double-root speeds (of a conjugate pair of double eigenvalues the one with a positive imaginary part).
+    pub eigenvalue: Complex<f64>,
+    /// What changes as the speed grows.
+    pub change: Change,
+}
+
+/// What happens at a critical speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CriticalKind {
+    /// A conjugate pair of eigenvalues is on the imaginary axis. A real pair +-s, at which the Hurwitz determinant is zero
+    /// too, is none.
+    Weave,
+    /// A real eigenvalue is zero.
+    Capsize,
+    /// Two eigenvalues coincide that do not coincide at neighbouring speeds.
+    DoubleRoot,
+}
+
+/// Reads `weave`, `capsize`, `double_root`.
+impl fmt::Display for CriticalKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Weave => "weave",
+            Self::Capsize => "capsize",
+            Self::DoubleRoot => "double_root",
+        })
+    }
+}
+
+/// What changes at a critical speed as the speed grows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Change {
+    /// The eigenvalue or pair leaves the right half-plane.
+    Stabilizes,
+    /// The eigenvalue or pair enters the right half-plane.
+    Destabilizes,
+    /// Two real eigenvalues become a conjugate pair.
+    Merges,
+    /// A conjugate pair becomes two real eigenvalues.
+    Splits,
+    /// The eigenvalues are on the same side, or as many of them real, before and after.
+    Touches,
+}
+
+/// Reads `stabilizes`, `destabilizes`, `merges`, `splits`, `touches`.
+impl fmt::Display for Change {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Stabilizes => "stabilizes",
+            Self::Destabilizes => "destabilizes",
+            Self::Merges => "merges",
+            Self::Splits => "splits",
+            Self::Touches => "touches",
+        })
+    }
+}

@@ -1,0 +1,104 @@
+//! The double eigenvalue at a root of the discriminant.
+
+use super::characteristic::Characteristic;
+use crate::Complex;
+use crate::numeric::{DoubleDouble, Real, Root, Sum};
+
+/// How far polishing may move a speed, relative to it: more than the discriminant errs by, and less than the distance to
+/// another root that could be told from this one.
+const NEAR: f64 = 1e-12;
+
+/// A double eigenvalue.
+pub(super) struct DoubleRoot {
+    /// The scaled eigenvalue.
+    pub(super) eigenvalue: Complex<f64>,
+    /// 1 if two real eigenvalues become a pair as the speed grows, -1 if a pair becomes two real ones, 0 for neither.
+    pub(super) unfolding: i8,
+}
+
+/// The double eigenvalue at a root of the discriminant; polishes a simple root.
+pub(super) fn find(characteristic: &Characteristic, root: &mut Root) -> DoubleRoot {
+    let (x, y) = closest(characteristic, root.at);
+    let eigenvalue = 0.5 * (x + y);
+    // Two real eigenvalues, or a pair just off the real axis.
+    let is_real = x.im == 0.0 && y.im == 0.0 || x == y.conj();
+    if !is_real {
+        // The other half of the conjugate pair of double eigenvalues has the other sign.
+        return DoubleRoot { eigenvalue: Complex::new(eigenvalue.re, eigenvalue.im.abs()), unfolding: 0 };
+    }
+    let real = |value: f64| Complex::new(value, 0.0);
+    if root.before == root.after {
+        return DoubleRoot { eigenvalue: real(eigenvalue.re), unfolding: 0 };
+    }
+    let mut point = Point { speed: root.at, eigenvalue: DoubleDouble::from(eigenvalue.re) };
+    if let Some((polished, error)) = point.polished(characteristic)
+        && (polished.speed - root.at).abs().to_f64() <= NEAR * root.at.to_f64()
+    {
+        point = polished;
+        *root = Root { at: point.speed, error, ..*root };
+    }
+    let (by_eigenvalue, by_speed) = point.derivatives(characteristic);
+    DoubleRoot { eigenvalue: real(point.eigenvalue.to_f64()), unfolding: by_speed[0].sign() * by_eigenvalue[2].sign() }
+}
+
+/// The two eigenvalues at a scaled speed that are closest to each other.
+fn closest(characteristic: &Characteristic, speed: DoubleDouble) -> (Complex<f64>, Complex<f64>) {
+    let roots = characteristic.roots(speed);
+    let roots = roots.as_flattened();
+    let pairs = (0..4).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let distance = |&(i, j): &(usize, usize)| (roots[i] - roots[j]).norm();
+    let (i, j) = pairs.min_by(|x, y| distance(x).total_cmp(&distance(y))).unwrap_or((0, 1));
+    (roots[i], roots[j])
+}
+
+/// A scaled speed and a real scaled eigenvalue.
+#[derive(Clone, Copy)]
+struct Point {
+    speed: DoubleDouble,
+    eigenvalue: DoubleDouble,
+}
+
+impl Point {
+    /// The characteristic polynomial p and its first two derivatives with respect to the eigenvalue, and the same of its
+    /// derivative with respect to the speed.
+    fn derivatives(self, characteristic: &Characteristic) -> ([Sum; 3], [Sum; 3]) {
+        let at = |characteristic: &Characteristic| taylor(characteristic.at(self.speed), self.eigenvalue);
+        (at(characteristic), at(&characteristic.speed_derivative()))
+    }
+
+    /// Newton's iteration for `p = p_s = 0` in speed and eigenvalue, and how far the speed may move if the terms of p are
+    /// rounded to `f64`: less than for the discriminant, whose terms are large and cancel.
+    fn polished(mut self, characteristic: &Characteristic) -> Option<(Self, f64)> {
+        const STEPS: usize = 12;
+        const RESOLUTION: f64 = 1.0 / (1u128 << 100) as f64;
+        for _ in 0..STEPS {
+            let ([p, p_s, p_ss], [p_v, p_sv, _]) = self.derivatives(characteristic);
+            let determinant = p_v * p_ss - p_s * p_sv;
+            if determinant.sign() == 0 {
+                return None;
+            }
+            let speed = (p_s * p_s - p * p_ss).value / determinant.value;
+            let eigenvalue = (p * p_sv - p_s * p_v).value / determinant.value;
+            self = Self { speed: self.speed + speed, eigenvalue: self.eigenvalue + eigenvalue };
+            let is_small = |step: DoubleDouble, x: DoubleDouble| step.abs().to_f64() <= RESOLUTION * x.abs().to_f64();
+            if is_small(speed, self.speed) && is_small(eigenvalue, self.eigenvalue) {
+                break;
+            }
+        }
+        let ([p, ..], [p_v, ..]) = self.derivatives(characteristic);
+        let error = f64::EPSILON * p.size / p_v.value.to_f64().abs();
+        error.is_finite().then_some((self, error))
+    }
+}
+
+/// A polynomial, by its coefficients, and its first two derivatives at x.
+fn taylor(coefficients: [Sum; 5], x: DoubleDouble) -> [Sum; 3] {
+    let x = Sum::from(x);
+    let [mut value, mut slope, mut half_curvature] = [Sum::ZERO; 3];
+    for &coefficient in coefficients.iter().rev() {
+        half_curvature = half_curvature * x + slope;
+        slope = slope * x + value;
+        value = value * x + coefficient;
+    }
+    [value, slope, half_curvature + half_curvature]
+}
