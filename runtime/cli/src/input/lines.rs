@@ -29,7 +29,8 @@ pub fn read(file: File, separator: char) -> Document {
             }
         }
         let Some((name, value)) = content.split_once(separator) else {
-            document.problem(place, format!("`{content}` is not of the form `name{separator} value`"));
+            let form = if separator == ':' { "name: value" } else { "name = value" };
+            document.problem(place, format!("`{content}` is not of the form `{form}`"));
             continue;
         };
         let (name, value) = (unquoted(name.trim()), unquoted(value.trim()));

@@ -148,7 +148,7 @@ fn files_that_are_not_in_their_format() {
     check_file("binary.toml", b"w = 1\n\xff\xfe", "binary.toml:2: this is not UTF-8 text");
     let yaml = BENCHMARK.lines().skip(6).map(|line| line.replacen(" = ", ": ", 1) + "\n").collect::<String>();
     check_file("bike.yml", yaml.replace("mB: 85", "mB 85"), "bike.yml:13: `mB 85` is not of the form `name: value`");
-    check_file("bike.txt", "w 1.02\n", "bike.txt:1: `w 1.02` is not of the form `name= value`");
+    check_file("bike.txt", "w 1.02\n", "bike.txt:1: `w 1.02` is not of the form `name = value`");
     let principal = "bike.yml:1: the parameterization is `principal`; only `benchmark` can be read";
     let indented = yaml.lines().map(|line| format!("  {line}\n")).collect::<String>();
     check_file("bike.yml", format!("parameterization: principal\nvalues:\n{indented}"), principal);

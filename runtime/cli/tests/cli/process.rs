@@ -52,6 +52,7 @@ fn a_first_look_needs_no_arguments() {
     let text = directory.run(&[]).ok();
     let table = directory.run(&["analyze"]).ok();
     assert!(text.starts_with(&table), "{text}");
+    assert!(text.contains("━ stable"), "{text}");
     let path = text.lines().find_map(|line| line.strip_prefix("Picture: ")).unwrap();
     assert!(std::fs::read_to_string(path).unwrap().starts_with("<svg "), "{path}");
 }
@@ -60,8 +61,10 @@ fn a_first_look_needs_no_arguments() {
 #[test]
 fn a_singular_mass_matrix_is_a_failure_of_the_analysis() {
     let directory = Directory::new("singular");
-    let zero =
-        ["mR", "IRxx", "IRyy", "mB", "IBxx", "IBzz", "IBxz", "IHxx", "IHzz", "IHxz", "mF", "IFxx", "IFyy", "xH", "zH"];
+    let zero = [
+        "mR", "IRxx", "IRyy", "mB", "IBxx", "IByy", "IBzz", "IBxz", "IHxx", "IHyy", "IHzz", "IHxz", "mF", "IFxx",
+        "IFyy", "xH", "zH",
+    ];
     let settings: Vec<String> = zero.iter().map(|name| format!("{name}=0")).collect();
     let mut arguments = vec!["analyze"];
     for setting in &settings {
