@@ -93,12 +93,15 @@ fn number(re: f64, im: f64) -> String {
     if im == 0.0 { format!("{re:.6}") } else { format!("{re:.4}{im:+.4}i") }
 }
 
-/// Two eigenvalues: a complex pair as one, two real ones side by side.
+/// Two eigenvalues: a complex pair as one, others side by side.
 fn pair([first, second]: &[ModeValue; 2]) -> String {
     let (first, second) = (first.value, second.value);
     if first.im == 0.0 && second.im == 0.0 {
         format!("{:>10.6}, {:>10.6}", first.re, second.re)
-    } else {
+    } else if first.re == second.re && first.im == -second.im {
         format!("{:>10.6} ± {:>9.6} i", first.re, first.im.abs())
+    } else {
+        // Weave in a pair with another mode.
+        format!("{}, {}", number(first.re, first.im), number(second.re, second.im))
     }
 }

@@ -5,7 +5,7 @@ use carvallo::{CriticalKind, Mode};
 use super::axes::{Axes, INK};
 use super::eigenvalues::color;
 use super::font;
-use super::labels::Labels;
+use super::labels::{Labels, THIN};
 use super::scene::{Anchor, Color, Paint, Scene, dashed};
 use crate::analysis::Analysis;
 
@@ -65,7 +65,7 @@ pub fn draw(critical: &[Critical], axes: &Axes, scene: &mut Scene, labels: &mut 
     for Critical { speed, color, row, .. } in critical {
         let (x, _) = axes.place(*speed, 0.0);
         scene.polyline(&[(x, base(*row) + 4.0), (x, bottom)], dashed(1.2, [2.0, 3.0]), color.lighter(0.2));
-        labels.avoid_line(&[(x, top), (x, bottom)]);
+        labels.avoid_line(&[(x, top), (x, bottom)], THIN);
     }
     for Critical { text, color, x, width, row, .. } in critical {
         // The line of a value in a higher row may pass behind this one.

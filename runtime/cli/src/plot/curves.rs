@@ -35,34 +35,66 @@ pub fn extent(rows: &[Row]) -> f64 {
     power * steps.into_iter().find(|step| step * power >= typical).unwrap_or(10.0)
 }
 
-/// The curves of a mode.
-#[derive(Default)]
-pub struct Curves {
+/// Two modes, or weave alone, that form a complex pair.
+pub struct Pair {
+    pub modes: (Mode, Mode),
     pub real: Vec<Curve>,
     /// The imaginary parts without their signs.
     pub imaginary: Vec<Curve>,
-    /// Where the mode forms a pair with another one, the real part that both have.
-    pub shared: Vec<Curve>,
 }
 
-pub fn curves(rows: &[Row], mode: Mode) -> Curves {
-    let mut curves = Curves::default();
-    for Row { speed, values } in rows {
-        let mut values: Vec<_> = values.iter().filter(|value| value.mode == mode).map(|value| value.value).collect();
-        values.sort_by(|a, b| a.re.total_cmp(&b.re));
-        curves.real.resize_with(values.len(), Curve::new);
-        for (curve, value) in curves.real.iter_mut().zip(&values) {
-            curve.push((*speed, value.re));
-        }
-        let largest = values.iter().map(|value| value.im.abs()).fold(0.0, f64::max);
-        extend(&mut curves.imaginary, (largest > 0.0).then_some((*speed, largest)));
-        let shared = match values[..] {
-            [value] if value.im != 0.0 => Some((*speed, value.re)),
-            _ => None,
+/// The complex pairs that there are; at each speed there may be two of them.
+pub fn pairs(rows: &[Row]) -> Vec<Pair> {
+    let (castering, capsize, weave) = (Mode::Castering, Mode::Capsize, Mode::Weave);
+    let kinds = [(castering, capsize), (castering, weave), (capsize, weave), (weave, weave)];
+    let mut pairs = Vec::from(kinds.map(|modes| Pair { modes, real: Vec::new(), imaginary: Vec::new() }));
+    for row in rows {
+        let found = |modes| {
+            (0..4).find(|&index| partner(row, index).is_some_and(|mode| (row.values[index].mode, mode) == modes))
         };
-        extend(&mut curves.shared, shared);
+        for Pair { modes, real, imaginary } in &mut pairs {
+            let value = found(*modes).map(|index| row.values[index].value);
+            extend(real, value.map(|value| (row.speed, value.re)));
+            extend(imaginary, value.map(|value| (row.speed, value.im.abs())));
+        }
     }
-    curves
+    pairs.retain(|pair| !pair.real.is_empty());
+    pairs
+}
+
+/// The real parts of a mode where it is not in a pair with another mode: up to two at each speed.
+pub fn alone(rows: &[Row], mode: Mode) -> Vec<Curve> {
+    let mut branches = [Vec::new(), Vec::new()];
+    let mut before = [f64::NAN; 2];
+    for row in rows {
+        let is_alone = |&index: &usize| {
+            row.values[index].mode == mode && partner(row, index).is_none_or(|partner| partner == mode)
+        };
+        let mut values: Vec<f64> = (0..4).filter(is_alone).map(|index| row.values[index].value.re).collect();
+        values.sort_by(f64::total_cmp);
+        let points = match values[..] {
+            [] => [None, None],
+            // One of two goes on with the branch that it is nearer to.
+            [value] if (value - before[1]).abs() < (value - before[0]).abs() => [None, Some(value)],
+            [value] => [Some(value), None],
+            [first, second, ..] => [Some(first), Some(second)],
+        };
+        before = points.map(|value| value.unwrap_or(f64::INFINITY));
+        for (branch, value) in branches.iter_mut().zip(points) {
+            extend(branch, value.map(|value| (row.speed, value)));
+        }
+    }
+    branches.concat()
+}
+
+/// The mode that the conjugate of an eigenvalue belongs to; `None` for a real one.
+fn partner(row: &Row, index: usize) -> Option<Mode> {
+    let value = row.values[index].value;
+    let is_conjugate = |&other: &usize| {
+        let conjugate = row.values[other].value;
+        other != index && value.im != 0.0 && conjugate.re == value.re && conjugate.im == -value.im
+    };
+    (0..4).find(is_conjugate).map(|other| row.values[other].mode)
 }
 
 /// Adds a point to the last curve; without a point the next one begins.

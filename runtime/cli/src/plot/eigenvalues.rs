@@ -4,9 +4,9 @@ use carvallo::Mode;
 
 use super::axes::{Axes, INK};
 use super::critical;
-use super::curves::{Curve, Curves, clip, curves, extent, samples};
+use super::curves::{Curve, Pair, alone, clip, extent, pairs, samples};
 use super::font;
-use super::labels::Labels;
+use super::labels::{LINE, Labels};
 use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
 use crate::analysis::{Analysis, Row};
 use crate::failure::Failure;
@@ -46,7 +46,7 @@ pub fn eigenvalues(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene
     axes.grid(&mut scene);
     stable_labels(&stable, &mut scene, &mut labels);
     let (_, zero) = axes.place(low, 0.0);
-    labels.avoid_line(&[(LEFT, zero), (RIGHT, zero)]);
+    labels.avoid_line(&[(LEFT, zero), (RIGHT, zero)], LINE);
     critical::draw(&critical, &axes, &mut scene, &mut labels);
     modes(&rows, &axes, &mut scene, &mut labels);
     axes.frame(&mut scene, "forward speed v (m/s)", "eigenvalue λ (1/s)");
@@ -87,34 +87,33 @@ pub fn color(mode: Mode) -> Color {
 /// Real parts as lines, imaginary parts dashed and lighter, and one label for each.
 fn modes(rows: &[Row], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
     let mut to_label = Vec::new();
+    let pairs = pairs(rows);
+    for Pair { modes: (first, second), real, imaginary } in &pairs {
+        // Where two modes form a pair, the first shows as a border of the second.
+        for points in lines(real, axes) {
+            if first != second {
+                scene.polyline(&points, line(6.0), color(*first));
+                scene.polyline(&points, line(2.4), color(*second));
+            }
+            labels.avoid_line(&points, LINE);
+        }
+        let name = if first == second { first.to_string() } else { format!("{first}/{second}") };
+        let lines = lines(imaginary, axes);
+        for points in &lines {
+            scene.polyline(points, dashed(1.8, [7.0, 5.0]), color(*second).lighter(0.35));
+            labels.avoid_line(points, LINE);
+        }
+        to_label.push((longest(lines), color(*second).lighter(0.35), format!("{name}, imaginary part")));
+    }
     for mode in [Mode::Castering, Mode::Capsize, Mode::Weave] {
-        let Curves { real, mut imaginary, shared } = curves(rows, mode);
-        let (real_text, imaginary_text) = match mode {
-            Mode::Weave => ("weave, real part".to_owned(), "weave, imaginary part"),
-            _ => (mode.to_string(), "castering/capsize, imaginary part"),
-        };
-        // Where castering and capsize form a pair, castering shows as a border of capsize.
-        if mode == Mode::Castering {
-            imaginary.clear();
-            for points in lines(&shared, axes) {
-                scene.polyline(&points, line(6.0), color(mode));
-            }
+        let lines = lines(&alone(rows, mode), axes);
+        for points in &lines {
+            scene.polyline(points, line(2.4), color(mode));
+            labels.avoid_line(points, LINE);
         }
-        for (curves, paint, color, text) in [
-            (imaginary, dashed(1.8, [7.0, 5.0]), color(mode).lighter(0.35), imaginary_text.to_owned()),
-            (real, line(2.4), color(mode), real_text),
-        ] {
-            let mut longest = (0.0, Vec::new());
-            for points in lines(&curves, axes) {
-                scene.polyline(&points, paint, color);
-                labels.avoid_line(&points);
-                let length = length(&points);
-                if length > longest.0 {
-                    longest = (length, points);
-                }
-            }
-            to_label.push((longest.1, color, text));
-        }
+        let oscillates = pairs.iter().any(|pair| pair.modes == (mode, mode));
+        let text = if oscillates { format!("{mode}, real part") } else { mode.to_string() };
+        to_label.push((longest(lines), color(mode), text));
     }
     // Labels come last: they keep off every line.
     for (points, color, text) in to_label {
@@ -130,6 +129,9 @@ fn lines(curves: &[Curve], axes: &Axes) -> Vec<Vec<(f32, f32)>> {
     pieces.map(|piece| piece.into_iter().map(|(x, y)| axes.place(x, y)).collect()).collect()
 }
 
-fn length(points: &[(f32, f32)]) -> f32 {
-    points.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
+fn longest(lines: Vec<Vec<(f32, f32)>>) -> Vec<(f32, f32)> {
+    let length = |points: &[(f32, f32)]| -> f32 {
+        points.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
+    };
+    lines.into_iter().max_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or_default()
 }

@@ -5,8 +5,13 @@ use super::font;
 /// Weights of what a label should avoid; a pixel of distance from its line weighs 1.
 const OFF_MIDDLE: f32 = 0.03;
 const ON_LABEL: f32 = 5000.0;
-const ON_LINE: f32 = 60.0;
 const OUTSIDE: f32 = 1e6;
+const GAP: f32 = 2.0;
+/// What weighs more than this would not be read; the colour of the line has to do.
+const UNREADABLE: f32 = 400.0;
+/// What a point of a line weighs: lines of the data, and thin lines that a label may cross at need.
+pub const LINE: f32 = 60.0;
+pub const THIN: f32 = 4.0;
 
 /// What is on the page already.
 #[derive(Debug)]
@@ -14,7 +19,8 @@ pub struct Labels {
     /// Left, top, right, bottom.
     area: [f32; 4],
     boxes: Vec<[f32; 4]>,
-    points: Vec<(f32, f32)>,
+    /// Points of lines, with what they weigh.
+    points: Vec<((f32, f32), f32)>,
 }
 
 impl Labels {
@@ -23,8 +29,8 @@ impl Labels {
     }
 
     /// Keeps labels off a line.
-    pub fn avoid_line(&mut self, points: &[(f32, f32)]) {
-        self.points.extend(dense(points));
+    pub fn avoid_line(&mut self, points: &[(f32, f32)], weight: f32) {
+        self.points.extend(dense(points).map(|point| (point, weight)));
     }
 
     /// Keeps labels off a text or another box: left, top, right, bottom.
@@ -32,7 +38,7 @@ impl Labels {
         self.boxes.push(bounds);
     }
 
-    /// The left end of the baseline of a label for the line, and takes the place.
+    /// The left end of the baseline of a label for the line, and takes the place, if there is room.
     pub fn beside(&mut self, line: &[(f32, f32)], text: &str, size: f32) -> Option<(f32, f32)> {
         let width = font::width(text, size);
         // The height of capitals and of ascenders and descenders, roughly, for any Latin font.
@@ -44,7 +50,7 @@ impl Labels {
                 for left in [x - width / 2.0, x + gap, x - gap - width] {
                     for base in [y - gap - descent, y + gap + ascent] {
                         let bounds = [left, base - ascent, left + width, base + descent];
-                        let cost = gap + OFF_MIDDLE * (x - middle).abs() + self.cost(bounds);
+                        let cost = GAP * gap + OFF_MIDDLE * (x - middle).abs() + self.cost(bounds);
                         if best.is_none_or(|(least, _)| cost < least) {
                             best = Some((cost, bounds));
                         }
@@ -52,7 +58,7 @@ impl Labels {
                 }
             }
         }
-        let (_, bounds) = best?;
+        let (_, bounds) = best.filter(|&(cost, _)| cost < UNREADABLE)?;
         self.boxes.push(bounds);
         Some((bounds[0], bounds[3] - descent))
     }
@@ -62,12 +68,12 @@ impl Labels {
         let inside =
             bounds[0] > left + 3.0 && bounds[1] > top + 2.0 && bounds[2] < right - 3.0 && bounds[3] < bottom - 2.0;
         let boxes = self.boxes.iter().filter(|taken| overlap(**taken, bounds)).count();
-        let near = |&&(x, y): &&(f32, f32)| {
+        let near = |&&((x, y), _): &&((f32, f32), f32)| {
             x > bounds[0] - 3.0 && x < bounds[2] + 3.0 && y > bounds[1] - 3.0 && y < bounds[3] + 3.0
         };
-        let points = self.points.iter().filter(near).count();
+        let lines: f32 = self.points.iter().filter(near).map(|(_, weight)| weight).sum();
         let outside = if inside { 0.0 } else { OUTSIDE };
-        outside + ON_LABEL * boxes as f32 + ON_LINE * points as f32
+        outside + ON_LABEL * boxes as f32 + lines
     }
 }
 

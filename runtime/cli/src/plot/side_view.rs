@@ -1,7 +1,7 @@
 //! A bicycle from its right side, to scale: wheels, steer axis, trail, and centres of mass.
 
 use super::axes::INK;
-use super::labels::Labels;
+use super::labels::{LINE, Labels};
 use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
 use crate::input::Bicycle;
 
@@ -90,12 +90,12 @@ pub fn side_view(bicycle: &Bicycle) -> Option<Scene> {
 
     let ground = scale.place((0.0, 0.0)).1;
     scene.polyline(&[(24.0, ground), (WIDTH - 24.0, ground)], line(1.5), INK);
-    labels.avoid_line(&[(24.0, ground), (WIDTH - 24.0, ground)]);
+    labels.avoid_line(&[(24.0, ground), (WIDTH - 24.0, ground)], LINE);
     frame(&geometry, &scale, &mut scene, &mut labels);
     for (radius, hub) in geometry.radii.into_iter().zip([0.0, geometry.wheel_base]) {
         let (center, pixels) = (scale.place((hub, radius)), (radius * scale.factor) as f32);
         scene.circle(center, pixels, line(3.0), INK);
-        labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU));
+        labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU), LINE);
     }
     dimensions(&geometry, &scale, &mut scene, &mut labels);
     for (_, _, position) in geometry.bodies {
@@ -141,7 +141,7 @@ fn frame(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Lab
     let [end, head] = [end, head].map(|distance| scale.place(geometry.steer_axis(distance)));
     let bars = [rear_hub, head, end, front_hub];
     scene.polyline(&bars, line(7.0), FRAME);
-    labels.avoid_line(&bars);
+    labels.avoid_line(&bars, LINE);
 }
 
 fn steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
@@ -151,13 +151,13 @@ fn steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mu
     let vertical = [scale.place(foot), scale.place((foot.0, foot.1 + 0.97 * length))];
     scene.polyline(&vertical, dashed(1.2, [3.0, 4.0]), DIMENSION);
     scene.polyline(&ends, dashed(2.0, [12.0, 4.0]), STEER);
-    labels.avoid_line(&ends);
-    labels.avoid_line(&vertical);
+    labels.avoid_line(&ends, LINE);
+    labels.avoid_line(&vertical, LINE);
 
     let upwards = -std::f32::consts::FRAC_PI_2;
     let angle = arc(ends[0], (0.9 * length * scale.factor) as f32, upwards, -geometry.tilt as f32);
     scene.polyline(&angle, line(1.2), DIMENSION);
-    labels.avoid_line(&angle);
+    labels.avoid_line(&angle, LINE);
     let text = format!("λ = {:.2}°", geometry.tilt.to_degrees()).replace('-', "−");
     if let Some(place) = labels.beside(&angle, &text, TEXT_SIZE) {
         scene.text(place, Anchor::Start, TEXT_SIZE, INK, &text);
