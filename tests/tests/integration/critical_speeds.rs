@@ -45,12 +45,12 @@ fn they_are_good_to_thirteen_digits() {
     });
 }
 
-/// Fails unless the kinds of eigenvalues change within the estimated error of each critical speed, which is small.
-fn check_errors(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Result<(), TestCaseError> {
+/// Fails unless the kinds of eigenvalues change within the estimated error of each critical speed, and that is small.
+fn check_errors(coefficients: &Coefficients<f64, 2>, gravity: f64, small: f64) -> Result<(), TestCaseError> {
     for critical in Stability::new(coefficients, gravity).unwrap().critical_speeds {
         let (speed, error) = (Real::from(critical.speed), Real::from(critical.error));
         let signature = |speed| Signature::of(characteristic_at(coefficients, gravity, speed));
-        prop_assert!(critical.error <= 1e-12 * critical.speed, "{:?}", critical);
+        prop_assert!(critical.error <= small * critical.speed, "{:?}", critical);
         prop_assert!(signature(speed - error) != signature(speed + error), "{:?}", critical);
     }
     Ok(())
@@ -59,7 +59,7 @@ fn check_errors(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Result<(),
 #[test]
 fn their_errors_are_as_estimated() {
     for (name, bicycle) in bicycles::all() {
-        check_errors(&bicycle.coefficients(), bicycle.g).unwrap_or_else(|error| panic!("{name}: {error}"));
+        check_errors(&bicycle.coefficients(), bicycle.g, 1e-12).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }
 
@@ -68,7 +68,8 @@ proptest! {
 
     #[test]
     fn their_errors_are_as_estimated_on_random_designs(design in designs::regular()) {
-        check_errors(&design.coefficients(), design.g)?;
+        // Some designs have critical speeds that hardly any digit of a coefficient determines.
+        check_errors(&design.coefficients(), design.g, 1e-9)?;
     }
 }
 

@@ -14,7 +14,7 @@ use carvallo_tests::{bicycles, designs, facts};
 use nalgebra::{Complex, Matrix1, Matrix2, Matrix3};
 use proptest::prelude::*;
 
-const BOUND: f64 = 4.0;
+const BOUND: f64 = 8.0;
 
 /// The largest backward error of the coefficients, in what rounding makes of them.
 fn backward_error(system: &System<2>, eigenvalues: &[Complex<f64>; 4]) -> f64 {

@@ -1,9 +1,11 @@
 //! Modes followed along speed.
 
 use carvallo::{Mode, ModeValue, Model, Modes};
-use carvallo_tests::bicycles;
+use carvallo_models::Whipple;
 use carvallo_tests::published::EIGENVALUES_2007;
+use carvallo_tests::{bicycles, designs};
 use nalgebra::Complex;
+use proptest::prelude::*;
 
 const STEP: f64 = 0.001;
 const STEPS: i32 = 12_000;
@@ -13,16 +15,33 @@ fn modes(name: &str) -> Modes {
     Modes::new(&bicycle.coefficients(), bicycle.g).unwrap()
 }
 
+/// Fails unless the values of the modes are the eigenvalues.
+fn check_values(design: &Whipple, modes: &Modes, speed: f64) -> Result<(), TestCaseError> {
+    let eigenvalues = design.coefficients().at(speed, design.g).unwrap().eigenvalues().unwrap();
+    let mut values: Vec<Complex<f64>> = modes.at(speed).unwrap().iter().map(|mode| mode.value).collect();
+    values.sort_by(|a, b| (a.re, a.im).partial_cmp(&(b.re, b.im)).unwrap());
+    prop_assert_eq!(values, eigenvalues, "at {}", speed);
+    Ok(())
+}
+
 #[test]
 fn every_value_is_an_eigenvalue_and_every_eigenvalue_has_a_mode() {
     for (name, bicycle) in bicycles::all() {
         let modes = modes(name);
         for step in 0..=240 {
-            let speed = f64::from(step) * 0.05;
-            let eigenvalues = bicycle.coefficients().at(speed, bicycle.g).unwrap().eigenvalues().unwrap();
-            let mut values: Vec<Complex<f64>> = modes.at(speed).unwrap().iter().map(|mode| mode.value).collect();
-            values.sort_by(|a, b| a.re.total_cmp(&b.re).then(a.im.total_cmp(&b.im)));
-            assert_eq!(values, eigenvalues, "{name} at {speed}");
+            check_values(&bicycle, &modes, f64::from(step) * 0.05).unwrap_or_else(|error| panic!("{name}: {error}"));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(designs::config(60))]
+
+    #[test]
+    fn every_design_has_modes(design in designs::any(), speeds in prop::array::uniform8(0.0..30.0)) {
+        let modes = Modes::new(&design.coefficients(), design.g).unwrap();
+        for speed in speeds {
+            check_values(&design, &modes, speed)?;
         }
     }
 }
