@@ -4,6 +4,7 @@ use carvallo::{Coefficients, ModeValue, Model, Modes, Stability, SystemError};
 
 use crate::failure::Failure;
 use crate::input::Bicycle;
+use crate::number::shortest;
 
 /// A bicycle with everything about it along speed.
 pub struct Analysis {
@@ -42,7 +43,7 @@ impl Analysis {
     pub fn rows(&self, speeds: &[f64]) -> Result<Vec<Row>, Failure> {
         let row = |&speed: &f64| match self.modes.at(speed) {
             Ok(values) => Ok(Row { speed, values }),
-            Err(error) => Err(Failure::Run(format!("{} at {speed} m/s: {error}", self.bicycle.name))),
+            Err(error) => Err(Failure::Run(format!("{} at {} m/s: {error}", self.bicycle.name, shortest(speed)))),
         };
         speeds.iter().map(row).collect()
     }

@@ -4,6 +4,7 @@ mod analysis;
 mod args;
 mod failure;
 mod input;
+mod number;
 mod output;
 mod plot;
 mod speeds;

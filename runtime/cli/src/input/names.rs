@@ -1,5 +1,7 @@
 //! Names that were probably meant, and names that are known but not needed.
 
+use crate::number::shortest;
+
 /// The name nearest to `wanted`, if one is near enough to be a slip of the pen.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = wanted.to_lowercase();
@@ -30,7 +32,7 @@ pub fn unit(declared: &str) -> String {
 /// `value` followed by its unit, where it has one.
 pub fn with_unit(value: f64, declared: &str) -> String {
     match unit(declared) {
-        unit if unit.is_empty() => value.to_string(),
-        unit => format!("{value} {unit}"),
+        unit if unit.is_empty() => shortest(value),
+        unit => format!("{} {unit}", shortest(value)),
     }
 }

@@ -6,6 +6,7 @@ use carvallo::Mode;
 use super::{FAINT, GOOD, is_stable};
 use crate::analysis::{Analysis, Row};
 use crate::failure::Failure;
+use crate::number::shortest;
 
 /// Characters; a braille character has two dots across and four upright.
 const COLUMNS: usize = 66;
@@ -35,9 +36,9 @@ pub fn sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
     text.push('\n');
     for (index, line) in cells.iter().enumerate() {
         let label = match index {
-            0 => extent.to_string(),
+            0 => shortest(extent),
             index if index == LINES / 2 => "0".to_owned(),
-            index if index == LINES - 1 => format!("-{extent}"),
+            index if index == LINES - 1 => format!("-{}", shortest(extent)),
             _ => String::new(),
         };
         text.push_str(&format!("{label:>6} {FAINT}│{FAINT:#}"));

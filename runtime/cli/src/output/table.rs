@@ -6,6 +6,7 @@ use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, StableRange};
 
 use super::{FAINT, GOOD, HEADING, is_stable, matrices};
 use crate::analysis::{Analysis, Row};
+use crate::number::{shortest, six_decimals};
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn table(analysis: &Analysis, rows: &[Row]) -> String {
@@ -31,10 +32,10 @@ fn write_matrices(analysis: &Analysis, text: &mut String) {
         analysis.bicycle.info().coordinates.iter().map(|q| format!("{} {}", q.label, q.name)).collect();
     let equations = "M q'' + v C1 q' + (g K0 + v² K2) q = f";
     let _ = writeln!(text, "\n{HEADING}Equations of motion{HEADING:#}  {equations}");
-    let _ = writeln!(text, "  with q = ({}) and g = {} N/kg", coordinates.join(", "), analysis.gravity);
+    let _ = writeln!(text, "  with q = ({}) and g = {} N/kg", coordinates.join(", "), shortest(analysis.gravity));
     for (name, unit, rows) in matrices(&analysis.coefficients) {
         // Adding zero turns -0 into 0.
-        let [[a, b], [c, d]] = rows.map(|row| row.map(|value| value + 0.0));
+        let [[a, b], [c, d]] = rows.map(|row| row.map(|value| shortest(value + 0.0)));
         let _ = writeln!(text, "  {name:<3}{unit:<7}{a:>22}{b:>22}");
         let _ = writeln!(text, "  {:<10}{c:>22}{d:>22}", "");
     }
@@ -55,7 +56,7 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
             Change::Splits => "an oscillation becomes two real eigenvalues",
             Change::Touches => "nothing changes for longer",
         };
-        let _ = writeln!(text, "  {name:<13}{speed:<20}{FAINT}{change}, at λ = {at}{FAINT:#}");
+        let _ = writeln!(text, "  {name:<13}{:<20}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
     }
     if analysis.stability.critical_speeds.is_empty() {
         let _ = writeln!(text, "  none");
@@ -63,8 +64,8 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
     let ranges = &analysis.stability.stable_ranges;
     for StableRange { from, to } in ranges {
         let _ = match to {
-            Some(to) => writeln!(text, "  {GOOD}self-stable from {from} to {to} m/s{GOOD:#}"),
-            None => writeln!(text, "  {GOOD}self-stable above {from} m/s{GOOD:#}"),
+            Some(to) => writeln!(text, "  {GOOD}self-stable from {} to {} m/s{GOOD:#}", shortest(*from), shortest(*to)),
+            None => writeln!(text, "  {GOOD}self-stable above {} m/s{GOOD:#}", shortest(*from)),
         };
     }
     if ranges.is_empty() {
@@ -84,22 +85,28 @@ fn eigenvalues(analysis: &Analysis, rows: &[Row], text: &mut String) {
         };
         let [castering, capsize] = [castering, capsize].map(|mode| number(mode.value.re, mode.value.im));
         let weave = pair(weave);
-        let speed = format!("{speed:.decimals$}");
+        let speed = if decimals > 6 { shortest(*speed) } else { format!("{speed:.decimals$}") };
         let _ = writeln!(text, "{style}{speed:>9}{castering:>18}{capsize:>18}{weave:>26}{mark}{style:#}");
     }
 }
 
 fn number(re: f64, im: f64) -> String {
-    if im == 0.0 { format!("{re:.6}") } else { format!("{re:.4}{im:+.4}i") }
+    if im == 0.0 {
+        six_decimals(re)
+    } else if re.abs().max(im.abs()) < 1e5 {
+        format!("{re:.4}{im:+.4}i")
+    } else {
+        format!("{re:.2e}{im:+.2e}i")
+    }
 }
 
 /// Two eigenvalues: a complex pair as one, others side by side.
 fn pair([first, second]: &[ModeValue; 2]) -> String {
     let (first, second) = (first.value, second.value);
     if first.im == 0.0 && second.im == 0.0 {
-        format!("{:>10.6}, {:>10.6}", first.re, second.re)
+        format!("{:>10}, {:>10}", six_decimals(first.re), six_decimals(second.re))
     } else if first.re == second.re && first.im == -second.im {
-        format!("{:>10.6} ± {:>9.6} i", first.re, first.im.abs())
+        format!("{:>10} ± {:>9} i", six_decimals(first.re), six_decimals(first.im.abs()))
     } else {
         // Weave in a pair with another mode.
         format!("{}, {}", number(first.re, first.im), number(second.re, second.im))

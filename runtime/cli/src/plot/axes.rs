@@ -44,7 +44,7 @@ impl Axes {
             scene.polyline(&[(left, zero), (right, zero)], line(1.2), INK);
         }
         scene.rectangle(self.area, line(1.2), INK);
-        let text = |value: f64, range| format!("{value:.*}", decimals(range)).replace('-', "−");
+        let text = |value: f64, range| tick_text(value, step(range)).replace('-', "−");
         for tick in ticks(self.x) {
             let (x, _) = self.place(tick, self.y.0);
             scene.polyline(&[(x, bottom), (x, bottom + 5.0)], line(1.2), INK);
@@ -85,21 +85,26 @@ fn ticks(range: (f64, f64)) -> impl Iterator<Item = f64> {
     (0..=(last - first) as u32).map(move |index| (first + f64::from(index)) * step + 0.0)
 }
 
-fn decimals(range: (f64, f64)) -> usize {
+fn tick_text(value: f64, step: f64) -> String {
+    if value != 0.0 && !(1e-5..1e6).contains(&step) {
+        return format!("{value:.1e}");
+    }
     // The tolerance guards against the logarithm of an exact power falling short.
-    (-(step(range).log10() + 1e-9).floor()).max(0.0) as usize
+    let decimals = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
+    format!("{value:.decimals$}")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{decimals, ticks};
+    use super::{step, tick_text, ticks};
 
     #[test]
     fn ticks_are_round_numbers() {
         assert_eq!(ticks((0.0, 10.0)).collect::<Vec<_>>(), (0..=10).map(f64::from).collect::<Vec<_>>());
         assert_eq!(ticks((-10.0, 10.0)).count(), 11);
-        assert_eq!(decimals((0.0, 10.0)), 0);
-        assert_eq!(decimals((0.0, 1.0)), 1);
+        assert_eq!(tick_text(2.0, step((0.0, 10.0))), "2");
+        assert_eq!(tick_text(0.3, step((0.0, 1.0))), "0.3");
+        assert_eq!(tick_text(2e9, step((0.0, 1e10))), "2.0e9");
         assert_eq!(ticks((0.3, 1.2)).count(), 10);
     }
 }
