@@ -69,7 +69,7 @@ proptest! {
     #[test]
     fn their_errors_are_as_estimated_on_random_designs(design in designs::regular()) {
         // Some designs have critical speeds that hardly any digit of a coefficient determines.
-        check_errors(&design.coefficients(), design.g, 1e-9)?;
+        check_errors(&design.coefficients(), design.g, 1e-6)?;
     }
 }
 
