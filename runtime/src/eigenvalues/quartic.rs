@@ -56,39 +56,32 @@ impl Quartic {
     #[inline]
     fn factors(self) -> [Quadratic; 2] {
         let (factors, error) = self.polish(Resolvent::<f64>::new(self).factors());
-        if error <= TOLERANCE { factors } else { self.careful_factors() }
+        if error <= TOLERANCE { factors } else { self.careful_factors(factors, error) }
     }
 
     /// The factors where `f64` is not enough: close to three or four equal roots, or with roots of very different size.
     #[cold]
-    fn careful_factors(self) -> [Quadratic; 2] {
-        let factors = Resolvent::<DoubleDouble>::new(self).factors();
-        let factors = factors.map(|factor| Quadratic { p: factor.p.to_f64(), q: factor.q.to_f64() });
-        self.polish(factors).0
+    fn careful_factors(self, mut factors: [Quadratic; 2], mut error: f64) -> [Quadratic; 2] {
+        for candidate in Resolvent::<DoubleDouble>::new(self).factors() {
+            let (candidate, candidate_error) = self.polish(candidate);
+            if candidate_error < error {
+                (factors, error) = (candidate, candidate_error);
+            }
+        }
+        factors
     }
 
     /// Newton's iteration for both factors at once, as long as it brings their product closer to the quartic.
     #[inline]
     fn polish(self, mut factors: [Quadratic; 2]) -> ([Quadratic; 2], f64) {
         const STEPS: usize = 6;
-        let [s, t] = factors;
-        // The sizes of the terms that sum to each coefficient.
-        let weights = [
-            s.p.abs() + t.p.abs(),
-            s.q.abs() + t.q.abs() + (s.p * t.p).abs(),
-            (s.p * t.q).abs() + (t.p * s.q).abs(),
-            (s.q * t.q).abs(),
-        ]
-        .map(|size| 1.0 / (size + f64::MIN_POSITIVE));
-        let mut residual = self.residual(factors);
-        let mut error = weighted(residual, weights);
+        let (mut residual, mut error) = self.residual(factors);
         for _ in 0..STEPS {
             if error <= 2.0 * f64::EPSILON {
                 break;
             }
             let next = newton(factors, residual);
-            let next_residual = self.residual(next);
-            let next_error = weighted(next_residual, weights);
+            let (next_residual, next_error) = self.residual(next);
             // Also stops at what is not a number, from factors with a root in common.
             if !(next_error < error) {
                 break;
@@ -98,17 +91,19 @@ impl Quartic {
         (factors, error)
     }
 
-    /// The coefficients of the quartic less those of the product of the factors.
+    /// The coefficients of the quartic less those of the product of the factors, and the sum of their magnitudes, each
+    /// relative to the size of the terms that it has in the roots.
     #[inline]
-    fn residual(self, [s, t]: [Quadratic; 2]) -> [f64; 4] {
-        [self.a - s.p - t.p, self.b - s.q - t.q - s.p * t.p, self.c - s.p * t.q - t.p * s.q, self.d - s.q * t.q]
+    fn residual(self, [s, t]: [Quadratic; 2]) -> ([f64; 4], f64) {
+        let residual =
+            [self.a - s.p - t.p, self.b - s.q - t.q - s.p * t.p, self.c - s.p * t.q - t.p * s.q, self.d - s.q * t.q];
+        // Two roots may sum to zero, but then their size is not.
+        let (sp, tp) = (s.p.abs() + Scalar::sqrt(s.q.abs()), t.p.abs() + Scalar::sqrt(t.q.abs()));
+        let (sq, tq) = (s.q.abs(), t.q.abs());
+        let size = [sp + tp, sq + tq + sp * tp, sp * tq + tp * sq, sq * tq];
+        let term = |i: usize| residual[i].abs() / (size[i] + f64::MIN_POSITIVE);
+        (residual, (term(0) + term(1)) + (term(2) + term(3)))
     }
-}
-
-#[inline]
-fn weighted(residual: [f64; 4], weights: [f64; 4]) -> f64 {
-    let term = |i: usize| residual[i].abs() * weights[i];
-    term(0) + term(1) + term(2) + term(3)
 }
 
 /// The factors moved so that, to first order, their product changes by `residual`.
@@ -182,7 +177,7 @@ mod tests {
             (seed >> 11) as f64 / (1u64 << 53) as f64
         };
         for spread in [0.0, 1.0, 3.0, 8.0, 16.0] {
-            for kind in 0..5 {
+            for kind in 0..7 {
                 let mut worst = (0.0, Quartic { a: 0., b: 0., c: 0., d: 0. });
                 let mut sum = 0.0;
                 let mut fails = 0;
@@ -194,6 +189,30 @@ mod tests {
                     };
                     let q = match kind {
                         0 => Quartic { a: mag(), b: mag(), c: mag(), d: mag() },
+                        5 => {
+                            let t = 10f64.powf(-60.0 * next());
+                            let mut mag = || {
+                                let s = if next() < 0.5 { -1.0 } else { 1.0 };
+                                let m = 1.0 + next();
+                                s * m * 10f64.powf(spread * (next() - 0.5))
+                            };
+                            Quartic {
+                                a: mag(),
+                                b: mag(),
+                                c: t * mag(),
+                                d: if mag() > 0.0 { 0.0 } else { t * t * mag() },
+                            }
+                        }
+                        6 => {
+                            let mut t = || {
+                                if next() < 0.4 {
+                                    0.0
+                                } else {
+                                    (8.0 * next() - 4.0).round() * 10f64.powf(-20.0 * (next() * 1.5).round())
+                                }
+                            };
+                            Quartic { a: t(), b: t(), c: t(), d: t() }
+                        }
                         k => {
                             let pair = |x: f64, y: f64, k: i32| {
                                 if k == 0 { (-(x + y), x * y) } else { (-2.0 * x, x * x + y * y) }
@@ -224,6 +243,27 @@ mod tests {
                     worst.1
                 );
             }
+        }
+    }
+}
+#[cfg(test)]
+mod dbg {
+    use super::*;
+    #[test]
+    fn dbgq() {
+        for q in [
+            Quartic { a: 0.0, b: 4.0, c: 2e-20, d: 4.0 },
+            Quartic { a: -11072.895347021133, b: -0.00017027034212065847, c: -2.045435924864367e-12, d: 0.0 },
+        ] {
+            println!("{:?}", q);
+            let f = Resolvent::<f64>::new(q).factors();
+            println!("f64 {:?} {:?}", f, q.residual(f));
+            println!("   polished {:?}", q.polish(f));
+            for f in Resolvent::<DoubleDouble>::new(q).factors() {
+                println!("dd {:?} {:?}", f, q.residual(f));
+                println!("   polished {:?}", q.polish(f));
+            }
+            println!("{:?}", q.roots());
         }
     }
 }

@@ -7,41 +7,115 @@
 //! g^2 = y - b + a^2/4    h^2 = y^2/4 - d    2 g h = a y/2 - c
 //! ```
 //!
-//! so that y is a root of `y^3 - b y^2 + (a c - 4 d) y - (c^2 + a^2 d - 4 b d)`. For the largest real one g and h are real.
+//! so that y is a root of `y^3 - b y^2 + (a c - 4 d) y - (c^2 + a^2 d - 4 b d)`. The largest real root gives real g and h.
+//! So does the smallest of three, if all roots of the quartic are real; it is the better one where the other two nearly
+//! coincide.
 
 use super::quartic::{Quadratic, Quartic};
 use crate::Scalar;
 use crate::numeric::{DoubleDouble, Real};
 
-/// A quartic and the largest real root y of its resolvent cubic.
+/// The ratio of constant terms from which on it pays to compute one factor from the other.
+const MUCH_SMALLER: f64 = 1.0 / 64.0;
+
+/// A quartic and its resolvent cubic, `f^3 - 3 m f - 2 n` with `y = b/3 + f`.
 pub(super) struct Resolvent<T> {
     a: T,
     b: T,
     c: T,
     d: T,
-    y: T,
+    m: T,
+    n: T,
+    third: T,
+    /// `n^2 - m^3`: positive if the cubic has one real root, negative if it has three.
+    discriminant: T,
+}
+
+impl<T: Real> Resolvent<T> {
+    #[inline]
+    pub(super) fn new(Quartic { a, b, c, d }: Quartic) -> Self {
+        let [a, b, c, d] = [a, b, c, d].map(T::from);
+        let third = b / T::from(3.0);
+        let e = a * c - T::from(4.0) * d;
+        let m = third * third - e / T::from(3.0);
+        let n = T::from(0.5) * (c * c + a * a * d - third * (e + T::from(12.0) * d - T::from(2.0) * third * third));
+        Self { a, b, c, d, m, n, third, discriminant: n * n - m * m * m }
+    }
+
+    /// The two factors that belong to a root f, unless g or h is imaginary.
+    #[inline]
+    fn factors_at(&self, f: T) -> ([Quadratic<T>; 2], bool) {
+        let &Self { a, b, c, d, third, .. } = self;
+        let (zero, half) = (T::from(0.0), T::from(0.5));
+        let y = third + f;
+        let (half_a, half_y) = (half * a, half * y);
+        let g_square = y - b + half_a * half_a;
+        let h_square = half_y * half_y - d;
+        let product = half * (a * half_y - c);
+        // The square that cancelled less gives one of g and h; the other follows from their product.
+        let y_size = third.abs() + f.abs();
+        let g_size = y_size + b.abs() + half_a * half_a;
+        let h_size = half_y.abs() * y_size + d.abs();
+        let (g, h) = if h_square <= zero || g_square * h_size > h_square * g_size {
+            let g = g_square.sqrt();
+            (g, if g > zero { product / g } else { zero })
+        } else {
+            let h = h_square.sqrt();
+            (if h > zero { product / h } else { zero }, h)
+        };
+        // The factor with the larger constant term first.
+        let (p_large, q_large, p_small) = if h * half_y >= zero {
+            (half_a + g, half_y + h, half_a - g)
+        } else {
+            (half_a - g, half_y - h, half_a + g)
+        };
+        if q_large == zero {
+            return ([Quadratic { p: p_large, q: zero }, Quadratic { p: p_small, q: zero }], true);
+        }
+        // The smaller constant term has cancelled, and its p as well if it is much smaller; c and d have not.
+        let q_small = d / q_large;
+        let is_much_smaller = q_small.abs() < T::from(MUCH_SMALLER) * q_large.abs();
+        let p_small = if is_much_smaller { (c - p_large * q_small) / q_large } else { p_small };
+        let factors = [Quadratic { p: p_large, q: q_large }, Quadratic { p: p_small, q: q_small }];
+        (factors, g_square >= zero && h_square >= zero)
+    }
 }
 
 impl Resolvent<f64> {
+    /// The two factors.
     #[inline]
-    pub(super) fn new(Quartic { a, b, c, d }: Quartic) -> Self {
-        let (third, m, n) = depressed(a, b, c, d);
-        Self { a, b, c, d, y: third + largest_root(m, n, n * n - m * m * m) }
+    pub(super) fn factors(&self) -> [Quadratic; 2] {
+        let &Self { m, n, discriminant, .. } = self;
+        if discriminant > 0.0 {
+            return self.factors_at(single_root(m, n, discriminant)).0;
+        }
+        let [largest, outer] = outer_roots(m, n);
+        let (factors, are_real) = self.factors_at(outer);
+        if are_real { factors } else { self.factors_at(largest).0 }
     }
 }
 
 impl Resolvent<DoubleDouble> {
-    pub(super) fn new(Quartic { a, b, c, d }: Quartic) -> Self {
+    /// The two factors from the root that is farthest from the others, and from the largest.
+    pub(super) fn factors(&self) -> [[Quadratic; 2]; 2] {
+        let (m, n) = (self.m.to_f64(), self.n.to_f64());
+        let discriminant = self.discriminant.to_f64();
+        let [largest, outer] = outer_roots(m, n);
+        let outer = if discriminant > 0.0 { single_root(m, n, discriminant) } else { outer };
+        [outer, largest].map(|f| {
+            let (factors, _) = self.factors_at(self.polished(f));
+            factors.map(|Quadratic { p, q }| Quadratic { p: p.to_f64(), q: q.to_f64() })
+        })
+    }
+
+    fn polished(&self, f: f64) -> DoubleDouble {
         // Newton's iteration at most halves the distance to a multiple root; about 50 bits are missing.
         const STEPS: usize = 60;
-        let [a, b, c, d] = [a, b, c, d].map(DoubleDouble::from);
-        let (third, m, n) = depressed(a, b, c, d);
         let three = DoubleDouble::from(3.0);
-        let discriminant = n * n - m * m * m;
-        let mut f = DoubleDouble::from(largest_root(m.to_f64(), n.to_f64(), discriminant.to_f64()));
+        let mut f = DoubleDouble::from(f);
         for _ in 0..STEPS {
             let square = f * f;
-            let (value, slope) = (f * (square - three * m) - n - n, three * (square - m));
+            let (value, slope) = (f * (square - three * self.m) - self.n - self.n, three * (square - self.m));
             let step = value / slope;
             // Also stops at what is not a number, where the slope is zero.
             if !(step.abs().to_f64() > f.abs().to_f64() * f64::EPSILON * f64::EPSILON) {
@@ -49,68 +123,32 @@ impl Resolvent<DoubleDouble> {
             }
             f = f - step;
         }
-        Self { a, b, c, d, y: third + f }
+        f
     }
 }
 
-impl<T: Real> Resolvent<T> {
-    /// The two factors.
-    #[inline]
-    pub(super) fn factors(self) -> [Quadratic<T>; 2] {
-        let Self { a, b, c, d, y } = self;
-        let (zero, half) = (T::from(0.0), T::from(0.5));
-        let (half_a, half_y) = (half * a, half * y);
-        let g_square = y - b + half_a * half_a;
-        let h_square = half_y * half_y - d;
-        let product = half * (a * half_y - c);
-        // The square that cancelled less gives one of g and h; the other follows from their product.
-        let g_size = y.abs() + b.abs() + half_a * half_a;
-        let h_size = half_y * half_y + d.abs();
-        let (g, h) = if g_square * h_size >= h_square * g_size {
-            let g = g_square.sqrt();
-            (g, if g > zero { product / g } else { zero })
-        } else {
-            let h = h_square.sqrt();
-            (if h > zero { product / h } else { zero }, h)
-        };
-        let (mut q0, mut q1) = (half_y + h, half_y - h);
-        // The smaller one has cancelled; their product has not.
-        if q0.abs() >= q1.abs() {
-            q1 = if q0 == zero { zero } else { d / q0 };
-        } else {
-            q0 = d / q1;
-        }
-        [Quadratic { p: half_a + g, q: q0 }, Quadratic { p: half_a - g, q: q1 }]
-    }
-}
-
-/// b/3, m and n that make the cubic `f^3 - 3 m f - 2 n` with `y = b/3 + f`.
+/// The only real root of `f^3 - 3 m f - 2 n`, for a positive discriminant.
 #[inline]
-fn depressed<T: Real>(a: T, b: T, c: T, d: T) -> (T, T, T) {
-    let (half, two, three, four, twelve) = (T::from(0.5), T::from(2.0), T::from(3.0), T::from(4.0), T::from(12.0));
-    let third = b / three;
-    let e = a * c - four * d;
-    let m = third * third - e / three;
-    let n = half * (c * c + a * a * d - third * (e + twelve * d - two * third * third));
-    (third, m, n)
+fn single_root(m: f64, n: f64, discriminant: f64) -> f64 {
+    // A sum of two terms whose product is m; where their signs differ they would cancel.
+    let large = libm::cbrt(n.abs() + Scalar::sqrt(discriminant));
+    let small = m / large;
+    let f = if m > 0.0 { large + small } else { 2.0 * n.abs() / (large * large - m + small * small) };
+    f.copysign(n)
 }
 
-/// The largest real root of `f^3 - 3 m f - 2 n`, with the discriminant `n^2 - m^3`.
+/// The largest of the three real roots of `f^3 - 3 m f - 2 n`, for a discriminant that is not positive, and the one
+/// farthest from zero, which is the largest or the smallest.
 #[inline]
-fn largest_root(m: f64, n: f64, discriminant: f64) -> f64 {
-    if discriminant > 0.0 {
-        // One real root, of two terms whose product is m; where their signs differ they would cancel.
-        let large = libm::cbrt(n.abs() + Scalar::sqrt(discriminant));
-        let small = m / large;
-        let f = if m > 0.0 { large + small } else { 2.0 * n.abs() / (large * large - m + small * small) };
-        f.copysign(n)
-    } else if m > 0.0 {
-        let root = Scalar::sqrt(m);
-        let cosine = (n / (m * root)).clamp(-1.0, 1.0);
-        2.0 * root * (0.5 + third_of_angle(0.5 + 0.5 * cosine))
-    } else {
-        0.0
+fn outer_roots(m: f64, n: f64) -> [f64; 2] {
+    if m <= 0.0 {
+        return [0.0, 0.0];
     }
+    let root = Scalar::sqrt(m);
+    let cosine = (n / (m * root)).clamp(-1.0, 1.0);
+    let at = |cosine: f64| 2.0 * root * (0.5 + third_of_angle(0.5 + 0.5 * cosine));
+    let largest = at(cosine);
+    [largest, if cosine < 0.0 { -at(-cosine) } else { largest }]
 }
 
 /// `cos(acos(2 x - 1) / 3) - 1/2` for x in [0, 1].

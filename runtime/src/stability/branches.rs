@@ -52,7 +52,9 @@ pub(super) fn stretches(characteristic: &Characteristic) -> Vec<Stretch> {
     let half = DoubleDouble::from(0.5);
     let meetings: Vec<DoubleDouble> =
         positive_roots(&characteristic.discriminant()).iter().map(|root| root.at).collect();
-    let crossings: Vec<DoubleDouble> = positive_roots(&crossing(characteristic)).iter().map(|root| root.at).collect();
+    // At rest, too, two pairs may be symmetric about the imaginary axis, or both on it.
+    let mut crossings = vec![DoubleDouble::ZERO];
+    crossings.extend(positive_roots(&crossing(characteristic)).iter().map(|root| root.at));
     let mut stretches = Vec::new();
     let mut from = DoubleDouble::ZERO;
     for i in 0..=meetings.len() {
@@ -60,7 +62,7 @@ pub(super) fn stretches(characteristic: &Characteristic) -> Vec<Stretch> {
         let to = end.unwrap_or(if i == 0 { DoubleDouble::ONE } else { from + from });
         let middle = (from + to) * half;
         let pairs = count_pairs(characteristic.roots(middle));
-        let inside = crossings.iter().copied().filter(|&at| pairs == 2 && at > from && end.is_none_or(|end| at < end));
+        let inside = crossings.iter().copied().filter(|&at| pairs == 2 && at >= from && end.is_none_or(|end| at < end));
         let mut crossed: Vec<DoubleDouble> = inside.collect();
         if crossed.is_empty() {
             crossed.push(middle);
