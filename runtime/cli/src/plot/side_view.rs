@@ -57,6 +57,12 @@ impl Geometry {
         (height / self.tilt.cos()).min(2.0 * self.wheel_base)
     }
 
+    /// How far the vertical is drawn that the tilt is measured from: about as high as the axis, or the front wheel.
+    fn vertical_length(&self) -> f64 {
+        let length = self.axis_length();
+        (length * self.tilt.cos()).max(2.4 * self.radii[1]).min(length)
+    }
+
     /// The point of the steer axis nearest to the front hub, as a distance along the axis.
     fn fork_end(&self) -> f64 {
         let (sin, cos) = self.tilt.sin_cos();
@@ -119,7 +125,8 @@ fn scale(geometry: &Geometry) -> (Scale, f32) {
     let [rear, front] = geometry.radii;
     let ends = [geometry.steer_axis(0.0), geometry.steer_axis(geometry.axis_length())];
     let centers = geometry.bodies.map(|(_, _, position)| position);
-    let corners = [(-rear, 0.0), (geometry.wheel_base + front, 2.0 * front), (0.0, 2.0 * rear)];
+    let vertical = (geometry.steer_axis(0.0).0, geometry.vertical_length());
+    let corners = [(-rear, 0.0), (geometry.wheel_base + front, 2.0 * front), (0.0, 2.0 * rear), vertical];
     let points = || ends.into_iter().chain(centers).chain(corners);
     let least = |by: fn((f64, f64)) -> f64| points().map(by).fold(0.0, f64::min);
     let most = |by: fn((f64, f64)) -> f64| points().map(by).fold(0.0, f64::max);
@@ -148,14 +155,15 @@ fn steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mu
     let length = geometry.axis_length();
     let foot = geometry.steer_axis(0.0);
     let ends = [scale.place(foot), scale.place(geometry.steer_axis(length))];
-    let vertical = [scale.place(foot), scale.place((foot.0, foot.1 + 0.97 * length))];
+    let upright = geometry.vertical_length();
+    let vertical = [scale.place(foot), scale.place((foot.0, foot.1 + upright))];
     scene.polyline(&vertical, dashed(1.2, [3.0, 4.0]), DIMENSION);
     scene.polyline(&ends, dashed(2.0, [12.0, 4.0]), STEER);
     labels.avoid_line(&ends, LINE);
     labels.avoid_line(&vertical, LINE);
 
     let upwards = -std::f32::consts::FRAC_PI_2;
-    let angle = arc(ends[0], (0.9 * length * scale.factor) as f32, upwards, -geometry.tilt as f32);
+    let angle = arc(ends[0], (0.93 * upright * scale.factor) as f32, upwards, -geometry.tilt as f32);
     scene.polyline(&angle, line(1.2), DIMENSION);
     labels.avoid_line(&angle, LINE);
     let text = format!("λ = {:.2}°", geometry.tilt.to_degrees()).replace('-', "−");
