@@ -9,6 +9,8 @@ pub struct Equations {
     pub parameters: usize,
     /// Each uses only earlier ones.
     pub definitions: Vec<Expr>,
+    /// For each definition its position in the model.
+    pub origins: Vec<usize>,
     /// What the program computes, in this order.
     pub outputs: Vec<Expr>,
 }
@@ -24,11 +26,34 @@ impl Equations {
         Self::of(model, model.requirements.iter().map(|requirement| requirement.value.clone()).collect())
     }
 
+    /// With the definitions that the outputs depend on, and no others.
     fn of(model: &Model, outputs: Vec<Expr>) -> Self {
+        let mut needed = vec![false; model.definitions.len()];
+        outputs.iter().for_each(|output| mark(output, &mut needed));
+        // Each definition uses only earlier ones, so one way back finds them all.
+        for (index, (_, expr)) in model.definitions.iter().enumerate().rev() {
+            if needed[index] {
+                mark(expr, &mut needed);
+            }
+        }
+        let origins: Vec<usize> = (0..needed.len()).filter(|index| needed[*index]).collect();
+        let mut new = vec![0; needed.len()];
+        for (position, origin) in origins.iter().enumerate() {
+            new[*origin] = position;
+        }
         Self {
             parameters: model.parameters.len(),
-            definitions: model.definitions.iter().map(|(_, expr)| expr.clone()).collect(),
-            outputs,
+            definitions: origins.iter().map(|origin| model.definitions[*origin].1.renumbered(&new)).collect(),
+            origins,
+            outputs: outputs.iter().map(|output| output.renumbered(&new)).collect(),
         }
     }
+}
+
+fn mark(expr: &Expr, needed: &mut [bool]) {
+    expr.walk(&mut |part| {
+        if let Expr::Definition(index) = part {
+            needed[*index] = true;
+        }
+    });
 }

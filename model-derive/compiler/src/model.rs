@@ -160,6 +160,19 @@ impl Function {
 }
 
 impl Expr {
+    /// The same formula with another position for each definition.
+    pub fn renumbered(&self, new: &[usize]) -> Self {
+        let all = |parts: &[(bool, Self)]| parts.iter().map(|(sign, part)| (*sign, part.renumbered(new))).collect();
+        match self {
+            Self::Definition(old) => Self::Definition(new[*old]),
+            Self::Sum(terms) => Self::Sum(all(terms)),
+            Self::Product(factors) => Self::Product(all(factors)),
+            Self::Power(base, exponent) => Self::Power(Box::new(base.renumbered(new)), *exponent),
+            Self::Call(function, argument) => Self::Call(*function, Box::new(argument.renumbered(new))),
+            Self::Number(_) | Self::Pi | Self::Parameter(_) => self.clone(),
+        }
+    }
+
     /// Calls `visit` with this formula and every one inside it.
     pub fn walk(&self, visit: &mut impl FnMut(&Expr)) {
         visit(self);

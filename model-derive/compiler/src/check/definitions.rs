@@ -21,8 +21,7 @@ impl Resolved {
     /// The definitions with their names, in their order, and with references to them renumbered to match.
     pub fn in_order(&self, declaration: &Declaration) -> Vec<(Ident, Expr)> {
         let new = self.new_positions();
-        let entry =
-            |old: &usize| (declaration.definitions[*old].name.clone(), renumbered(&self.definitions[*old], &new));
+        let entry = |old: &usize| (declaration.definitions[*old].name.clone(), self.definitions[*old].renumbered(&new));
         self.order.iter().map(entry).collect()
     }
 
@@ -33,19 +32,6 @@ impl Resolved {
             new[*old] = position;
         }
         new
-    }
-}
-
-/// A formula with definitions renumbered.
-pub fn renumbered(expr: &Expr, new: &[usize]) -> Expr {
-    let all = |parts: &[(bool, Expr)]| parts.iter().map(|(sign, part)| (*sign, renumbered(part, new))).collect();
-    match expr {
-        Expr::Definition(old) => Expr::Definition(new[*old]),
-        Expr::Sum(terms) => Expr::Sum(all(terms)),
-        Expr::Product(factors) => Expr::Product(all(factors)),
-        Expr::Power(base, exponent) => Expr::Power(Box::new(renumbered(base, new)), *exponent),
-        Expr::Call(function, argument) => Expr::Call(*function, Box::new(renumbered(argument, new))),
-        Expr::Number(_) | Expr::Pi | Expr::Parameter(_) => expr.clone(),
     }
 }
 

@@ -9,7 +9,6 @@ mod resolve;
 mod sets;
 mod unused;
 
-use self::definitions::renumbered;
 use crate::model::{Coordinate, Model, Parameter, Requirement};
 use crate::report::Report;
 use crate::syntax::Declaration;
@@ -37,11 +36,11 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let new = resolved.new_positions();
     let requirements: Vec<Requirement> = requirements
         .into_iter()
-        .map(|requirement| Requirement { value: renumbered(&requirement.value, &new), ..requirement })
+        .map(|requirement| Requirement { value: requirement.value.renumbered(&new), ..requirement })
         .collect();
     let matrices = matrices
         .into_iter()
-        .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().map(|e| renumbered(e, &new)).collect()).collect()))
+        .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().map(|e| e.renumbered(&new)).collect()).collect()))
         .collect();
 
     let domains: Vec<_> = declaration.parameters.iter().map(|p| domains::domain(&p.bounds, report)).collect();

@@ -121,18 +121,32 @@ impl Form {
     }
 
     /// The one of several equivalent forms that takes the fewest operations.
+    ///
+    /// Long formulas stay as they are: rewriting them could take longer than anyone waits.
     pub fn simplest(&self) -> Self {
         let atom = &self.0;
-        let forms =
-            [atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor(), atom.together()];
-        let operations = |form: &Atom| {
-            let count = form.count_operations();
-            count.additions + count.multiplications + 4 * count.inversions + 20 * count.function_calls
-        };
-        let best = forms.into_iter().min_by_key(operations);
-        Self(best.unwrap_or_else(|| atom.clone()))
+        if self.operations() > MAX_REWRITTEN {
+            return self.clone();
+        }
+        let forms = [atom.clone(), atom.collect_factors(), atom.factor()];
+        let best = forms.into_iter().map(Self).min_by_key(Self::cost);
+        best.unwrap_or_else(|| self.clone())
+    }
+
+    /// The number of operations that the formula takes as it stands.
+    pub fn operations(&self) -> usize {
+        let count = self.0.count_operations();
+        count.additions + count.multiplications + count.inversions + count.function_calls
+    }
+
+    fn cost(&self) -> usize {
+        let count = self.0.count_operations();
+        count.additions + count.multiplications + 4 * count.inversions + 20 * count.function_calls
     }
 }
+
+/// Formulas with more operations than this are not rewritten.
+const MAX_REWRITTEN: usize = 50;
 
 /// The argument, if `view` is a call of `function`.
 fn call_of(view: AtomView<'_>, function: Symbol) -> Option<Atom> {

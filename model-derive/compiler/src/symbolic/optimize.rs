@@ -18,50 +18,37 @@ pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
     enter(move |engine| equations.iter().map(|equations| cheapest(engine, equations)).collect())
 }
 
-/// How a program is made from a system of formulas.
-#[derive(Clone, Copy)]
-struct Settings {
-    /// Each formula in its shortest equivalent form, rather than as it was written.
-    simplest: bool,
-    /// Without the engine's search for Horner schemes and common pairs.
-    direct: bool,
-}
-
-const SETTINGS: [Settings; 4] = [
-    Settings { simplest: false, direct: true },
-    Settings { simplest: false, direct: false },
-    Settings { simplest: true, direct: true },
-    Settings { simplest: true, direct: false },
-];
-
-/// More quotients than this are not tried one by one, so that large models compile in a time that grows linearly.
-const MAX_TRIALS: usize = 16;
+/// Trying quotients one by one takes a time that grows with the square of the number of definitions; in models with
+/// more of them than this it is left out.
+const MAX_TRIED: usize = 100;
 
 fn cheapest(engine: &Engine, equations: &Equations) -> Program {
-    let run = |inline: &[bool], settings: Settings| {
+    let run = |inline: &[bool], simplest: bool| {
         let system = System::new(engine, equations, inline);
-        let system = if settings.simplest { system.simplest() } else { system };
-        passes::optimize(system.program(engine, equations.parameters, settings.direct))
+        let system = if simplest { system.simplest() } else { system };
+        passes::optimize(system.program(engine, equations))
     };
     let cost = |program: &Program| Counts::of(program).cost();
 
     // Definitions never all disappear into the formulas that use them: that grows exponentially with their depth.
     let none = vec![false; equations.definitions.len()];
     let used_once: Vec<bool> = uses(equations).iter().map(|uses| *uses == 1).collect();
-    let starts = [none, used_once].into_iter().flat_map(|inline| SETTINGS.map(|settings| (inline.clone(), settings)));
+    let starts = [(&none, false), (&none, true), (&used_once, false), (&used_once, true)];
+    let programs = starts.map(|(inline, simplest)| (run(inline, simplest), inline.clone(), simplest));
     // The first of several equally cheap ones, so that the choice is the same on every run.
-    let best = starts.map(|(inline, settings)| (run(&inline, settings), inline, settings));
-    let Some((mut best, mut inline, settings)) = best.min_by_key(|(program, ..)| cost(program)) else {
+    let Some((mut best, mut inline, simplest)) = programs.into_iter().min_by_key(|(program, ..)| cost(program)) else {
         return Program::default();
     };
+    if inline.len() > MAX_TRIED {
+        return best;
+    }
     // A quotient whose divisor the formulas multiply by, such as a centre of mass, costs nothing once inside them.
-    let quotients = equations.definitions.iter().enumerate().filter(|(_, expr)| is_quotient(expr));
-    for (index, _) in quotients.take(MAX_TRIALS) {
-        if inline[index] {
+    for (index, expr) in equations.definitions.iter().enumerate() {
+        if inline[index] || !is_quotient(expr) {
             continue;
         }
         inline[index] = true;
-        let program = run(&inline, settings);
+        let program = run(&inline, simplest);
         inline[index] = cost(&program) < cost(&best);
         if inline[index] {
             best = program;
@@ -117,7 +104,8 @@ impl System {
     }
 
     /// One program for all formulas: those of the kept definitions first, then the outputs.
-    fn program(&self, engine: &Engine, parameters: usize, direct: bool) -> Program {
+    fn program(&self, engine: &Engine, equations: &Equations) -> Program {
+        let parameters = equations.parameters;
         let kept: Vec<(usize, &Form)> =
             self.kept.iter().enumerate().filter_map(|(index, form)| Some((index, form.as_ref()?))).collect();
         let symbols = (0..parameters).map(|index| engine.parameter(index)).chain([engine.pi()]);
@@ -125,7 +113,7 @@ impl System {
             symbols.chain(kept.iter().map(|(index, _)| engine.definition(*index))).map(|form| form.0).collect();
         let formulas: Vec<AtomView<'_>> =
             kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(|form| form.0.as_view()).collect();
-        let settings = OptimizationSettings::new().cores(1).direct_translation(direct);
+        let settings = OptimizationSettings::new().cores(1);
         let evaluator = Atom::evaluator_multiple(&formulas, &symbols).optimization_settings(settings).build();
         let exported = evaluator.unwrap_or_else(|error| panic!("{error}")).export_instructions();
 
@@ -133,8 +121,10 @@ impl System {
         let mut program = Program::new(parameters);
         let mut inputs: Vec<usize> = (0..parameters).map(|index| program.push(Instruction::Parameter(index))).collect();
         inputs.push(program.push(Instruction::Constant(std::f64::consts::PI)));
-        let open: Vec<(usize, Value)> =
-            kept.iter().map(|(index, _)| (*index, program.push(Instruction::Constant(0.0)))).collect();
+        let open: Vec<(usize, Value)> = kept
+            .iter()
+            .map(|(index, _)| (equations.origins[*index], program.push(Instruction::Constant(0.0))))
+            .collect();
         inputs.extend(open.iter().map(|(_, value)| value));
         let results = append(&mut program, &exported, &inputs);
         let (definitions, outputs) = results.split_at(kept.len());
