@@ -5,11 +5,11 @@
 
 #![allow(non_snake_case)] // The names are the paper's.
 
-use carvallo::{Coefficients, Scalar};
-use carvallo_models::Whipple;
+use carvallo::Scalar;
+use carvallo_models::{Whipple, WhippleMatrices};
 
 /// The coefficient matrices of a design.
-pub fn coefficients<T: Scalar>(design: &Whipple<T>) -> Coefficients<T, 2> {
+pub fn matrices<T: Scalar>(design: &Whipple<T>) -> WhippleMatrices<T> {
     let &Whipple { w, c, lam, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IBzz, IBxz, .. } = design;
     let &Whipple { xH, zH, mH, IHxx, IHzz, IHxz, rF, mF, IFxx, IFyy, .. } = design;
     let (IRzz, IFzz) = (IRxx, IFxx);
@@ -47,6 +47,5 @@ pub fn coefficients<T: Scalar>(design: &Whipple<T>) -> Coefficients<T, 2> {
     let K2 = [[zero, (ST - mT * zT) / w * cos], [zero, (SA + SF * sin) / w * cos]];
     let C21 = mu * ST + SF * cos;
     let C1 = [[zero, C21 + ITxz / w * cos - mu * mT * zT], [-C21, IAlz / w * cos + mu * (SA + ITzz / w * cos)]];
-    let none = [[zero; 2]; 2];
-    Coefficients::from_rows([M, none, C1, none, K0, K2])
+    WhippleMatrices { m: M, c1: C1, k0: K0, k2: K2 }
 }
