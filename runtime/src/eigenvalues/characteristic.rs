@@ -12,7 +12,8 @@ impl System<2> {
     #[inline]
     pub(crate) fn factored_eigenvalues(&self) -> Result<[[Complex<f64>; 2]; 2], SystemError> {
         let [m, c, k] = [rows(&self.m), rows(&self.c), rows(&self.k)];
-        if [m, c, k].as_flattened().as_flattened().iter().all(|&entry| is_moderate(entry)) {
+        // Without a branch for each entry.
+        if [m, c, k].as_flattened().as_flattened().iter().fold(true, |all, &entry| all & is_moderate(entry)) {
             return Ok(quartic(m, c, k)?.roots());
         }
         self.require_finite()?;
@@ -28,7 +29,7 @@ fn rows(matrix: &Matrix<f64, 2>) -> Rows {
 #[inline]
 fn is_moderate(entry: f64) -> bool {
     let magnitude = entry.abs();
-    magnitude == 0.0 || (1e-30..1e30).contains(&magnitude)
+    (magnitude == 0.0) | ((magnitude >= 1e-30) & (magnitude <= 1e30))
 }
 
 /// The quartic `det(M s^2 + C s + K) / det M`.
@@ -42,11 +43,12 @@ fn quartic(m: Rows, c: Rows, k: Rows) -> Result<Quartic, SystemError> {
     }
     let mixed = |x: Rows, y: Rows| (x[0][0] * y[1][1] - x[0][1] * y[1][0]) + (y[0][0] * x[1][1] - y[0][1] * x[1][0]);
     let determinant = |x: Rows| x[0][0] * x[1][1] - x[0][1] * x[1][0];
+    let scale = 1.0 / det;
     Ok(Quartic {
-        a: mixed(m, c) / det,
-        b: (mixed(m, k) + determinant(c)) / det,
-        c: mixed(c, k) / det,
-        d: determinant(k) / det,
+        a: mixed(m, c) * scale,
+        b: (mixed(m, k) + determinant(c)) * scale,
+        c: mixed(c, k) * scale,
+        d: determinant(k) * scale,
     })
 }
 

@@ -89,9 +89,13 @@ impl Resolvent<f64> {
         if discriminant > 0.0 {
             return self.factors_at(single_root(m, n, discriminant)).0;
         }
-        let [largest, outer] = outer_roots(m, n);
-        let (factors, are_real) = self.factors_at(outer);
-        if are_real { factors } else { self.factors_at(largest).0 }
+        if n < 0.0 {
+            let (factors, are_real) = self.factors_at(-largest_root(m, -n));
+            if are_real {
+                return factors;
+            }
+        }
+        self.factors_at(largest_root(m, n)).0
     }
 }
 
@@ -100,9 +104,9 @@ impl Resolvent<DoubleDouble> {
     pub(super) fn factors(&self) -> [[Quadratic; 2]; 2] {
         let (m, n) = (self.m.to_f64(), self.n.to_f64());
         let discriminant = self.discriminant.to_f64();
-        let [largest, outer] = outer_roots(m, n);
-        let outer = if discriminant > 0.0 { single_root(m, n, discriminant) } else { outer };
-        [outer, largest].map(|f| {
+        let outer =
+            if discriminant > 0.0 { single_root(m, n, discriminant) } else { largest_root(m, n.abs()).copysign(n) };
+        [outer, largest_root(m, n)].map(|f| {
             let (factors, _) = self.factors_at(self.polished(f));
             factors.map(|Quadratic { p, q }| Quadratic { p: p.to_f64(), q: q.to_f64() })
         })
@@ -131,24 +135,37 @@ impl Resolvent<DoubleDouble> {
 #[inline]
 fn single_root(m: f64, n: f64, discriminant: f64) -> f64 {
     // A sum of two terms whose product is m; where their signs differ they would cancel.
-    let large = libm::cbrt(n.abs() + Scalar::sqrt(discriminant));
-    let small = m / large;
+    let cube = n.abs() + Scalar::sqrt(discriminant);
+    let reciprocal = inverse_cube_root(cube);
+    let (large, small) = (cube * reciprocal * reciprocal, m * reciprocal);
     let f = if m > 0.0 { large + small } else { 2.0 * n.abs() / (large * large - m + small * small) };
     f.copysign(n)
 }
 
-/// The largest of the three real roots of `f^3 - 3 m f - 2 n`, for a discriminant that is not positive, and the one
-/// farthest from zero, which is the largest or the smallest.
+/// The largest of the three real roots of `f^3 - 3 m f - 2 n`, for a discriminant that is not positive.
 #[inline]
-fn outer_roots(m: f64, n: f64) -> [f64; 2] {
+fn largest_root(m: f64, n: f64) -> f64 {
     if m <= 0.0 {
-        return [0.0, 0.0];
+        return 0.0;
     }
     let root = Scalar::sqrt(m);
     let cosine = (n / (m * root)).clamp(-1.0, 1.0);
-    let at = |cosine: f64| 2.0 * root * (0.5 + third_of_angle(0.5 + 0.5 * cosine));
-    let largest = at(cosine);
-    [largest, if cosine < 0.0 { -at(-cosine) } else { largest }]
+    2.0 * root * (0.5 + third_of_angle(0.5 + 0.5 * cosine))
+}
+
+/// `x^(-1/3)` for a positive normal number, to a few units in the last place and without a division: several times faster
+/// than a correctly rounded cube root, of which nothing would be left in the end.
+#[inline]
+fn inverse_cube_root(x: f64) -> f64 {
+    // A third of the exponent, and a linear approximation of the mantissa that is right to 4 %.
+    const LINEAR: u64 = 0x553e_f0ff_289d_d796;
+    let mut root = f64::from_bits(LINEAR - x.to_bits() / 3);
+    // The error becomes its fourth power with each step.
+    for _ in 0..2 {
+        let h = 1.0 - x * root * (root * root);
+        root += root * h * ((1.0 / 3.0 + h * (2.0 / 9.0)) + h * h * (14.0 / 81.0));
+    }
+    root
 }
 
 /// `cos(acos(2 x - 1) / 3) - 1/2` for x in [0, 1].
