@@ -10,7 +10,7 @@ pub fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, rng_seed: RngSeed::Fixed(1899), failure_persistence: None, ..ProptestConfig::default() }
 }
 
-/// Designs from the ranges of [`RANGES`], where each parameter takes its edge value once in ten times.
+/// Designs of usual proportions, in which each parameter takes a value at the edge once in ten times.
 pub fn any() -> impl Strategy<Value = Whipple> {
     RANGES
         .map(|(_, low, high, edge)| prop_oneof![9 => low..high, 1 => Just(edge)])
@@ -18,12 +18,12 @@ pub fn any() -> impl Strategy<Value = Whipple> {
         .prop_filter("the front assembly has a mass", |design| design.validate().is_ok())
 }
 
-/// Designs strictly inside the ranges of [`RANGES`].
+/// Designs of usual proportions, none of whose parameters is at an edge.
 pub fn regular() -> impl Strategy<Value = Whipple> {
     RANGES.map(|(_, low, high, _)| low..high).prop_map(|values| from_ranges(&values))
 }
 
-/// The design of a number: inside the ranges of [`RANGES`], the same on every run.
+/// The design of a number: of usual proportions, and the same on every run.
 pub fn numbered(number: u64) -> Whipple {
     // Splitmix64, by Steele, Lea & Flood (2014): its state advances by an odd constant, so every number has its own.
     let mut state = number.wrapping_mul(RANGES.len() as u64);
