@@ -311,7 +311,7 @@ pub struct WhippleMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_snake_case)]
 impl<T: ::carvallo::Scalar> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 56 additions, 72 multiplications, 4 divisions, 3 negations and 2 trigonometric functions: 137 operations.
+    /// 54 additions, 71 multiplications, 4 divisions, 3 negations and 2 trigonometric functions: 134 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -323,57 +323,57 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             + (self.mF * (self.rF * self.rF));
         let mA = self.mH + self.mF;
         let t28 = <T as ::carvallo::Scalar>::from_f64(1.0) / mA;
-        let t29 = self.zH * self.mH;
         let t30 = self.rF * self.mF;
-        let zA = t28 * (t29 - t30);
+        let t31 = (self.zH * self.mH) - t30;
+        let zA = t28 * t31;
         let (t34, t45) = ::carvallo::Scalar::sin_cos(self.lam);
         let t40 = (self.xH * self.mH) + (self.w * self.mF);
-        let xA = t28 * t40;
-        let uA = ((xA - (self.w + self.c)) * t45) - (zA * t34);
+        let xA = t40 * t28;
+        let t42 = xA - self.w;
+        let uA = ((t42 - self.c) * t45) - (zA * t34);
         let t48 = mA * uA;
-        let t50 = self.zH - zA;
-        let t53 = self.rF + zA;
-        let IAxx = ((self.mH * (t50 * t50)) + (self.mF * (t53 * t53))) + t5;
-        let t62 = self.xH - xA;
-        let t66 = self.w - xA;
-        let IAxz = (self.IHxz - ((self.mH * t50) * t62)) + ((self.mF * t53) * t66);
-        let IAlx = ((IAxx * t34) - (zA * t48)) + (IAxz * t45);
-        let t76 = self.zB * self.mB;
-        let ITxz = ((self.IBxz + self.IHxz) + (self.w * t30))
-            - ((self.xB * t76) + (self.xH * t29));
-        let t81 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.w;
-        let t82 = t45 * t81;
-        let mu = self.c * t82;
-        let t85 = IAlx + (ITxz * mu);
-        let t103 = self.IHzz + self.IFxx;
+        let t51 = self.zH - zA;
+        let t53 = self.xH - xA;
+        let t56 = self.rF + zA;
+        let IAxz = (self.IHxz - ((self.mH * t51) * t53)) - ((self.mF * t56) * t42);
+        let t60 = IAxz * t45;
+        let IAxx = ((self.mH * (t51 * t51)) + (self.mF * (t56 * t56))) + t5;
+        let t68 = IAxx * t34;
+        let IAlx = (t60 - (zA * t48)) + t68;
+        let t73 = self.zB * self.mB;
+        let ITxz = (((self.IBxz + self.IHxz) - (self.xB * t73))
+            - ((self.xH * self.zH) * self.mH)) + (self.w * t30);
+        let t81 = t45 / self.w;
+        let mu = self.c * t81;
+        let t84 = IAlx + (ITxz * mu);
+        let t88 = self.IHzz + self.IFxx;
+        let IAzz = (t88 + (self.mH * (t53 * t53))) + (self.mF * (t42 * t42));
+        let IAlz = ((xA * t48) + (IAxz * t34)) + (IAzz * t45);
         let ITzz = ((((self.IRxx + self.IBzz) + (self.mB * (self.xB * self.xB)))
-            + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w))) + t103;
-        let t107 = IAxz * t34;
-        let IAzz = (t103 + (self.mH * (t62 * t62))) + (self.mF * (t66 * t66));
-        let t115 = IAzz * t45;
-        let IAlz = ((xA * t48) + t107) + t115;
-        let t125 = (((mA * (uA * uA)) + (IAxx * (t34 * t34)))
-            + (mu * ((ITzz * mu) + (IAlz * <T as ::carvallo::Scalar>::from_f64(2.0)))))
-            + (t45 * (t115 + (<T as ::carvallo::Scalar>::from_f64(2.0) * t107)));
+            + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w))) + t88;
+        let t124 = (((mA * (uA * uA)) + (IAzz * (t45 * t45)))
+            + (mu * ((IAlz * <T as ::carvallo::Scalar>::from_f64(2.0)) + (ITzz * mu))))
+            + (t34 * (t68 + (<T as ::carvallo::Scalar>::from_f64(2.0) * t60)));
         let SF = self.IFyy / self.rF;
         let ST = SF + (self.IRyy / self.rR);
-        let t135 = (t76 + t29) - (t30 + (self.rR * self.mR));
-        let t136 = ST - t135;
-        let t141 = (mu * t136) + (t45 * (SF + (ITxz * t81)));
+        let t134 = (t73 + t31) - (self.rR * self.mR);
+        let t135 = ST - t134;
+        let t138 = SF * t45;
+        let t139 = ((ITxz * t81) + (mu * t135)) + t138;
         let SA = t48 + (mu * (t40 + (self.xB * self.mB)));
-        let t153 = (mu * (SA + (ITzz * t82))) + (IAlz * t82);
-        let t155 = t82 * t136;
-        let t158 = t82 * (SA + (SF * t34));
-        let t159 = -((mu * ST) + (SF * t45));
-        let t160 = -SA;
-        let t161 = -(t34 * SA);
+        let t150 = (IAlz * t81) + (mu * (SA + (ITzz * t81)));
+        let t152 = t81 * t135;
+        let t155 = t81 * (SA + (SF * t34));
+        let t156 = -(t138 + (mu * ST));
+        let t157 = -SA;
+        let t158 = -(t34 * SA);
         WhippleMatrices {
-            m: [[t26, t85], [t85, t125]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t141], [t159, t153]],
-            k0: [[t135, t160], [t160, t161]],
+            m: [[t26, t84], [t84, t124]],
+            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t139], [t156, t150]],
+            k0: [[t134, t157], [t157, t158]],
             k2: [
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t152],
                 [<T as ::carvallo::Scalar>::from_f64(0.0), t155],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t158],
             ],
         }
     }

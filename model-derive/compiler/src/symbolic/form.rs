@@ -11,8 +11,8 @@ use crate::syntax::Decimal;
 
 /// The engine, as long as its thread lives. Only the door makes one.
 ///
-/// Symbols live as long as the process, and their order can matter. So parameters have neutral names, made in the same
-/// order for every model: a user's `e`, `pi` or `I` cannot collide, and a model before this one changes nothing.
+/// Symbols live as long as the process, and the engine sorts by their age. So all formulas use one sequence of neutral
+/// names, always made from its start: a user's `e`, `pi` or `I` cannot collide, and a model before changes nothing.
 #[derive(Debug)]
 pub struct Engine(());
 
@@ -20,9 +20,20 @@ pub struct Engine(());
 #[derive(Clone, Debug, PartialEq)]
 pub struct Form(pub(super) Atom);
 
+/// Symbols that are made at the start, so that only larger models make more, and those in their order.
+const READY: usize = 64;
+
 impl Engine {
     pub(super) fn start() -> Self {
+        (0..READY).for_each(|index| {
+            symbol_at(index);
+        });
         Self(())
+    }
+
+    /// The number π, as a symbol: the engine's own would become a floating-point number on export.
+    pub(super) fn pi(&self) -> Form {
+        Form(symbol_at(0).to_atom())
     }
 
     /// The parameter at a position.
@@ -30,14 +41,10 @@ impl Engine {
         Form(parameter(index).to_atom())
     }
 
-    /// A stand-in for the value of the definition at a position.
-    pub(super) fn definition(&self, index: usize) -> Form {
-        Form(symbol!(format!("carvallo::d{index}")).to_atom())
-    }
-
-    /// The number π, as a symbol: the engine's own would become a floating-point number on export.
-    pub(super) fn pi(&self) -> Form {
-        Form(symbol!("carvallo::pi").to_atom())
+    /// Stand-ins for the values of definitions, behind so many parameters.
+    pub(super) fn definitions(&self, parameters: usize, count: usize) -> Vec<Form> {
+        let all: Vec<Form> = (0..=parameters + count).map(|index| Form(symbol_at(index).to_atom())).collect();
+        all[parameters + 1..].to_vec()
     }
 
     /// A formula, with the given values of its definitions.
@@ -66,7 +73,11 @@ impl Engine {
 }
 
 fn parameter(index: usize) -> Symbol {
-    symbol!(format!("carvallo::p{index}"))
+    symbol_at(index + 1)
+}
+
+fn symbol_at(index: usize) -> Symbol {
+    symbol!(format!("carvallo::x{index}"))
 }
 
 fn decimal(number: &Decimal) -> Atom {
@@ -128,7 +139,7 @@ impl Form {
         if self.operations() > MAX_REWRITTEN {
             return self.clone();
         }
-        let forms = [atom.clone(), atom.collect_factors(), atom.factor()];
+        let forms = [atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor(), atom.together()];
         let best = forms.into_iter().map(Self).min_by_key(Self::cost);
         best.unwrap_or_else(|| self.clone())
     }

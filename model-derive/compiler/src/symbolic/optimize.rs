@@ -77,6 +77,8 @@ fn uses(equations: &Equations) -> Vec<usize> {
 /// Formulas in parameters and in the definitions that are kept.
 #[derive(Clone)]
 struct System {
+    /// A symbol for each definition.
+    names: Vec<Form>,
     /// For each definition its formula, if it is kept.
     kept: Vec<Option<Form>>,
     outputs: Vec<Form>,
@@ -84,20 +86,22 @@ struct System {
 
 impl System {
     fn new(engine: &Engine, equations: &Equations, inline: &[bool]) -> Self {
+        let names = engine.definitions(equations.parameters, equations.definitions.len());
         let mut kept = Vec::new();
         let mut values = Vec::new();
         for (index, expr) in equations.definitions.iter().enumerate() {
             let form = engine.form(expr, &values);
             let keep = !inline[index];
-            values.push(if keep { engine.definition(index) } else { form.clone() });
+            values.push(if keep { names[index].clone() } else { form.clone() });
             kept.push(keep.then_some(form));
         }
         let outputs = equations.outputs.iter().map(|expr| engine.form(expr, &values)).collect();
-        Self { kept, outputs }
+        Self { names, kept, outputs }
     }
 
     fn simplest(&self) -> Self {
         Self {
+            names: self.names.clone(),
             kept: self.kept.iter().map(|form| form.as_ref().map(Form::simplest)).collect(),
             outputs: self.outputs.iter().map(Form::simplest).collect(),
         }
@@ -110,10 +114,10 @@ impl System {
             self.kept.iter().enumerate().filter_map(|(index, form)| Some((index, form.as_ref()?))).collect();
         let symbols = (0..parameters).map(|index| engine.parameter(index)).chain([engine.pi()]);
         let symbols: Vec<Atom> =
-            symbols.chain(kept.iter().map(|(index, _)| engine.definition(*index))).map(|form| form.0).collect();
+            symbols.chain(kept.iter().map(|(index, _)| self.names[*index].clone())).map(|form| form.0).collect();
         let formulas: Vec<AtomView<'_>> =
             kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(|form| form.0.as_view()).collect();
-        let settings = OptimizationSettings::new().cores(1);
+        let settings = OptimizationSettings::new().cores(1).direct_translation(false);
         let evaluator = Atom::evaluator_multiple(&formulas, &symbols).optimization_settings(settings).build();
         let exported = evaluator.unwrap_or_else(|error| panic!("{error}")).export_instructions();
 
