@@ -10,6 +10,8 @@
 mod check;
 mod emit;
 mod equations;
+#[cfg(feature = "files")]
+pub mod files;
 pub mod model;
 pub mod program;
 mod report;

@@ -1,8 +1,5 @@
 //! `cargo regenerate`: writes the Rust of the models that are compiled ahead of time, or checks it.
 
-mod files;
-mod source;
-
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -31,7 +28,7 @@ fn main() -> ExitCode {
     };
     // The sources are part of the workspace that this program was built in.
     let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../generated");
-    match files::regenerate(&generated, check) {
+    match carvallo_compiler::files::regenerate(&generated, check) {
         Ok(done) => {
             println!("{done}");
             ExitCode::SUCCESS

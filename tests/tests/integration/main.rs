@@ -9,6 +9,8 @@ mod generation;
 mod modes;
 mod operations;
 mod published;
+#[cfg(feature = "compiler")]
+mod regenerate;
 mod stability;
 mod state_space;
 #[cfg(feature = "compiler")]

@@ -139,7 +139,8 @@ impl Form {
         if self.operations() > MAX_REWRITTEN {
             return self.clone();
         }
-        let forms = [atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor(), atom.together()];
+        let forms =
+            [atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor(), atom.together()];
         let best = forms.into_iter().map(Self).min_by_key(Self::cost);
         best.unwrap_or_else(|| self.clone())
     }

@@ -1,14 +1,15 @@
-//! Writes all generated files, or compares them with what would be written.
+//! The ahead-of-time driver: writes all generated files, or compares them with what would be written.
+
+mod source;
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::source;
-
 const MEND: &str = "run `cargo regenerate` and commit the result";
 
-/// Compiles every source in `generated/models/`; with `check` nothing is written.
+/// Compiles every source in the folder `models/` of `generated` to one file in its `src/models/`, beside a `mod.rs`
+/// for all of them; with `check` nothing is written. Returns what was done.
 ///
 /// # Errors
 /// Mistakes of the sources, files that cannot be read or written, and with `check` every file that is stale, missing

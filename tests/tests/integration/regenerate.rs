@@ -1,0 +1,94 @@
+//! The ahead-of-time driver on a folder of its own: what it writes, and what its check finds wrong.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use carvallo_compiler::files::regenerate;
+
+const SOURCE: &str = "carvallo::model! {\n    pub model Rod {\n        parameters { l: m, > 0; m: kg, > 0; }\n        \
+                      coordinates { theta: rad; }\n        M = [[m*l^2/3]];\n    }\n}\n";
+
+/// An empty folder with one source, removed at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("carvallo-{name}-{}", std::process::id()));
+        fs::create_dir_all(path.join("models")).expect("a folder for the test");
+        let folder = Self(path);
+        folder.write("models/rod.rs", SOURCE);
+        folder
+    }
+
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.0.join(name), text).expect("a file can be written");
+    }
+
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.0.join(name)).expect("a file can be read")
+    }
+
+    fn check(&self) -> String {
+        regenerate(self.path(), true).expect_err("something is wrong")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // Nothing depends on it any more.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+const MEND: &str = "run `cargo regenerate` and commit the result";
+
+#[test]
+fn what_was_written_is_up_to_date() {
+    let folder = Folder::new("written");
+    let done = regenerate(folder.path(), false).expect("it can be written");
+    assert_eq!(done, "wrote generated/src/models/mod.rs\nwrote generated/src/models/rod.rs");
+    let done = regenerate(folder.path(), true).expect("it is up to date");
+    assert_eq!(done, "2 files in generated/src/models/ are up to date");
+    let text = folder.read("src/models/rod.rs");
+    let header: Vec<&str> = text.lines().take(3).collect();
+    assert_eq!(header[0], "// @generated from generated/models/rod.rs by carvallo-compiler 0.1.0; do not edit.");
+    assert_eq!(header[1], "// To write it anew: cargo regenerate");
+    assert!(header[2].starts_with("// Hash of the source: "), "{}", header[2]);
+    assert!(text.contains("pub struct Rod<T"), "{text}");
+}
+
+#[test]
+fn missing_stale_and_left_over_files_are_named_with_what_mends_them() {
+    let folder = Folder::new("wrong");
+    let missing = ["mod.rs", "rod.rs"].map(|name| format!("error: generated/src/models/{name} is missing: {MEND}"));
+    assert_eq!(folder.check(), missing.join("\n"));
+    assert!(!folder.path().join("src").exists(), "a check writes nothing");
+
+    regenerate(folder.path(), false).expect("it can be written");
+    folder.write("models/rod.rs", &SOURCE.replace("/3", "/4"));
+    assert_eq!(folder.check(), format!("error: generated/src/models/rod.rs is stale: {MEND}"));
+
+    regenerate(folder.path(), false).expect("it can be written");
+    folder.write("src/models/old.rs", "");
+    let left_over = format!("error: generated/src/models/old.rs is left over, without a source: {MEND}");
+    assert_eq!(folder.check(), left_over);
+    let done = regenerate(folder.path(), false).expect("it can be written");
+    assert_eq!(done, "removed generated/src/models/old.rs, which has no source");
+}
+
+#[test]
+fn mistakes_of_a_source_are_shown_where_they_are() {
+    let folder = Folder::new("mistake");
+    folder.write("models/rod.rs", &SOURCE.replace("m*l^2", "m*L^2"));
+    let expected = "generated/models/rod.rs:5:17: error: unknown name `L`: expected a parameter or a definition; did \
+                    you mean `l`?\n  |         M = [[m*L^2/3]];\n  |                 ^\n";
+    assert_eq!(folder.check(), expected);
+    folder.write("models/rod.rs", "fn main() {}");
+    let expected = "generated/models/rod.rs:1:1: error: expected one `carvallo::model! { … }` and nothing else\n  \
+                    | fn main() {}\n  | ^^\n";
+    assert_eq!(folder.check(), expected);
+}
