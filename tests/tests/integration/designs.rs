@@ -2,10 +2,10 @@
 //!
 //! The bound. Each entry of the matrices is a sum of products of parameters, and its computed value is the exact value
 //! of a sum in which every term carries the relative errors of the roundings on its way to the result: at most half an
-//! epsilon each, and two or three epsilon for a sine or cosine and its square. So the error is at most
-//! `count * epsilon / 2` times the sum of the magnitudes of the terms, where `count` is the largest number of roundings
-//! that one term passes. Appendix A has 28 on its longest way (the lower right entry of C1), so 16 epsilon bound it to
-//! first order; a compiled arrangement is allowed the same. The sum of magnitudes does not depend on the arrangement.
+//! epsilon for each operation, and twice that for a sine or cosine. So the error is at most `count * epsilon / 2` times
+//! the sum of the magnitudes of the terms, where `count` is the largest number of roundings that one term collects; a
+//! product collects those of both factors. Appendix A comes to 28, in the lower right entry of M, which makes 14
+//! epsilon; 16 leave a compiled arrangement a little more. The sum of magnitudes does not depend on the arrangement.
 
 use carvallo::{Coefficients, Model, Scalar};
 use carvallo_models::{Whipple, WhippleMatrices};
