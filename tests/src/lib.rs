@@ -2,7 +2,8 @@
 //!
 //! Three ways to the matrices that share no code with the compiler: [`hand_written`] floating point after Appendix A of
 //! Meijaard, Papadopoulos, Ruina & Schwab (2007), [`exact`] arithmetic at 320 bits, and the digits that were
-//! [`published`]. Designs to compare them on come from [`bicycles`] and, at random, from [`designs`].
+//! [`published`]. Designs to compare them on come from [`bicycles`] and, at random, from [`designs`]. Eigenvalues are held
+//! against [`roots`] of the characteristic [`quartic`], critical speeds against recomputed [`facts`].
 
 pub mod bicycles;
 pub mod designs;
@@ -13,3 +14,4 @@ pub mod operations;
 pub mod published;
 pub mod quartic;
 pub mod real;
+pub mod roots;

@@ -2,8 +2,9 @@
 
 use carvallo::{Coefficients, CriticalSpeed, Model, Stability};
 use carvallo_tests::published::CRITICAL_SPEEDS_2007;
-use carvallo_tests::quartic::{Signature, characteristic_at};
+use carvallo_tests::quartic::characteristic_at;
 use carvallo_tests::real::Real;
+use carvallo_tests::roots::Signature;
 use carvallo_tests::{bicycles, designs, facts};
 use proptest::prelude::*;
 
