@@ -138,7 +138,7 @@ impl Quadratic {
     }
 }
 
-#[cfg(all(test, feature = "std"))]
+#[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
@@ -146,124 +146,91 @@ mod tests {
     use crate::Complex;
     use crate::numeric::DoubleDouble;
 
-    /// The largest difference between a coefficient of the quartic and that of the product of its roots, relative to the
-    /// size of the terms in the latter, in units of machine precision.
+    /// The largest difference between a coefficient of the quartic and that of the product of its roots, in double-double
+    /// arithmetic, relative to the size of the terms in the latter, in units of machine precision.
     fn backward_error(quartic: Quartic) -> f64 {
-        let halves = quartic.roots();
         let exact = |[x, y]: [Complex<f64>; 2]| {
             let product = DoubleDouble::product;
             let p = -(DoubleDouble::from(x.re) + y.re.into());
             (p, product(x.re, y.re) - product(x.im, y.im), x.norm() + y.norm(), x.norm() * y.norm())
         };
-        let [(p0, q0, p0_size, q0_size), (p1, q1, p1_size, q1_size)] = halves.map(exact);
-        [
+        let [(p0, q0, p0_size, q0_size), (p1, q1, p1_size, q1_size)] = quartic.roots().map(exact);
+        let coefficients = [
             (quartic.a, p0 + p1, p0_size + p1_size),
             (quartic.b, q0 + q1 + p0 * p1, q0_size + q1_size + p0_size * p1_size),
             (quartic.c, p0 * q1 + p1 * q0, p0_size * q1_size + p1_size * q0_size),
             (quartic.d, q0 * q1, q0_size * q1_size),
-        ]
-        .into_iter()
-        .map(|(given, product, size)| {
+        ];
+        let error = |(given, product, size): (f64, DoubleDouble, f64)| {
             let difference = (product - given.into()).to_f64().abs();
             if difference == 0.0 { 0.0 } else { difference / size / f64::EPSILON }
-        })
-        .fold(0.0, f64::max)
-    }
-    #[test]
-    fn explore() {
-        let mut seed = 1u64;
-        let mut next = || {
-            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (seed >> 11) as f64 / (1u64 << 53) as f64
         };
-        for spread in [0.0, 1.0, 3.0, 8.0, 16.0] {
-            for kind in 0..7 {
-                let mut worst = (0.0, Quartic { a: 0., b: 0., c: 0., d: 0. });
-                let mut sum = 0.0;
-                let mut fails = 0;
-                for _ in 0..100000 {
-                    let mut mag = || {
-                        let s = if next() < 0.5 { -1.0 } else { 1.0 };
-                        let m = 1.0 + next();
-                        s * m * 10f64.powf(spread * (next() - 0.5))
-                    };
-                    let q = match kind {
-                        0 => Quartic { a: mag(), b: mag(), c: mag(), d: mag() },
-                        5 => {
-                            let t = 10f64.powf(-60.0 * next());
-                            let mut mag = || {
-                                let s = if next() < 0.5 { -1.0 } else { 1.0 };
-                                let m = 1.0 + next();
-                                s * m * 10f64.powf(spread * (next() - 0.5))
-                            };
-                            Quartic {
-                                a: mag(),
-                                b: mag(),
-                                c: t * mag(),
-                                d: if mag() > 0.0 { 0.0 } else { t * t * mag() },
-                            }
-                        }
-                        6 => {
-                            let mut t = || {
-                                if next() < 0.4 {
-                                    0.0
-                                } else {
-                                    (8.0 * next() - 4.0).round() * 10f64.powf(-20.0 * (next() * 1.5).round())
-                                }
-                            };
-                            Quartic { a: t(), b: t(), c: t(), d: t() }
-                        }
-                        k => {
-                            let pair = |x: f64, y: f64, k: i32| {
-                                if k == 0 { (-(x + y), x * y) } else { (-2.0 * x, x * x + y * y) }
-                            };
-                            let (x, y, mut z, mut w) = (mag(), mag(), mag(), mag());
-                            if k == 4 {
-                                z = x * (1.0 + 1e-9 * w);
-                                w = x * (1.0 - 1e-10 * y);
-                            }
-                            let (p0, q0) = pair(x, y, (k == 2 || k == 3) as i32);
-                            let (p1, q1) = pair(z, w, (k == 3) as i32);
-                            Quartic { a: p0 + p1, b: q0 + q1 + p0 * p1, c: p0 * q1 + p1 * q0, d: q0 * q1 }
-                        }
-                    };
-                    let e = backward_error(q);
-                    if !(e < 1e3) {
-                        fails += 1;
-                    }
-                    sum += e.min(1e9);
-                    if !(e <= worst.0) {
-                        worst = (e, q);
-                    }
-                }
-                println!(
-                    "spread {spread} kind {kind}: mean {:.2} worst {:.3e} fails {fails} {:?}",
-                    sum / 1e5,
-                    worst.0,
-                    worst.1
-                );
-            }
+        coefficients.map(error).into_iter().fold(0.0, f64::max)
+    }
+
+    /// Numbers of either sign over some decades.
+    fn number(decades: f64) -> impl Strategy<Value = f64> {
+        (any::<bool>(), 1.0..10.0f64, -decades..decades).prop_map(|(negative, mantissa, exponent)| {
+            10f64.powf(exponent) * if negative { -mantissa } else { mantissa }
+        })
+    }
+
+    /// Two real roots or a pair, from their mean and half of their distance.
+    fn factor((mean, half, is_pair): (f64, f64, bool)) -> (f64, f64) {
+        (-2.0 * mean, mean * mean + if is_pair { half * half } else { -half * half })
+    }
+
+    fn product((p0, q0): (f64, f64), (p1, q1): (f64, f64)) -> Quartic {
+        Quartic { a: p0 + p1, b: q0 + q1 + p0 * p1, c: p0 * q1 + p1 * q0, d: q0 * q1 }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4096))]
+
+        #[test]
+        fn any_coefficients(a in number(6.0), b in number(6.0), c in number(6.0), d in number(6.0)) {
+            let quartic = Quartic { a, b, c, d };
+            prop_assert!(backward_error(quartic) < 16.0);
+        }
+
+        #[test]
+        fn roots_of_any_kind(s in (number(4.0), number(4.0), any::<bool>()), t in (number(4.0), number(4.0), any::<bool>())) {
+            prop_assert!(backward_error(product(factor(s), factor(t))) < 16.0);
+        }
+
+        /// Up to four roots that differ from the eighth digit on.
+        #[test]
+        fn clusters(x in number(2.0), near in prop::array::uniform3(-1e-8..1e-8), pairs in any::<(bool, bool)>()) {
+            let near = near.map(|relative| x * relative);
+            let quartic = product(factor((x, near[0], pairs.0)), factor((x + near[1], near[2], pairs.1)));
+            prop_assert!(backward_error(quartic) < 16.0);
         }
     }
-}
-#[cfg(test)]
-mod dbg {
-    use super::*;
+
     #[test]
-    fn dbgq() {
-        for q in [
-            Quartic { a: 0.0, b: 4.0, c: 2e-20, d: 4.0 },
-            Quartic { a: -11072.895347021133, b: -0.00017027034212065847, c: -2.045435924864367e-12, d: 0.0 },
-        ] {
-            println!("{:?}", q);
-            let f = Resolvent::<f64>::new(q).factors();
-            println!("f64 {:?} {:?}", f, q.residual(f));
-            println!("   polished {:?}", q.polish(f));
-            for f in Resolvent::<DoubleDouble>::new(q).factors() {
-                println!("dd {:?} {:?}", f, q.residual(f));
-                println!("   polished {:?}", q.polish(f));
+    fn roots_that_are_exact() {
+        let assert_roots = |[a, b, c, d]: [f64; 4], expected: [(f64, f64); 4]| {
+            let mut roots = Quartic { a, b, c, d }.roots().as_flattened().to_vec();
+            roots.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+            assert_eq!(roots, expected.map(|(re, im)| Complex::new(re, im)));
+        };
+        assert_roots([0.0, 0.0, 0.0, 0.0], [(0.0, 0.0); 4]);
+        assert_roots([-2.0, 0.0, 0.0, 0.0], [(0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (2.0, 0.0)]);
+        assert_roots([0.0, 0.0, 0.0, -16.0], [(-2.0, 0.0), (0.0, -2.0), (0.0, 2.0), (2.0, 0.0)]);
+        assert_roots([0.0, 2.0, 0.0, 1.0], [(0.0, -1.0), (0.0, -1.0), (0.0, 1.0), (0.0, 1.0)]);
+        assert_roots([-4.0, 6.0, -4.0, 1.0], [(1.0, 0.0); 4]);
+    }
+
+    #[test]
+    fn coefficients_of_any_size() {
+        for scale in [1e-70, 1e-30, 1e30, 1e70] {
+            let quartic = Quartic { a: 0.0, b: -5.0 * scale * scale, c: 0.0, d: 4.0 * scale.powi(4) };
+            let mut magnitudes =
+                quartic.roots().as_flattened().iter().map(|root| root.re.abs() / scale).collect::<Vec<_>>();
+            magnitudes.sort_by(f64::total_cmp);
+            for (magnitude, expected) in magnitudes.into_iter().zip([1.0, 1.0, 2.0, 2.0]) {
+                assert!((magnitude - expected).abs() < 1e-14);
             }
-            println!("{:?}", q.roots());
         }
     }
 }

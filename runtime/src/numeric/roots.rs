@@ -4,7 +4,7 @@
 //! not. The stationary points are the roots of the derivative, which has one degree less; so the roots of all
 //! derivatives, from the last one up, isolate those of the polynomial.
 
-use super::{DoubleDouble, Polynomial, Real};
+use super::{DoubleDouble, Polynomial, Real, ldexp};
 
 /// A positive root.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,11 +140,10 @@ fn uncertainty(polynomial: &Polynomial, root: DoubleDouble) -> f64 {
         let sum = polynomial.at(x);
         sum.value.to_f64().abs() > f64::EPSILON * sum.size
     };
-    let mut distance = 0.125 * f64::EPSILON * root.to_f64();
-    while distance < root.to_f64() && !(differs(root - distance.into()) && differs(root + distance.into())) {
-        distance *= 2.0;
-    }
-    distance
+    // From an eighth of the rounding of the root itself.
+    let distances = (-55..0).map(|e| ldexp(root.to_f64(), e));
+    let mut outside = distances.skip_while(|&d| !(differs(root - d.into()) && differs(root + d.into())));
+    outside.next().unwrap_or(root.to_f64())
 }
 
 #[cfg(test)]
@@ -184,10 +183,14 @@ mod tests {
 
     #[test]
     fn separates_what_is_close() {
-        let close = [1.0, 1.0 + f64::EPSILON, 1.0 + 1e-9];
-        let found = positive_roots(&from_roots(&[close[0], close[2]]));
-        assert_roots(&found, &[close[0], close[2]]);
-        assert_roots(&positive_roots(&from_roots(&close)), &close);
+        assert_roots(&positive_roots(&from_roots(&[1.0, 1.0 + 1e-12])), &[1.0, 1.0 + 1e-12]);
+    }
+
+    /// Three roots so close that no arithmetic with 32 digits tells them apart.
+    #[test]
+    fn tells_how_far_roots_may_be_off() {
+        let [root] = positive_roots(&from_roots(&[1.0, 1.0 + 1e-12, 1.0 + 2e-12]))[..] else { panic!("one root") };
+        assert!(root.before == -root.after && root.error > 1e-12 && root.error < 1e-3);
     }
 
     #[test]

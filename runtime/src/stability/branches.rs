@@ -1,8 +1,8 @@
 //! The order in which eigenvalues keep their places as the speed grows.
 
 use super::characteristic::Characteristic;
-use crate::Complex;
 use crate::numeric::{DoubleDouble, Polynomial, positive_roots};
+use crate::{Complex, SystemError};
 
 /// A stretch of speeds over which one order keeps every eigenvalue at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +48,10 @@ enum Key {
 ///
 /// They end where the discriminant is zero. Two pairs, sorted by their real or by their imaginary parts, may also cross
 /// without meeting; in stretches around such crossings they are sorted by the part that does not cross.
-pub(super) fn stretches(characteristic: &Characteristic) -> Vec<Stretch> {
+///
+/// # Errors
+/// If an end leaves the range of `f64`.
+pub(super) fn stretches(characteristic: &Characteristic) -> Result<Vec<Stretch>, SystemError> {
     let half = DoubleDouble::from(0.5);
     let meetings: Vec<DoubleDouble> =
         positive_roots(&characteristic.discriminant()).iter().map(|root| root.at).collect();
@@ -71,12 +74,15 @@ pub(super) fn stretches(characteristic: &Characteristic) -> Vec<Stretch> {
             let next = crossed.get(j + 1).map_or(if at < to { to } else { at }, |&next| (at + next) * half);
             let order = Order { pairs, key: Key::separating(characteristic.roots(at)) };
             let [from_speed, to_speed] = [from, next].map(|speed| characteristic.speed(speed.to_f64()));
+            if !to_speed.is_finite() {
+                return Err(SystemError::OutOfRange { quantity: "a critical speed" });
+            }
             stretches.push(Stretch { from: from_speed, to: to_speed, order });
             from = next;
         }
         from = end.unwrap_or(from);
     }
-    stretches
+    Ok(stretches)
 }
 
 /// The polynomial in the speed that is zero where two eigenvalues have the same sum as the other two: for two pairs, where

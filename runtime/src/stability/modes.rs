@@ -70,7 +70,7 @@ impl Modes {
     pub fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
         let characteristic = Characteristic::new(coefficients, gravity)?;
         let mut modes = Self { coefficients: coefficients.finite()?, gravity, stretches: Vec::new() };
-        for stretch in stretches(&characteristic) {
+        for stretch in stretches(&characteristic)? {
             let above = modes.ordered(stretch.near_lower_end(), &stretch)?;
             let names = match modes.stretches.last() {
                 None => names_at_rest(above),

@@ -68,7 +68,8 @@ fn critical_speed(
     let speed = characteristic.speed(root.at.to_f64());
     let error = characteristic.speed(root.error) + 0.5 * f64::EPSILON * speed;
     let eigenvalue = Complex::new(characteristic.eigenvalue(eigenvalue.re), characteristic.eigenvalue(eigenvalue.im));
-    if [speed, error, eigenvalue.re, eigenvalue.im].iter().all(|number| number.is_finite()) {
+    let is_finite = [speed, error, eigenvalue.re, eigenvalue.im].iter().all(|number| number.is_finite());
+    if is_finite && speed > 0.0 {
         Ok(CriticalSpeed { kind, speed, error, eigenvalue, change })
     } else {
         Err(SystemError::OutOfRange { quantity: "a critical speed" })
