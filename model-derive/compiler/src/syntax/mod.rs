@@ -4,6 +4,7 @@ mod declaration;
 mod expression;
 mod items;
 mod number;
+mod parameters;
 mod tokens;
 mod unit;
 
