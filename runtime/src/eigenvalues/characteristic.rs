@@ -29,7 +29,7 @@ fn rows(matrix: &Matrix<f64, 2>) -> Rows {
 #[inline]
 fn is_moderate(entry: f64) -> bool {
     let magnitude = entry.abs();
-    (magnitude == 0.0) | ((magnitude >= 1e-30) & (magnitude <= 1e30))
+    (1e-30..=1e30).contains(&magnitude) | (magnitude == 0.0)
 }
 
 /// The quartic `det(M s^2 + C s + K) / det M`.

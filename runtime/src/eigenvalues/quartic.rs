@@ -82,11 +82,12 @@ impl Quartic {
             }
             let next = newton(factors, residual);
             let (next_residual, next_error) = self.residual(next);
-            // Also stops at what is not a number, from factors with a root in common.
-            if !(next_error < error) {
+            // Factors with a root in common may give what is not a number, which is not smaller either.
+            if next_error < error {
+                (factors, residual, error) = (next, next_residual, next_error);
+            } else {
                 break;
             }
-            (factors, residual, error) = (next, next_residual, next_error);
         }
         (factors, error)
     }

@@ -121,11 +121,12 @@ impl Resolvent<DoubleDouble> {
             let square = f * f;
             let (value, slope) = (f * (square - three * self.m) - self.n - self.n, three * (square - self.m));
             let step = value / slope;
-            // Also stops at what is not a number, where the slope is zero.
-            if !(step.abs().to_f64() > f.abs().to_f64() * f64::EPSILON * f64::EPSILON) {
+            // Where the slope is zero the step may not be a number, which is not larger either.
+            if step.abs().to_f64() > f.abs().to_f64() * f64::EPSILON * f64::EPSILON {
+                f = f - step;
+            } else {
                 break;
             }
-            f = f - step;
         }
         f
     }

@@ -14,7 +14,6 @@ pub(crate) struct DoubleDouble {
 
 impl DoubleDouble {
     pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
-    pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
 
     /// `a b`, exactly.
     pub(crate) fn product(a: f64, b: f64) -> Self {
@@ -107,9 +106,10 @@ mod tests {
     #[test]
     fn keeps_what_f64_rounds_away() {
         let small = DoubleDouble::from(2f64.powi(-53)) / 3.0.into();
-        let sum = DoubleDouble::ONE + small;
+        let one = DoubleDouble::from(1.0);
+        let sum = one + small;
         assert_eq!(sum.to_f64(), 1.0);
-        assert!(((sum - DoubleDouble::ONE) - small).abs().to_f64() < 2f64.powi(-105));
+        assert!(((sum - one) - small).abs().to_f64() < 2f64.powi(-105));
     }
 
     #[test]
@@ -117,7 +117,7 @@ mod tests {
         let two = DoubleDouble::from(2.0);
         let error = two.sqrt() * two.sqrt() - two;
         assert!(error.abs().to_f64() < 2f64.powi(-102));
-        let third = DoubleDouble::ONE / 3.0.into();
-        assert!((third * 3.0.into() - DoubleDouble::ONE).abs().to_f64() < 2f64.powi(-104));
+        let third = DoubleDouble::from(1.0) / 3.0.into();
+        assert!((third * 3.0.into() - 1.0.into()).abs().to_f64() < 2f64.powi(-104));
     }
 }

@@ -41,7 +41,7 @@ fn roots_on_half_line(polynomial: &Polynomial) -> Vec<Root> {
         return Vec::new();
     }
     // One of more points than there are roots is no root.
-    let no_root = |&t: &f64| polynomial.stretched(t).at(DoubleDouble::ONE).sign() != 0;
+    let no_root = |&t: &f64| polynomial.stretched(t).at(DoubleDouble::from(1.0)).sign() != 0;
     let t = (0..=degree).map(|i| 1.0 + i as f64 / 16.0).find(no_root).unwrap_or(1.0);
     let stretched = polynomial.stretched(t);
     let scale = DoubleDouble::from(t);
@@ -72,7 +72,7 @@ fn roots_in_unit_interval(polynomial: &Polynomial) -> Vec<Root> {
     let (mut low, mut before) = (DoubleDouble::ZERO, first.unwrap_or(0));
     // Stationary points since `low` at which the polynomial is zero.
     let mut zeros: Option<(DoubleDouble, DoubleDouble)> = None;
-    for point in stationary.chain([DoubleDouble::ONE]) {
+    for point in stationary.chain([DoubleDouble::from(1.0)]) {
         let sign = polynomial.at(point).sign();
         if sign == 0 {
             zeros = Some((zeros.map_or(point, |(first, _)| first), point));

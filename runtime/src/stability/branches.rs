@@ -14,13 +14,14 @@ pub(super) struct Stretch {
     pub(super) order: Order,
 }
 
-/// The distance from an end of a stretch, relative to its length, at which eigenvalues are compared.
+/// The distance from an end of a stretch, relative to its length or to the speed there, at which eigenvalues are compared.
 const NEAR: f64 = 1.0 / 1024.0;
 
 impl Stretch {
     /// A speed just above the lower end.
     pub(super) fn near_lower_end(&self) -> f64 {
-        self.from + NEAR * (self.to - self.from)
+        let length = self.to - self.from;
+        self.from + NEAR * if self.from > 0.0 { length.min(self.from) } else { length }
     }
 
     /// A speed just below the upper end.
@@ -62,7 +63,7 @@ pub(super) fn stretches(characteristic: &Characteristic) -> Result<Vec<Stretch>,
     let mut from = DoubleDouble::ZERO;
     for i in 0..=meetings.len() {
         let end = meetings.get(i).copied();
-        let to = end.unwrap_or(if i == 0 { DoubleDouble::ONE } else { from + from });
+        let to = end.unwrap_or(if i == 0 { DoubleDouble::from(1.0) } else { from + from });
         let middle = (from + to) * half;
         let pairs = count_pairs(characteristic.roots(middle));
         let inside = crossings.iter().copied().filter(|&at| pairs == 2 && at >= from && end.is_none_or(|end| at < end));

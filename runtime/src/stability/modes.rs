@@ -46,13 +46,34 @@ pub struct ModeValue {
 /// - of two real ones and a pair the lower real one is castering, the other one capsize, and the pair is weave;
 /// - of two pairs the one with the lower real part is castering and capsize, the other one weave.
 ///
-/// Eigenvalues change continuously with the speed. Real ones keep their order and a pair stays a pair up to a speed at
-/// which two eigenvalues coincide. There names pass to the nearest eigenvalues above that speed: two real ones that merge
-/// pass both of their names to the pair, castering and capsize, for one; when it splits, the name that comes first in
-/// castering, capsize, weave goes to the lower real eigenvalue unless only the other way is continuous. What has met may
-/// well be exchanged, since it is equal there; nothing else is, and no eigenvalue is named twice.
+/// Eigenvalues are continuous in the speed. Up to a double-root speed real ones keep their order and pairs stay pairs, so
+/// that the names stay, too; two pairs may pass each other, at different real or imaginary parts. At a double-root speed
+/// each name passes to the eigenvalue that continues its own. The two that meet are equal there, so that either order of
+/// their names is continuous: of two real ones that merge the lower one passes its name to the half of the pair with the
+/// negative imaginary part, which passes it to the lower one when the pair splits; real ones that only touch keep their
+/// order. So no line jumps, and no eigenvalue is named twice while another one has no name.
 ///
-/// A pair may so carry two names, and a name a different kind of motion than at rest.
+/// A pair may carry two names: castering and capsize, for one, oscillate as one pair at low speeds of many bicycles.
+///
+/// ```
+/// use carvallo::{Coefficients, Mode, Modes};
+///
+/// // The benchmark bicycle, with its weave mode as a pair from 0.684 m/s on.
+/// let zero = [[0.0; 2]; 2];
+/// let m = [[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]];
+/// let c1 = [[0.0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]];
+/// let k0 = [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]];
+/// let k2 = [[0.0, 76.59734589573222], [0.0, 2.65431523794604]];
+/// let modes = Modes::new(&Coefficients::from_rows([m, zero, c1, zero, k0, k2]), 9.81)?;
+///
+/// let [castering, capsize, weave, other_half] = modes.at(5.0)?;
+/// assert_eq!(weave.mode, Mode::Weave);
+/// assert!((castering.value.re + 14.078389692798).abs() < 1e-10);
+/// assert!((capsize.value.re + 0.322866429004).abs() < 1e-10);
+/// assert!((weave.value.im + 4.464867713788).abs() < 1e-10);
+/// assert_eq!(other_half.value, weave.value.conj());
+/// # Ok::<(), carvallo::SystemError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Modes {
     coefficients: Coefficients<f64, 2>,
@@ -117,14 +138,15 @@ fn names_at_rest(ordered: [Complex<f64>; 4]) -> [Mode; 4] {
     }
 }
 
-/// The names of eigenvalues above a speed from those below it: each one's goes to the nearest, as a whole.
+/// The names of eigenvalues above a speed from those below it, so that the distances between them sum to the least.
 fn pass_on(names: [Mode; 4], below: [Complex<f64>; 4], above: [Complex<f64>; 4]) -> [Mode; 4] {
     let orders = (0..256).map(|code| [code / 64, code / 16 % 4, code / 4 % 4, code % 4]);
     let permutations = orders.filter(|order| (0..4).all(|place| order.contains(&place)));
     let mut best = (f64::INFINITY, [0, 1, 2, 3]);
     for order in permutations {
         let distance: f64 = (0..4).map(|i| (below[i] - above[order[i]]).norm()).sum();
-        // What merges or splits is as far from either half of a pair: the first order is to win such ties.
+        // What merges or splits is as far from either half of a pair. Of such orders the first one keeps real parts and
+        // imaginary parts ascending.
         if distance < best.0 * (1.0 - TIE) {
             best = (distance, order);
         }

@@ -41,7 +41,7 @@ impl Verdicts {
         let at = |speed: DoubleDouble| verdict(&characteristic.at(speed));
         let bounds = bounds(characteristic, found);
         let above = |i: usize| match (i.checked_sub(1).map(|i| bounds[i].speed), bounds.get(i)) {
-            (None, None) => at(DoubleDouble::ONE),
+            (None, None) => at(DoubleDouble::from(1.0)),
             (None, Some(next)) => at(next.speed * 0.5.into()),
             (Some(last), None) => at(last + last),
             (Some(last), Some(next)) => at((last + next.speed) * 0.5.into()),

@@ -48,7 +48,7 @@ pub(super) fn search(characteristic: &Characteristic) -> Result<Vec<Found>, Syst
 fn change_of_verdict(characteristic: &Characteristic, found: &[Found], at: DoubleDouble) -> Change {
     let half = DoubleDouble::from(0.5);
     let others = found.iter().map(|found| found.at).filter(|&other| !is_same(other, at));
-    let below = others.clone().filter(|&other| other < at).last().unwrap_or(DoubleDouble::ZERO);
+    let below = others.clone().rfind(|&other| other < at).unwrap_or(DoubleDouble::ZERO);
     let above = others.clone().find(|&other| other > at).unwrap_or(at + at);
     let is_unstable = |speed| i8::from(verdict(&characteristic.at(speed)) == Verdict::Unstable);
     match is_unstable((at + above) * half) - is_unstable((below + at) * half) {

@@ -35,14 +35,14 @@ pub(super) fn verdict(coefficients: &[Sum]) -> Verdict {
         return Verdict::Unstable;
     }
     // Zero if a pair is on the imaginary axis, given that no coefficient is negative and the first one is positive.
-    let axis = match without_zeros {
-        &[_, p1, _] => p1.sign(),
-        &[p0, p1, p2, p3] => (p1 * p2 - p0 * p3).sign(),
-        &[p0, p1, p2, p3, p4] if p1.sign() == 0 && p3.sign() == 0 => {
+    let axis = match *without_zeros {
+        [_, p1, _] => p1.sign(),
+        [p0, p1, p2, p3] => (p1 * p2 - p0 * p3).sign(),
+        [p0, p1, p2, p3, p4] if p1.sign() == 0 && p3.sign() == 0 => {
             // A quadratic in s^2, whose roots must be real.
             if p2.sign() > 0 && (p2 * p2 - p0 * p4 * 4.0.into()).sign() >= 0 { 0 } else { -1 }
         }
-        &[p0, p1, p2, p3, p4] => (p1 * p2 * p3 - p1 * p1 * p4 - p0 * p3 * p3).sign(),
+        [p0, p1, p2, p3, p4] => (p1 * p2 * p3 - p1 * p1 * p4 - p0 * p3 * p3).sign(),
         _ => 1,
     };
     match axis {
