@@ -15,3 +15,8 @@ pub mod published;
 pub mod quartic;
 pub mod real;
 pub mod roots;
+
+/// The example of the README, which must compile and run as it stands there.
+#[cfg(all(doctest, feature = "compiler"))]
+#[doc = include_str!("../../README.md")]
+struct Readme;
