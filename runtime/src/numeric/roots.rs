@@ -19,6 +19,9 @@ pub(crate) struct Root {
 }
 
 /// The roots in (0, infinity), ascending; none for the zero polynomial.
+///
+/// Without those that rounding the terms to `f64` might as well move to zero or to infinity: they come from a first or a
+/// last coefficient that should have cancelled to zero.
 pub(crate) fn positive_roots(polynomial: &Polynomial) -> Vec<Root> {
     let polynomial = polynomial.without_zero_roots();
     match polynomial.in_square() {
@@ -45,14 +48,15 @@ fn roots_on_half_line(polynomial: &Polynomial) -> Vec<Root> {
     let t = (0..=degree).map(|i| 1.0 + i as f64 / 16.0).find(no_root).unwrap_or(1.0);
     let stretched = polynomial.stretched(t);
     let scale = DoubleDouble::from(t);
-    let below = roots_in_unit_interval(&stretched).into_iter();
-    let above = roots_in_unit_interval(&stretched.reversed()).into_iter().rev();
+    let is_there = |root: &Root| root.error < root.at.to_f64();
+    let below = roots_in_unit_interval(&stretched).into_iter().filter(is_there);
+    let above = roots_in_unit_interval(&stretched.reversed()).into_iter().rev().filter(is_there);
     let below = below.map(|root| Root { at: root.at * scale, error: root.error * t, ..root });
     let above = above.map(|Root { at, error, before, after }| {
         let reciprocal = scale / at;
         Root {
             at: reciprocal,
-            error: error * reciprocal.to_f64() / (at.to_f64() - error).max(f64::MIN_POSITIVE),
+            error: error * reciprocal.to_f64() / (at.to_f64() - error),
             before: after,
             after: before,
         }

@@ -98,7 +98,7 @@ fn crossing(characteristic: &Characteristic) -> Polynomial {
     }
 }
 
-fn count_pairs(factored: [[Complex<f64>; 2]; 2]) -> usize {
+pub(super) fn count_pairs(factored: [[Complex<f64>; 2]; 2]) -> usize {
     factored.iter().filter(|factor| is_pair(factor)).count()
 }
 

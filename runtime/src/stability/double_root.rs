@@ -41,11 +41,12 @@ pub(super) fn find(characteristic: &Characteristic, root: &mut Root) -> DoubleRo
     DoubleRoot { eigenvalue: real(point.eigenvalue.to_f64()), unfolding: by_speed[0].sign() * by_eigenvalue[2].sign() }
 }
 
-/// The two eigenvalues at a scaled speed that are closest to each other.
+/// The two eigenvalues at a scaled speed that are closest to each other, of those that are not zero at all speeds.
 fn closest(characteristic: &Characteristic, speed: DoubleDouble) -> (Complex<f64>, Complex<f64>) {
-    let roots = characteristic.roots(speed);
-    let roots = roots.as_flattened();
-    let pairs = (0..4).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let mut roots = characteristic.roots(speed).as_flattened().to_vec();
+    roots.sort_by(|x, y| y.norm().total_cmp(&x.norm()));
+    let count = characteristic.coefficients().len() - 1;
+    let pairs = (0..count).flat_map(|i| (0..i).map(move |j| (i, j)));
     let distance = |&(i, j): &(usize, usize)| (roots[i] - roots[j]).norm();
     let (i, j) = pairs.min_by(|x, y| distance(x).total_cmp(&distance(y))).unwrap_or((0, 1));
     (roots[i], roots[j])

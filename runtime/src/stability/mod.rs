@@ -4,6 +4,7 @@ mod branches;
 mod characteristic;
 mod critical;
 mod double_root;
+mod imaginary;
 mod modes;
 mod ranges;
 mod search;
