@@ -9,6 +9,13 @@
 //! with the forward speed v in m/s and the gravitational field strength g in N/kg taken out (Meijaard, Papadopoulos,
 //! Ruina & Schwab 2007, eq. 5.3). This crate holds the trait that every model implements ([`Model`]), the matrices
 //! ([`Coefficients`]), and the names, units and domains that a model carries with it ([`ModelInfo`]).
+//!
+//! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
+//! Along speed, models with two coordinates have their critical speeds and stable ranges ([`Stability`]) and eigenvalues
+//! that are followed mode by mode ([`Modes`]); for any other number of coordinates there are the eigenvalues at a speed.
+//!
+//! Without feature `std` there is all of this that does not allocate: the matrices, the state-space form and the
+//! [four eigenvalues](System::quartic_eigenvalues) of two coordinates.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

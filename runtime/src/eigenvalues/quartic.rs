@@ -139,7 +139,7 @@ impl Quadratic {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "std"))]
 mod tests {
     use proptest::prelude::*;
 
@@ -197,6 +197,14 @@ mod tests {
         #[test]
         fn roots_of_any_kind(s in (number(4.0), number(4.0), any::<bool>()), t in (number(4.0), number(4.0), any::<bool>())) {
             prop_assert!(backward_error(product(factor(s), factor(t))) < 16.0);
+        }
+
+        /// Two imaginary pairs that nearly coincide, as without damping.
+        #[test]
+        fn biquadratics(square in 1e-3..1e3f64, near in -1e-12..1e-12f64) {
+            let other = square * (1.0 + near);
+            let quartic = Quartic { a: 0.0, b: square + other, c: 0.0, d: square * other };
+            prop_assert!(backward_error(quartic) < 16.0);
         }
 
         /// Up to four roots that differ from the eighth digit on.

@@ -18,6 +18,9 @@ use crate::numeric::{DoubleDouble, Real};
 /// The ratio of constant terms from which on it pays to compute one factor from the other.
 const MUCH_SMALLER: f64 = 1.0 / 64.0;
 
+/// By how much a double root may be off in `f64`, and a margin.
+const ABOVE: f64 = 1.0 + 1e-7;
+
 /// A quartic and its resolvent cubic, `f^3 - 3 m f - 2 n` with `y = b/3 + f`.
 pub(super) struct Resolvent<T> {
     a: T,
@@ -106,7 +109,8 @@ impl Resolvent<DoubleDouble> {
         let discriminant = self.discriminant.to_f64();
         let outer =
             if discriminant > 0.0 { single_root(m, n, discriminant) } else { largest_root(m, n.abs()).copysign(n) };
-        [outer, largest_root(m, n)].map(|f| {
+        // Between two roots that nearly coincide the iteration may leave both; above the largest it cannot.
+        [outer, largest_root(m, n) * ABOVE].map(|f| {
             let (factors, _) = self.factors_at(self.polished(f));
             factors.map(|Quadratic { p, q }| Quadratic { p: p.to_f64(), q: q.to_f64() })
         })

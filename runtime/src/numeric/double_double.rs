@@ -97,7 +97,7 @@ fn split(a: f64) -> (f64, f64) {
     (hi, a - hi)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "std"))]
 mod tests {
     use super::DoubleDouble;
     use crate::numeric::Real;

@@ -13,6 +13,9 @@ pub(super) struct Pair {
     pub(super) side: (i8, i8),
 }
 
+/// What may be left, relative to its terms, of a coefficient that is zero where the determinant touches zero.
+const BLUR: f64 = 1e-10;
+
 /// The imaginary pairs at a root of the Hurwitz determinant.
 ///
 /// The determinant is, up to a positive factor, a product of sums of two eigenvalues each. Two of these have a sign that
@@ -24,8 +27,11 @@ pub(super) fn imaginary_pairs(characteristic: &Characteristic, root: Root) -> Ve
         let square = numerator.value / denominator.value;
         is_imaginary.then(|| Pair { square, rest, side: (sign * root.before, sign * root.after) }).into_iter().collect()
     };
+    // A root at which the determinant only touches zero is less sharp than one at which it changes sign.
+    let is_touched = root.before == root.after;
+    let is_zero = |p: Sum| p.sign() == 0 || is_touched && p.value.abs().to_f64() <= BLUR * p.size;
     match p[..] {
-        [p0, p1, p2, p3, p4] if p1.sign() == 0 && p3.sign() == 0 => {
+        [p0, p1, p2, p3, p4] if is_zero(p1) && is_zero(p3) => {
             let slopes = characteristic.speed_derivative().at(root.at);
             two_pairs([p0, p2, p4], [slopes[1], slopes[3]])
         }

@@ -96,3 +96,108 @@ fn require_speed(speed: f64) -> Result<(), SystemError> {
     crate::system::require_finite("speed", speed)?;
     if speed < 0.0 { Err(SystemError::NegativeSpeed { speed }) } else { Ok(()) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Change, CriticalKind, Stability, StableRange, Verdict};
+    use crate::{Coefficients, Modes, SystemError};
+
+    type Rows = [[f64; 2]; 2];
+    const ZERO: Rows = [[0.0; 2]; 2];
+    const ONE: Rows = diagonal(1.0, 1.0);
+
+    const fn diagonal(x: f64, y: f64) -> Rows {
+        [[x, 0.0], [0.0, y]]
+    }
+
+    /// M q'' + (C0 + v C1) q' + (Kc + v^2 K2) q with M = 1.
+    fn stability(c0: Rows, c1: Rows, kc: Rows, k2: Rows) -> Stability {
+        let coefficients = Coefficients::<f64, 2>::from_rows([ONE, c0, c1, kc, ZERO, k2]);
+        Modes::new(&coefficients, 0.0).expect("modes of a regular system");
+        Stability::new(&coefficients, 0.0).expect("stability of a regular system")
+    }
+
+    fn assert_speeds(stability: &Stability, expected: &[(CriticalKind, f64, Change)]) {
+        let found = stability.critical_speeds.iter().map(|critical| (critical.kind, critical.speed, critical.change));
+        let found: Vec<_> = found.collect();
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (found, expected) in found.iter().zip(expected) {
+            assert!(found.0 == expected.0 && found.2 == expected.2, "{found:?}");
+            assert!((found.1 - expected.1).abs() <= 1e-14 * expected.1, "{found:?}");
+        }
+    }
+
+    /// s^2 + (v - 1) s + 4 and s^2 + 3 s + 5 - v^2, uncoupled.
+    #[test]
+    fn uncoupled_coordinates_are_critical_each_on_its_own() {
+        let stability = stability(diagonal(-1.0, 3.0), diagonal(1.0, 0.0), diagonal(4.0, 5.0), diagonal(0.0, -1.0));
+        assert_eq!(stability.stable_ranges, [StableRange { from: 1.0, to: Some(5f64.sqrt()) }]);
+        let kinds = stability.critical_speeds.iter().filter(|critical| critical.kind != CriticalKind::DoubleRoot);
+        let kinds: Vec<_> = kinds.map(|critical| (critical.kind, critical.change, critical.eigenvalue.im)).collect();
+        let weave = (CriticalKind::Weave, Change::Stabilizes, 2.0);
+        assert_eq!(kinds, [weave, (CriticalKind::Capsize, Change::Destabilizes, 0.0)]);
+        // Discriminants: 9 - 4 (5 - v^2) and (v - 1)^2 - 16.
+        for (speed, change) in [(11f64.sqrt() / 2.0, Change::Splits), (5.0, Change::Splits)] {
+            let is_there = |critical: &super::CriticalSpeed| (critical.speed - speed).abs() < 1e-14 * speed;
+            assert!(stability.critical_speeds.iter().any(|critical| is_there(critical) && critical.change == change));
+        }
+    }
+
+    /// Without damping the eigenvalues are symmetric: s^4 + 5 s^2 + 4 + v^4. Two imaginary pairs meet at v^4 = 9/4.
+    #[test]
+    fn undamped_motion_is_marginal_up_to_flutter() {
+        let stability = stability(ZERO, ZERO, diagonal(1.0, 4.0), [[0.0, 1.0], [-1.0, 0.0]]);
+        let flutter = 2.25f64.sqrt().sqrt();
+        assert_speeds(&stability, &[(CriticalKind::DoubleRoot, flutter, Change::Destabilizes)]);
+        assert!((stability.critical_speeds[0].eigenvalue.im - 2.5f64.sqrt()).abs() < 1e-7);
+        assert!(stability.stable_ranges.is_empty());
+        let verdicts = [0.0, 1.0, flutter + 0.1].map(|speed| stability.verdict(speed));
+        assert_eq!(verdicts, [Ok(Verdict::Marginal), Ok(Verdict::Marginal), Ok(Verdict::Unstable)]);
+    }
+
+    /// Damping (v - 1) of both coordinates: both pairs cross the axis at once, and the determinant keeps its sign.
+    #[test]
+    fn pairs_that_cross_together_are_both_found() {
+        let stability = stability(diagonal(-1.0, -1.0), ONE, diagonal(1.0, 4.0), ZERO);
+        let weave = stability.critical_speeds.iter().filter(|critical| critical.kind == CriticalKind::Weave);
+        let mut frequencies: Vec<f64> = weave.map(|critical| critical.eigenvalue.im).collect();
+        frequencies.sort_by(f64::total_cmp);
+        assert_eq!(frequencies, [1.0, 2.0]);
+        assert_eq!(stability.stable_ranges, [StableRange { from: 1.0, to: None }]);
+        assert_eq!(stability.verdict(1.0), Ok(Verdict::Marginal));
+    }
+
+    /// A free coordinate has an eigenvalue that is zero at all speeds: the motion is marginal at best.
+    #[test]
+    fn a_zero_eigenvalue_at_all_speeds_is_set_aside() {
+        let stability = stability(diagonal(1.0, -1.0), diagonal(0.0, 1.0), diagonal(0.0, 4.0), ZERO);
+        let weave = (CriticalKind::Weave, 1.0, Change::Stabilizes);
+        assert!(stability.critical_speeds.iter().any(|found| (found.kind, found.speed, found.change) == weave));
+        assert!(stability.critical_speeds.iter().all(|critical| critical.kind != CriticalKind::Capsize));
+        assert_eq!([0.5, 1.0, 2.0].map(|speed| stability.verdict(speed).unwrap()), {
+            [Verdict::Unstable, Verdict::Marginal, Verdict::Marginal]
+        });
+    }
+
+    #[test]
+    fn motion_that_does_not_depend_on_the_speed_has_no_critical_speed() {
+        let damped = stability(ONE, ZERO, ONE, ZERO);
+        assert!(damped.critical_speeds.is_empty());
+        assert_eq!(damped.stable_ranges, [StableRange { from: 0.0, to: None }]);
+        assert_eq!(damped.verdict(0.0), Ok(Verdict::Stable));
+        let free = stability(ZERO, ZERO, ZERO, ZERO);
+        assert!(free.critical_speeds.is_empty() && free.stable_ranges.is_empty());
+        assert_eq!(free.verdict(3.0), Ok(Verdict::Marginal));
+    }
+
+    #[test]
+    fn errors_name_what_is_wrong() {
+        let stability = stability(ONE, ZERO, ONE, ZERO);
+        assert_eq!(stability.verdict(-1.0), Err(SystemError::NegativeSpeed { speed: -1.0 }));
+        let singular = Coefficients::<f64, 2>::from_rows([[[1.0, 2.0], [2.0, 4.0]], ZERO, ONE, ONE, ZERO, ZERO]);
+        assert_eq!(Stability::new(&singular, 0.0), Err(SystemError::SingularMass));
+        let infinite = Coefficients::<f64, 2>::from_rows([ONE, ZERO, ONE, diagonal(f64::INFINITY, 1.0), ZERO, ZERO]);
+        let error = SystemError::NotFinite { quantity: "Kc", value: f64::INFINITY };
+        assert_eq!(Stability::new(&infinite, 0.0), Err(error));
+    }
+}

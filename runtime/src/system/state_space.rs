@@ -12,6 +12,21 @@ use crate::{Matrix, System, SystemError};
 /// A = [     0         I     ]    B = [   0    ]
 ///     [ stiffness  damping  ]        [ input  ]
 /// ```
+///
+/// ```
+/// use carvallo::{Matrix, System};
+///
+/// // 2 q1'' + 4 q1' + 8 q1 = f1 and q2'' + q1 = f2.
+/// let system = System {
+///     m: Matrix::<f64, 2>::new(2.0, 0.0, 0.0, 1.0),
+///     c: Matrix::<f64, 2>::new(4.0, 0.0, 0.0, 0.0),
+///     k: Matrix::<f64, 2>::new(8.0, 0.0, 1.0, 0.0),
+/// };
+/// let state_space = system.state_space()?;
+/// assert_eq!(state_space.a().row(2).transpose().as_slice(), [-4.0, 0.0, -2.0, 0.0]);
+/// assert_eq!(state_space.b().row(2).transpose().as_slice(), [0.5, 0.0]);
+/// # Ok::<(), carvallo::SystemError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateSpace<const N: usize> {
     /// The block -M^-1 K of A.
