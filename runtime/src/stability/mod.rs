@@ -155,6 +155,15 @@ mod tests {
         assert_eq!(verdicts, [Ok(Verdict::Marginal), Ok(Verdict::Marginal), Ok(Verdict::Unstable)]);
     }
 
+    /// Undamped, s^2 + 1 - v^2 and s^2 + 4: an imaginary pair becomes a real one, +-s, through zero.
+    #[test]
+    fn undamped_motion_capsizes_through_a_double_zero() {
+        let stability = stability(ZERO, ZERO, diagonal(1.0, 4.0), diagonal(-1.0, 0.0));
+        let capsize = (CriticalKind::Capsize, 1.0, Change::Destabilizes);
+        assert_speeds(&stability, &[capsize, (CriticalKind::DoubleRoot, 1.0, Change::Splits)]);
+        assert_eq!([0.5, 1.5].map(|speed| stability.verdict(speed)), [Ok(Verdict::Marginal), Ok(Verdict::Unstable)]);
+    }
+
     /// Damping (v - 1) of both coordinates: both pairs cross the axis at once, and the determinant keeps its sign.
     #[test]
     fn pairs_that_cross_together_are_both_found() {

@@ -40,14 +40,15 @@ pub(super) fn search(characteristic: &Characteristic) -> Result<Vec<Found>, Syst
     found.sort_by(|x, y| x.at.partial_cmp(&y.at).unwrap_or(Ordering::Equal));
     for i in 0..found.len() {
         if found[i].undecided {
-            found[i].critical.change = change_around(characteristic, &found, found[i].at);
+            found[i].critical.change = change_around(characteristic, &found, &found[i]);
         }
     }
     Ok(found)
 }
 
-/// The change at a speed from what is half-way to its neighbours: the number of pairs, or else the verdict.
-fn change_around(characteristic: &Characteristic, found: &[Found], at: DoubleDouble) -> Change {
+/// The change at a critical speed from what is half-way to its neighbours: the number of pairs, where two eigenvalues
+/// meet, or else the verdict.
+fn change_around(characteristic: &Characteristic, found: &[Found], &Found { at, critical, .. }: &Found) -> Change {
     let half = DoubleDouble::from(0.5);
     let others = found.iter().map(|found| found.at).filter(|&other| !is_same(other, at));
     let below = others.clone().rfind(|&other| other < at).unwrap_or(DoubleDouble::ZERO);
@@ -55,7 +56,8 @@ fn change_around(characteristic: &Characteristic, found: &[Found], at: DoubleDou
     let around = [(below + at) * half, (at + above) * half];
     let [pairs_below, pairs_above] = around.map(|speed| count_pairs(characteristic.roots(speed)));
     let [unstable_below, unstable_above] = around.map(|speed| verdict(&characteristic.at(speed)) == Verdict::Unstable);
-    match (pairs_below.cmp(&pairs_above), unstable_below, unstable_above) {
+    let pairs = if critical.kind == CriticalKind::DoubleRoot { pairs_below.cmp(&pairs_above) } else { Ordering::Equal };
+    match (pairs, unstable_below, unstable_above) {
         (Ordering::Less, ..) => Change::Merges,
         (Ordering::Greater, ..) => Change::Splits,
         (_, true, false) => Change::Stabilizes,
@@ -98,7 +100,7 @@ fn capsize(characteristic: &Characteristic, root: Root) -> Result<Found, SystemE
     let change = change(-root.before * slope, -root.after * slope);
     let critical = critical_speed(characteristic, CriticalKind::Capsize, root, Complex::new(0.0, 0.0), change)?;
     let there = Some(verdict(&p[1..]).max(Verdict::Marginal));
-    Ok(Found { critical, at: root.at, there, undecided: false })
+    Ok(Found { critical, at: root.at, there, undecided: slope == 0 })
 }
 
 /// Where the Hurwitz determinant is zero, if two eigenvalues that sum to zero are imaginary.
