@@ -1,4 +1,4 @@
-//! Equations to a [`Program`]. This folder is the one door to Symbolica: nothing outside it names Symbolica.
+//! Equations to a [`Program`](crate::program::Program). This folder is the one door to Symbolica: nothing outside it names Symbolica.
 
 mod door;
 mod form;
