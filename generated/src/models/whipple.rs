@@ -11,7 +11,7 @@
 /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, Appendix A
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad.
-#[allow(clippy::all, dead_code, non_snake_case)]
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -124,7 +124,7 @@ pub struct Whipple<T = ::core::primitive::f64> {
     /// `IFyy` in kg*m^2: >= 0.
     pub IFyy: T,
 }
-#[allow(clippy::all, dead_code, non_snake_case)]
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl Whipple<::core::primitive::f64> {
     /// The parameter set `benchmark`.
     ///
@@ -189,7 +189,7 @@ impl Whipple<::core::primitive::f64> {
         IFyy: 0.28,
     };
 }
-#[allow(clippy::all, dead_code, non_snake_case)]
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> Whipple<T> {
     /// The parameters from an array in declared order.
     #[must_use]
@@ -291,7 +291,7 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
 /// The coefficient matrices of [`Whipple`], each 2 x 2 and row by row, in SI units.
 ///
 /// Matrices that the model does not declare are zero and left out.
-#[allow(clippy::all, dead_code, non_snake_case)]
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -308,7 +308,7 @@ pub struct WhippleMatrices<T = ::core::primitive::f64> {
     /// Stiffness K2, a coefficient of v^2 q.
     pub k2: [[T; 2]; 2],
 }
-#[allow(clippy::all, dead_code, non_snake_case)]
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 54 additions, 71 multiplications, 4 divisions, 3 negations and 2 trigonometric functions: 134 operations.
@@ -378,7 +378,7 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
         }
     }
 }
-#[allow(clippy::all, dead_code, non_snake_case)]
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
     type Scalar = T;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {

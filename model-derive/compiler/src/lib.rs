@@ -13,6 +13,7 @@ mod equations;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod model;
+mod nearest;
 pub mod program;
 mod report;
 pub mod symbolic;
@@ -24,7 +25,7 @@ pub use crate::emit::Driver;
 pub use crate::equations::Equations;
 use crate::model::Model;
 use crate::program::Program;
-use crate::report::Report;
+use crate::report::{Region, Report};
 
 /// A model and the programs that were compiled for it.
 #[derive(Debug)]
@@ -48,9 +49,20 @@ pub fn compile(declaration: TokenStream) -> syn::Result<Compiled> {
     let Some(model) = model else { unreachable!("a declaration without a model is reported") };
 
     let equations = vec![Equations::of_matrices(&model), Equations::of_requirements(&model)];
-    let programs = symbolic::compile(equations).map_err(|failure| report::error(&model.name, failure))?;
+    let programs = symbolic::compile(equations).map_err(|failure| report::error(region(&model, &failure), failure))?;
     let [matrices, requirements] = programs.try_into().unwrap_or_else(|_| unreachable!("a program for each"));
     Ok(Compiled { model, matrices, requirements })
+}
+
+/// Where in the declaration a failure belongs.
+fn region(model: &Model, failure: &symbolic::Failure) -> Region {
+    use symbolic::{Failure, Place};
+    match *failure {
+        Failure::Undefined { place: Place::Definition(index), .. } => Region::from(&model.definitions[index].0),
+        Failure::Undefined { equations: 0, place: Place::Output(index), .. } => model.entries[index],
+        Failure::Undefined { place: Place::Output(index), .. } => model.requirements[index].region,
+        Failure::System(_) | Failure::Engine(_) => Region::from(&model.name),
+    }
 }
 
 /// Compiles a declaration to Rust.

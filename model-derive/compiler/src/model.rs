@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, TokenStream};
 
+use crate::report::Region;
 use crate::syntax::{Decimal, MatrixName};
 
 /// A model that passed all checks.
@@ -28,8 +29,13 @@ pub struct Model {
     /// The coordinates q, in the order of the rows of the matrices.
     pub coordinates: Vec<Coordinate>,
     /// The declared matrices, in the order of the equation of motion.
-    pub matrices: Vec<(MatrixName, Vec<Vec<Expr>>)>,
+    pub matrices: Matrices,
+    /// Where the entries of the matrices stand, in the same order, row by row.
+    pub entries: Vec<Region>,
 }
+
+/// Matrices by name, each as rows of formulas.
+pub type Matrices = Vec<(MatrixName, Vec<Vec<Expr>>)>;
 
 /// One parameter.
 #[derive(Debug)]
@@ -79,6 +85,8 @@ pub struct ParameterSet {
 pub struct Requirement {
     /// The expression as it was written.
     pub text: String,
+    /// Where it stands.
+    pub region: Region,
     /// The same, resolved.
     pub value: Expr,
     /// The values that are allowed.
@@ -173,6 +181,27 @@ impl Expr {
         }
     }
 
+    /// The value at given values of the parameters and definitions.
+    pub fn evaluate(&self, parameters: &[f64], definitions: &[f64]) -> f64 {
+        let value = |part: &Self| part.evaluate(parameters, definitions);
+        match self {
+            // Digits and a power of ten are always read.
+            Self::Number(number) => number.to_string().parse().unwrap_or(f64::NAN),
+            Self::Pi => std::f64::consts::PI,
+            Self::Parameter(index) => parameters[*index],
+            Self::Definition(index) => definitions[*index],
+            Self::Sum(terms) => terms.iter().map(|(minus, term)| if *minus { -value(term) } else { value(term) }).sum(),
+            Self::Product(factors) => {
+                factors.iter().map(|(inverse, f)| if *inverse { value(f).recip() } else { value(f) }).product()
+            }
+            Self::Power(base, exponent) => value(base).powi(*exponent),
+            Self::Call(Function::Sin, argument) => value(argument).sin(),
+            Self::Call(Function::Cos, argument) => value(argument).cos(),
+            Self::Call(Function::Tan, argument) => value(argument).tan(),
+            Self::Call(Function::Sqrt, argument) => value(argument).sqrt(),
+        }
+    }
+
     /// Calls `visit` with this formula and every one inside it.
     pub fn walk(&self, visit: &mut impl FnMut(&Expr)) {
         visit(self);
@@ -181,6 +210,23 @@ impl Expr {
             Self::Power(inner, _) | Self::Call(_, inner) => inner.walk(visit),
             Self::Number(_) | Self::Pi | Self::Parameter(_) | Self::Definition(_) => {}
         }
+    }
+}
+
+impl Domain {
+    /// Whether `value` is finite and inside.
+    pub fn contains(&self, value: f64) -> bool {
+        let above = match self.lower {
+            Bound::Unbounded => true,
+            Bound::Open(bound) => value > bound,
+            Bound::Closed(bound) => value >= bound,
+        };
+        let below = match self.upper {
+            Bound::Unbounded => true,
+            Bound::Open(bound) => value < bound,
+            Bound::Closed(bound) => value <= bound,
+        };
+        value.is_finite() && above && below
     }
 }
 

@@ -3,7 +3,8 @@
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 
 use super::resolve::unknown_function;
-use crate::report::error;
+use crate::model::Function;
+use crate::report::{Report, error};
 use crate::syntax::{Expression, Kind};
 
 /// Bits of the calculation: enough that the nearest `f64` of the result is the nearest of the exact value.
@@ -38,6 +39,48 @@ impl Constant {
             Err("beyond the range of f64: expected a magnitude between 1e-300 and 1e300".into())
         }
     }
+}
+
+/// Reports parts of a formula that are constant and have no finite value within the range of `f64`, and divisors that
+/// are zero.
+pub fn verify(expression: &Expression, report: &mut Report) {
+    if !verify_parts(expression, report) {
+        return;
+    }
+    let value = Constant::evaluate(expression)
+        .and_then(|constant| constant.to_f64().map_err(|message| error(expression.region, message)));
+    if let Err(error) = value {
+        report.push(error);
+    }
+}
+
+/// Whether all of an expression is constant; if not, its constant parts have been verified.
+fn verify_parts(expression: &Expression, report: &mut Report) -> bool {
+    let parts: Vec<(&Expression, bool)> = match &expression.kind {
+        Kind::Number(_) => return true,
+        Kind::Name(name) => return name == "pi",
+        Kind::Sum(terms) => terms.iter().map(|term| (&term.value, false)).collect(),
+        Kind::Product(factors) => factors.iter().map(|factor| (&factor.value, factor.inverse)).collect(),
+        Kind::Power(base, exponent) => vec![(base, *exponent < 0)],
+        Kind::Call(function, argument) if Function::from_name(&function.to_string()).is_some() => {
+            vec![(argument, false)]
+        }
+        // An unknown function is another mistake.
+        Kind::Call(..) => return false,
+    };
+    let constant: Vec<bool> = parts.iter().map(|(part, _)| verify_parts(part, report)).collect();
+    if constant.iter().all(|constant| *constant) {
+        return true;
+    }
+    for ((part, inverse), _) in parts.iter().zip(&constant).filter(|(_, constant)| **constant) {
+        match Constant::evaluate(part) {
+            Ok(value) if *inverse && value.0.is_zero() => {
+                report.error(part.region, "a division by zero: expected a divisor that is not zero");
+            }
+            _ => verify(part, report),
+        }
+    }
+    false
 }
 
 impl PartialOrd for Constant {

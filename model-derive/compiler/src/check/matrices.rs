@@ -2,24 +2,20 @@
 
 use super::names::Scope;
 use super::resolve;
-use crate::model::Expr;
+use crate::model::{Expr, Matrices};
 use crate::report::{Region, Report};
 use crate::syntax::{Declaration, Matrix, MatrixName};
 
-/// The declared matrices, in the order of the equation of motion.
-pub fn matrices(
-    declaration: &Declaration,
-    scope: &mut Scope,
-    report: &mut Report,
-) -> Vec<(MatrixName, Vec<Vec<Expr>>)> {
+/// The declared matrices, in the order of the equation of motion, and where their entries stand, row by row.
+pub fn matrices(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> (Matrices, Vec<Region>) {
     let n = declaration.coordinates.len();
     if n == 0 && report.is_empty() {
         report.error(&declaration.name, "no coordinates: expected `coordinates { … }` with at least one");
     }
-    let mut matrices: Vec<(MatrixName, Vec<Vec<Expr>>)> = Vec::new();
+    let mut matrices: Vec<(MatrixName, Vec<Vec<Expr>>, Vec<Region>)> = Vec::new();
     for matrix in &declaration.matrices {
         let name = matrix.name.name();
-        if matrices.iter().any(|(known, _)| *known == matrix.name) {
+        if matrices.iter().any(|(known, ..)| *known == matrix.name) {
             report.error(matrix.span, format!("`{name}` is declared twice: expected one of each matrix"));
             continue;
         }
@@ -28,13 +24,16 @@ pub fn matrices(
             check_shape(matrix, n, report);
         }
         let mut resolve = |row: &Vec<_>| row.iter().map(|entry| resolve::expression(entry, scope, report)).collect();
-        matrices.push((matrix.name, matrix.rows.iter().map(|(_, row)| resolve(row)).collect()));
+        let rows = matrix.rows.iter().map(|(_, row)| resolve(row)).collect();
+        let regions = matrix.rows.iter().flat_map(|(_, row)| row.iter().map(|entry| entry.region)).collect();
+        matrices.push((matrix.name, rows, regions));
     }
-    if !matrices.iter().any(|(name, _)| *name == MatrixName::M) && report.is_empty() {
+    if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && report.is_empty() {
         report.error(Region::from(&declaration.name), "no mass matrix: expected `M = [[…], …];`");
     }
-    matrices.sort_by_key(|(name, _)| *name);
-    matrices
+    matrices.sort_by_key(|(name, ..)| *name);
+    let regions = matrices.iter().flat_map(|(_, _, regions)| regions).copied().collect();
+    (matrices.into_iter().map(|(name, rows, _)| (name, rows)).collect(), regions)
 }
 
 fn check_shape(matrix: &Matrix, n: usize, report: &mut Report) {

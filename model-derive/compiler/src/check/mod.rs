@@ -11,7 +11,7 @@ mod unused;
 
 use crate::model::{Coordinate, Model, Parameter, Requirement};
 use crate::report::Report;
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, MatrixName};
 
 /// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
 pub fn check(declaration: Declaration, report: &mut Report) -> Model {
@@ -23,13 +23,16 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         .iter()
         .map(|requirement| Requirement {
             text: resolve::text(&requirement.value),
+            region: requirement.value.region,
             value: resolve::expression(&requirement.value, &mut scope, report),
             domain: domains::domain(std::slice::from_ref(&requirement.bound), report).to_model(),
         })
         .collect();
-    let matrices = matrices::matrices(&declaration, &mut scope, report);
+    let (matrices, entries) = matrices::matrices(&declaration, &mut scope, report);
     let used = unused::parameters(&declaration, &resolved, &requirements, &matrices);
-    if !unread {
+    // Without a mass matrix formulas are missing, and what they would use is no mistake.
+    let complete = matrices.iter().any(|(name, rows)| *name == MatrixName::M && rows.iter().any(|row| !row.is_empty()));
+    if !unread && complete {
         unused::report(&declaration, &resolved, &requirements, &matrices, &scope, report);
     }
 
@@ -47,6 +50,9 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let sets = sets::sets(&declaration, &domains, report);
     let gravity = gravity(&declaration, report);
     let definitions = resolved.in_order(&declaration);
+    if report.is_empty() {
+        sets::check_requirements(&sets, &definitions, &requirements, report);
+    }
     let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();
     let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {
         symbol: parameter.symbol.unwrap_or_else(|| parameter.name.to_string()),
@@ -77,6 +83,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
             })
             .collect(),
         matrices,
+        entries,
     }
 }
 

@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::model::Function;
+use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::Declaration;
 
@@ -78,18 +79,4 @@ impl Scope {
             None => String::new(),
         }
     }
-}
-
-/// The candidate that a misspelt word most likely means, if any is near enough.
-pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let distance = |candidate: &str| {
-        // Letters of the wrong case are the smallest mistake.
-        if candidate.eq_ignore_ascii_case(word) { 0 } else { strsim::osa_distance(candidate, word) }
-    };
-    let limit = (word.chars().count() / 3).max(1);
-    candidates
-        .map(|candidate| (distance(candidate), candidate))
-        .filter(|(d, _)| *d <= limit)
-        .min_by_key(|(d, _)| *d)
-        .map(|(_, c)| c)
 }

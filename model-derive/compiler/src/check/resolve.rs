@@ -1,13 +1,20 @@
 //! Names in formulas to what they stand for.
 
-use super::names::{Meaning, Scope, nearest};
+use super::constants;
+use super::names::{Meaning, Scope};
 use crate::model::{Expr, Function};
+use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{Expression, Kind};
 
 /// Resolves a formula; definitions are numbered as they are declared.
 pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Expr {
-    let mut inner = |value: &Expression| self::expression(value, scope, report);
+    constants::verify(expression, report);
+    resolve(expression, scope, report)
+}
+
+fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Expr {
+    let mut inner = |value: &Expression| resolve(value, scope, report);
     match &expression.kind {
         Kind::Number(number) => Expr::Number(number.clone()),
         Kind::Sum(terms) => Expr::Sum(terms.iter().map(|term| (term.negative, inner(&term.value))).collect()),
@@ -38,6 +45,7 @@ pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Repor
             None => {
                 let message = match Function::from_name(&name.to_string()) {
                     Some(_) => format!("`{name}` is a function: expected its argument in parentheses"),
+                    None if name == "v" => SPEED.to_string(),
                     None => {
                         let hint = scope.suggestion(name);
                         format!("unknown name `{name}`: expected a parameter or a definition{hint}")
@@ -50,6 +58,9 @@ pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Repor
         },
     }
 }
+
+const SPEED: &str = "unknown name `v`: the speed is taken out of the matrices; expected parameters and definitions in \
+                     C1, the coefficient of v, and in K2, the coefficient of v^2";
 
 const FORMULA_FUNCTIONS: [&str; 4] = ["sin", "cos", "tan", "sqrt"];
 

@@ -2,10 +2,12 @@
 
 use std::collections::HashMap;
 
+use proc_macro2::Ident;
+
 use super::constants::Constant;
 use super::domains::Domain;
-use super::names::nearest;
-use crate::model::ParameterSet;
+use crate::model::{Expr, ParameterSet, Requirement};
+use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{self, Declaration};
 
@@ -29,6 +31,29 @@ pub fn sets(declaration: &Declaration, domains: &[Domain], report: &mut Report) 
         });
     }
     sets
+}
+
+/// Whether every set fulfils every requirement; only for a declaration without mistakes.
+pub fn check_requirements(
+    sets: &[ParameterSet],
+    definitions: &[(Ident, Expr)],
+    requirements: &[Requirement],
+    report: &mut Report,
+) {
+    for set in sets {
+        let mut values = Vec::with_capacity(definitions.len());
+        for (_, definition) in definitions {
+            values.push(definition.evaluate(&set.values, &values));
+        }
+        for requirement in requirements {
+            let value = requirement.value.evaluate(&set.values, &values);
+            if !requirement.domain.contains(value) {
+                let Requirement { text, domain, .. } = requirement;
+                let message = format!("`{text}` is {value} in the set `{}`: expected {domain}", set.name);
+                report.error(&set.name, message);
+            }
+        }
+    }
 }
 
 /// The values in declared order of the parameters.

@@ -64,7 +64,7 @@ impl Names {
 
 /// What generated items are allowed: names as in the formulas, and parts that a crate does not use.
 fn allow() -> TokenStream {
-    quote! { #[allow(clippy::all, dead_code, non_snake_case)] }
+    quote! { #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)] }
 }
 
 /// A finite number as Rust writes it; negative ones need a sign before the literal.

@@ -13,7 +13,8 @@ use std::path::PathBuf;
 use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 
-use super::form::Engine;
+use super::form::{Engine, Undefined};
+use super::optimize::Place;
 
 /// Why nothing came out of the door.
 #[derive(Debug)]
@@ -22,6 +23,15 @@ pub enum Failure {
     System(String),
     /// The engine stopped with a message.
     Engine(String),
+    /// A formula has no value, whatever the parameters.
+    Undefined {
+        /// The position of its equations among those compiled together.
+        equations: usize,
+        /// The formula.
+        place: Place,
+        /// What is wrong with it.
+        why: Undefined,
+    },
 }
 
 impl fmt::Display for Failure {
@@ -29,6 +39,7 @@ impl fmt::Display for Failure {
         match self {
             Self::System(message) => write!(f, "the symbolic engine could not be started: {message}"),
             Self::Engine(message) => write!(f, "the symbolic engine failed on this model: {message}"),
+            Self::Undefined { why, .. } => write!(f, "{why}"),
         }
     }
 }

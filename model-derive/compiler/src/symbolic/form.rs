@@ -1,5 +1,8 @@
 //! Formulas inside the engine, and the algebra that the compiler asks of it.
 
+use std::fmt;
+use std::sync::atomic::Ordering;
+
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::domains::integer::Z;
 use symbolica::domains::rational::{Q, Rational};
@@ -20,11 +23,32 @@ pub struct Engine(());
 #[derive(Clone, Debug, PartialEq)]
 pub struct Form(pub(super) Atom);
 
+/// Why a formula has no value, whatever the parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Undefined {
+    /// A divisor that is identically zero, or a power of zero that is not positive.
+    DivisionByZero,
+    /// The square root of a negative number.
+    RootOfNegative,
+}
+
+/// Reads as a whole message.
+impl fmt::Display for Undefined {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::DivisionByZero => "a division by zero here: expected divisors that are not zero for all parameters",
+            Self::RootOfNegative => "the square root of a negative number here: expected one of a number >= 0",
+        })
+    }
+}
+
 /// Symbols that are made at the start, so that only larger models make more, and those in their order.
 const READY: usize = 64;
 
 impl Engine {
     pub(super) fn start() -> Self {
+        // The engine's log would mix with the messages of the build.
+        symbolica::GLOBAL_SETTINGS.initialize_tracing.store(false, Ordering::Relaxed);
         (0..READY).for_each(|index| {
             symbol_at(index);
         });
@@ -48,27 +72,42 @@ impl Engine {
     }
 
     /// A formula, with the given values of its definitions.
-    pub fn form(&self, expr: &Expr, definitions: &[Form]) -> Form {
-        let inner = |expr: &Expr| self.form(expr, definitions).0;
-        Form(match expr {
+    ///
+    /// # Errors
+    /// If it has no value for any parameters.
+    pub fn form(&self, expr: &Expr, definitions: &[Form]) -> Result<Form, Undefined> {
+        let inner = |expr: &Expr| self.form(expr, definitions);
+        Ok(Form(match expr {
             Expr::Number(number) => decimal(number),
             Expr::Pi => self.pi().0,
             Expr::Parameter(index) => self.parameter(*index).0,
             Expr::Definition(index) => definitions[*index].0.clone(),
-            Expr::Sum(terms) => Atom::add_many(terms.iter().map(|(negative, term)| {
-                let term = inner(term);
-                if *negative { -term } else { term }
-            })),
-            Expr::Product(factors) => Atom::mul_many(factors.iter().map(|(inverse, factor)| {
-                let factor = inner(factor);
-                if *inverse { factor.pow(-1) } else { factor }
-            })),
-            Expr::Power(base, exponent) => inner(base).pow(i64::from(*exponent)),
-            Expr::Call(Function::Sin, argument) => inner(argument).sin(),
-            Expr::Call(Function::Cos, argument) => inner(argument).cos(),
-            Expr::Call(Function::Tan, argument) => inner(argument).tan(),
-            Expr::Call(Function::Sqrt, argument) => inner(argument).sqrt(),
-        })
+            Expr::Sum(terms) => {
+                let terms = terms.iter().map(|(negative, term)| {
+                    let term = inner(term)?.0;
+                    Ok(if *negative { -term } else { term })
+                });
+                Atom::add_many(terms.collect::<Result<Vec<_>, _>>()?)
+            }
+            Expr::Product(factors) => {
+                let factors = factors.iter().map(|(inverse, factor)| {
+                    let factor = inner(factor)?;
+                    if *inverse { factor.power(-1) } else { Ok(factor.0) }
+                });
+                Atom::mul_many(factors.collect::<Result<Vec<_>, _>>()?)
+            }
+            Expr::Power(base, exponent) => inner(base)?.power(*exponent)?,
+            Expr::Call(Function::Sin, argument) => inner(argument)?.0.sin(),
+            Expr::Call(Function::Cos, argument) => inner(argument)?.0.cos(),
+            Expr::Call(Function::Tan, argument) => inner(argument)?.0.tan(),
+            Expr::Call(Function::Sqrt, argument) => {
+                let argument = inner(argument)?.0;
+                if Rational::try_from(argument.as_view()).is_ok_and(|number| number.is_negative()) {
+                    return Err(Undefined::RootOfNegative);
+                }
+                argument.sqrt()
+            }
+        }))
     }
 }
 
@@ -85,6 +124,19 @@ fn decimal(number: &Decimal) -> Atom {
 }
 
 impl Form {
+    fn power(&self, exponent: i32) -> Result<Atom, Undefined> {
+        // The engine would go on with infinity, or with an indeterminate number.
+        if exponent <= 0 && self.is_zero() {
+            return Err(Undefined::DivisionByZero);
+        }
+        Ok(self.0.pow(i64::from(exponent)))
+    }
+
+    /// Whether it is a number, a parameter or a stand-in: nothing that would be worth a name.
+    pub(super) fn is_trivial(&self) -> bool {
+        matches!(self.0.as_view(), AtomView::Num(_) | AtomView::Var(_))
+    }
+
     /// The partial derivative with respect to a parameter.
     pub fn derivative(&self, index: usize) -> Self {
         Self(self.0.derivative(parameter(index)))
@@ -196,7 +248,8 @@ mod tests {
 
     /// Runs a check of formulas in x = parameter 0 and y = parameter 1.
     fn check(name: &'static str, test: impl FnOnce(&dyn Fn(&Expr) -> Form) -> bool + Send + 'static) {
-        let holds = enter(|engine| test(&|expr| engine.form(expr, &[]))).expect("the engine works");
+        let holds =
+            enter(|engine| test(&|expr| engine.form(expr, &[]).expect("it has a value"))).expect("the engine works");
         assert!(holds, "{name}");
     }
 
@@ -223,6 +276,24 @@ mod tests {
             let right = Expr::Product(vec![(false, sum), (true, x), (true, y)]);
             form(&Expr::Sum(left.into_iter().chain([(true, right)]).collect())).is_zero()
         });
+    }
+
+    #[test]
+    fn formulas_without_a_value_are_refused() {
+        let zero = || Expr::Sum(vec![(false, Expr::Parameter(0)), (true, Expr::Parameter(0))]);
+        let squares = [call(Function::Sin, 0), call(Function::Cos, 0)].map(|f| (false, power(f, 2)));
+        let hidden = Expr::Sum(squares.into_iter().chain([(true, number("1"))]).collect());
+        let negative = Expr::Sum(vec![(true, number("4"))]);
+        let cases = [
+            (Expr::Product(vec![(false, Expr::Parameter(1)), (true, zero())]), Undefined::DivisionByZero),
+            (power(hidden, -2), Undefined::DivisionByZero),
+            (power(zero(), 0), Undefined::DivisionByZero),
+            (Expr::Call(Function::Sqrt, Box::new(negative)), Undefined::RootOfNegative),
+        ];
+        for (expr, expected) in cases {
+            let found = enter(move |engine| engine.form(&expr, &[]).err()).expect("the engine works");
+            assert_eq!(found, Some(expected));
+        }
     }
 
     #[test]

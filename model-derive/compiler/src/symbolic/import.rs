@@ -20,7 +20,7 @@ pub fn append(
     exported: &ExportedInstructions<Complex<Rational>>,
     inputs: &[Value],
 ) -> Vec<Value> {
-    let constants = exported.constants.iter().map(|constant| to_f64(&constant.re)).collect();
+    let constants = exported.constants.iter().map(to_f64).collect();
     let mut slots = Slots { program, inputs, constants, values: HashMap::new() };
     for instruction in &exported.instructions {
         slots.run(instruction);
@@ -107,7 +107,13 @@ impl Slots<'_> {
     }
 }
 
-/// The nearest `f64`: an exact quotient of two whole numbers that are exact themselves, or of their leading digits.
-fn to_f64(value: &Rational) -> f64 {
-    value.to_f64()
+/// The nearest `f64` of an exact constant.
+///
+/// # Panics
+/// If there is none.
+fn to_f64(constant: &Complex<Rational>) -> f64 {
+    assert!(constant.im.is_zero(), "a constant in a formula is not real");
+    let value = constant.re.to_f64();
+    assert!(value.is_finite() && (value != 0.0 || constant.re.is_zero()), "a constant is beyond the range of f64");
+    value
 }

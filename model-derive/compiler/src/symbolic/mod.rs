@@ -6,5 +6,5 @@ mod import;
 mod optimize;
 
 pub use door::{Failure, enter};
-pub use form::{Engine, Form};
-pub use optimize::compile;
+pub use form::{Engine, Form, Undefined};
+pub use optimize::{Place, compile};

@@ -4,7 +4,7 @@ use symbolica::atom::{Atom, AtomCore, AtomView};
 use symbolica::evaluate::OptimizationSettings;
 
 use super::door::{Failure, enter};
-use super::form::{Engine, Form};
+use super::form::{Engine, Form, Undefined};
 use super::import::append;
 use crate::equations::Equations;
 use crate::model::Expr;
@@ -13,20 +13,35 @@ use crate::program::{Counts, Instruction, Program, Value, passes};
 /// The cheapest program found for each set of equations.
 ///
 /// # Errors
-/// If the engine cannot be had or fails.
+/// If the engine cannot be had or fails, or if a formula has no value.
 pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
-    enter(move |engine| equations.iter().map(|equations| cheapest(engine, equations)).collect())
+    enter(move |engine| {
+        let numbered = equations.iter().enumerate();
+        let programs = numbered.map(|(index, equations)| {
+            cheapest(engine, equations).map_err(|(place, why)| Failure::Undefined { equations: index, place, why })
+        });
+        programs.collect()
+    })?
+}
+
+/// A formula among equations: the definition of the model, or the output, at a position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The definition at a position of the model.
+    Definition(usize),
+    /// The output at a position of the equations.
+    Output(usize),
 }
 
 /// Trying quotients one by one takes a time that grows with the square of the number of definitions; in models with
 /// more of them than this it is left out.
 const MAX_TRIED: usize = 100;
 
-fn cheapest(engine: &Engine, equations: &Equations) -> Program {
-    let run = |inline: &[bool], simplest: bool| {
-        let system = System::new(engine, equations, inline);
+fn cheapest(engine: &Engine, equations: &Equations) -> Result<Program, (Place, Undefined)> {
+    let run = |inline: &[bool], simplest: bool| -> Result<Program, (Place, Undefined)> {
+        let system = System::new(engine, equations, inline)?;
         let system = if simplest { system.simplest() } else { system };
-        passes::optimize(system.program(engine, equations))
+        Ok(passes::optimize(system.program(engine, equations)))
     };
     let cost = |program: &Program| Counts::of(program).cost();
 
@@ -34,13 +49,16 @@ fn cheapest(engine: &Engine, equations: &Equations) -> Program {
     let none = vec![false; equations.definitions.len()];
     let used_once: Vec<bool> = uses(equations).iter().map(|uses| *uses == 1).collect();
     let starts = [(&none, false), (&none, true), (&used_once, false), (&used_once, true)];
-    let programs = starts.map(|(inline, simplest)| (run(inline, simplest), inline.clone(), simplest));
+    let mut programs = Vec::new();
+    for (inline, simplest) in starts {
+        programs.push((run(inline, simplest)?, inline.clone(), simplest));
+    }
     // The first of several equally cheap ones, so that the choice is the same on every run.
     let Some((mut best, mut inline, simplest)) = programs.into_iter().min_by_key(|(program, ..)| cost(program)) else {
-        return Program::default();
+        return Ok(Program::default());
     };
     if inline.len() > MAX_TRIED {
-        return best;
+        return Ok(best);
     }
     // A quotient whose divisor the formulas multiply by, such as a centre of mass, costs nothing once inside them.
     for (index, expr) in equations.definitions.iter().enumerate() {
@@ -48,13 +66,13 @@ fn cheapest(engine: &Engine, equations: &Equations) -> Program {
             continue;
         }
         inline[index] = true;
-        let program = run(&inline, simplest);
+        let program = run(&inline, simplest)?;
         inline[index] = cost(&program) < cost(&best);
         if inline[index] {
             best = program;
         }
     }
-    best
+    Ok(best)
 }
 
 fn is_quotient(expr: &Expr) -> bool {
@@ -85,18 +103,19 @@ struct System {
 }
 
 impl System {
-    fn new(engine: &Engine, equations: &Equations, inline: &[bool]) -> Self {
+    fn new(engine: &Engine, equations: &Equations, inline: &[bool]) -> Result<Self, (Place, Undefined)> {
         let names = engine.definitions(equations.parameters, equations.definitions.len());
         let mut kept = Vec::new();
         let mut values = Vec::new();
         for (index, expr) in equations.definitions.iter().enumerate() {
-            let form = engine.form(expr, &values);
-            let keep = !inline[index];
+            let form = engine.form(expr, &values).map_err(|why| (Place::Definition(equations.origins[index]), why))?;
+            let keep = !inline[index] && !form.is_trivial();
             values.push(if keep { names[index].clone() } else { form.clone() });
             kept.push(keep.then_some(form));
         }
-        let outputs = equations.outputs.iter().map(|expr| engine.form(expr, &values)).collect();
-        Self { names, kept, outputs }
+        let output = |(index, expr)| engine.form(expr, &values).map_err(|why| (Place::Output(index), why));
+        let outputs = equations.outputs.iter().enumerate().map(output).collect::<Result<_, _>>()?;
+        Ok(Self { names, kept, outputs })
     }
 
     fn simplest(&self) -> Self {

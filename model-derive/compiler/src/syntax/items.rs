@@ -9,6 +9,7 @@ use super::declaration::{Declaration, Definition, Doc, Matrix, MatrixName, Param
 use super::expression::expression;
 use super::parameters::{comparison, coordinate, parameter};
 use super::tokens::{docs, expected, name, semicolon, skip_statement, text};
+use crate::nearest::nearest;
 use crate::report::{Region, Report, error};
 
 /// `/// docs  pub model Name { statements }`
@@ -78,7 +79,31 @@ fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repor
         return Err(expected(input, STATEMENTS));
     }
     let keyword = input.call(syn::Ident::parse_any)?;
-    match keyword.to_string().as_str() {
+    let word = keyword.to_string();
+    if KEYWORDS.contains(&word.as_str()) {
+        return statement_after(&word, &keyword, input, docs, model, report);
+    }
+    let Some(meant) = nearest(&word, KEYWORDS.into_iter()) else {
+        return Err(error(&keyword, format!("found `{word}`: expected {STATEMENTS}")));
+    };
+    // Read on as what was meant, so that the names inside are known.
+    report.error(&keyword, format!("found `{word}`: expected a statement; did you mean `{meant}`?"));
+    statement_after(meant, &keyword, input, docs, model, report)
+}
+
+/// What may begin a statement, beside `let`.
+const KEYWORDS: [&str; 11] =
+    ["source", "parameters", "coordinates", "require", "set", "M", "C0", "C1", "Kc", "K0", "K2"];
+
+fn statement_after(
+    word: &str,
+    keyword: &syn::Ident,
+    input: ParseStream<'_>,
+    docs: Doc,
+    model: &mut Declaration,
+    report: &mut Report,
+) -> syn::Result<()> {
+    match word {
         "source" => {
             let Some(source) = text(input)? else { return Err(expected(input, "a text in quotes")) };
             if model.source.replace(source).is_some() {
@@ -89,10 +114,7 @@ fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repor
         "parameters" => block(input, "the parameters", report, |input, report| {
             parameter(input, &mut model.parameters, &mut model.unread, report)
         }),
-        "coordinates" => block(input, "the coordinates", report, |input, report| {
-            model.coordinates.push(coordinate(input, report)?);
-            Ok(())
-        }),
+        "coordinates" => coordinates(input, keyword, model, report),
         "require" => {
             let value = expression(input)?;
             let Some(bound) = comparison(input)? else {
@@ -107,7 +129,7 @@ fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repor
                 model.matrices.push(matrix(input, matrix_name, keyword.span())?);
                 semicolon(input, "`;`", "the matrix")
             }
-            None => Err(error(keyword.span(), format!("found `{other}`: expected {STATEMENTS}"))),
+            None => unreachable!("a keyword that no statement begins with"),
         },
     }
 }
@@ -125,6 +147,25 @@ fn block(
     syn::braced!(content in input);
     statements(&content, report, read);
     Ok(())
+}
+
+fn coordinates(
+    input: ParseStream<'_>,
+    keyword: &syn::Ident,
+    model: &mut Declaration,
+    report: &mut Report,
+) -> syn::Result<()> {
+    let first = model.coordinates.is_empty();
+    if !first {
+        report.error(keyword, "a second `coordinates`: expected one, since its order is that of the matrices");
+    }
+    block(input, "the coordinates", report, |input, report| {
+        let coordinate = coordinate(input, report)?;
+        if first {
+            model.coordinates.push(coordinate);
+        }
+        Ok(())
+    })
 }
 
 fn definition(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {

@@ -23,7 +23,7 @@ pub fn expected(input: ParseStream<'_>, what: &str) -> syn::Error {
             syn::Error::new(group.span_open(), format!("found {open}: expected {what}"))
         }
         Some((token, _)) => syn::Error::new(token.span(), format!("found `{token}`: expected {what}")),
-        None => input.error(format!("the end is missing: expected {what}")),
+        None => syn::Error::new(input.span(), format!("found nothing more: expected {what}")),
     }
 }
 
@@ -99,12 +99,19 @@ pub fn text(input: ParseStream<'_>) -> syn::Result<Option<String>> {
     Ok(if input.peek(syn::LitStr) { Some(input.parse::<syn::LitStr>()?.value()) } else { None })
 }
 
-/// Skips what is left of a statement that could not be read: through the next `;` or brace, or up to a `let`.
+/// Whether the next tokens look like the start of a statement whose predecessor lacks its `;`.
+fn starts_statement(input: ParseStream<'_>) -> bool {
+    let named = input.peek(syn::Ident) && !input.peek2(Token![==]) && !input.peek2(Token![::]);
+    input.peek(Token![let]) || named && (input.peek2(Token![=]) || input.peek2(Token![:]) || input.peek2(syn::LitStr))
+}
+
+/// Skips what is left of a statement that could not be read: through the next `;` or brace, or up to the
+/// start of another.
 ///
 /// `moved` says whether the failed attempt took any token; if not, at least one is skipped.
 pub fn skip_statement(input: ParseStream<'_>, mut moved: bool) {
     while let Some((token, _)) = input.cursor().token_tree() {
-        if moved && matches!(&token, TokenTree::Ident(ident) if ident == "let") {
+        if moved && starts_statement(input) {
             return;
         }
         moved = true;
