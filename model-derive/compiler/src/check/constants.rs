@@ -10,6 +10,8 @@ use crate::syntax::{Expression, Kind};
 /// Bits of the calculation: enough that the nearest `f64` of the result is the nearest of the exact value.
 const PRECISION: usize = 320;
 const ROUNDING: RoundingMode = RoundingMode::ToEven;
+/// Binary digits behind the point of a cosine that is taken for zero.
+const POLE: i32 = 256;
 const FUNCTIONS: [&str; 7] = ["sin", "cos", "tan", "sqrt", "asin", "acos", "atan"];
 
 /// A finite constant.
@@ -128,6 +130,8 @@ fn evaluate(expression: &Expression, constants: &mut Consts) -> syn::Result<BigF
             match name.to_string().as_str() {
                 "sin" => value.sin(p, rm, constants),
                 "cos" => value.cos(p, rm, constants),
+                // At a pole the cosine is nothing but the rounding of π.
+                "tan" if value.cos(p, rm, constants).exponent().is_some_and(|e| e < -POLE) => astro_float::NAN,
                 "tan" => value.tan(p, rm, constants),
                 "sqrt" => value.sqrt(p, rm),
                 "asin" => value.asin(p, rm, constants),
@@ -138,7 +142,7 @@ fn evaluate(expression: &Expression, constants: &mut Consts) -> syn::Result<BigF
         }
     };
     if value.is_nan() || value.is_inf() {
-        return Err(error(expression.region, "not a finite number: expected a constant with a finite value"));
+        return Err(error(expression.region, "not a real and finite number: expected a constant that has a value"));
     }
     Ok(value)
 }

@@ -30,8 +30,9 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         .collect();
     let (matrices, entries) = matrices::matrices(&declaration, &mut scope, report);
     let used = unused::parameters(&declaration, &resolved, &requirements, &matrices);
-    // Without a mass matrix formulas are missing, and what they would use is no mistake.
-    let complete = matrices.iter().any(|(name, rows)| *name == MatrixName::M && rows.iter().any(|row| !row.is_empty()));
+    // Without a mass matrix or a row formulas are missing, and what they would use is no mistake.
+    let complete = matrices.iter().any(|(name, _)| *name == MatrixName::M)
+        && matrices.iter().all(|(_, rows)| !rows.is_empty() && rows.iter().all(|row| !row.is_empty()));
     if !unread && complete {
         unused::report(&declaration, &resolved, &requirements, &matrices, &scope, report);
     }

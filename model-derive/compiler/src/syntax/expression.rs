@@ -190,6 +190,9 @@ fn name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression>
         let region = Region::from(&ident);
         return Ok(Expression { kind: Kind::Name(ident), region });
     }
+    if ident == "pi" {
+        return Err(expected(input, "no parentheses: `pi` is a number"));
+    }
     let content;
     let parentheses = syn::parenthesized!(content in input);
     let region = Region::from(&ident).to(parentheses.span.close().into());
