@@ -16,6 +16,9 @@ use crate::syntax::{Declaration, MatrixName};
 /// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
 pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let unread = !report.is_empty();
+    if declaration.parameters.is_empty() && !unread {
+        report.error(&declaration.name, "no parameters: expected `parameters { … }` with at least one");
+    }
     let mut scope = names::Scope::new(&declaration, report);
     let resolved = definitions::resolve(&declaration, &mut scope, report);
     let requirements: Vec<Requirement> = declaration

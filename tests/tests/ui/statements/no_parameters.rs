@@ -1,0 +1,11 @@
+carvallo::model! {
+    pub model Pendulum {
+        coordinates {
+            theta: rad;
+        }
+
+        M = [[2]];
+    }
+}
+
+fn main() {}
