@@ -1,7 +1,7 @@
 //! The command line: what can be asked for, and its help.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, Styles, styling::AnsiColor};
 use clap::{Arg, ArgAction, ArgMatches, value_parser};
@@ -145,8 +145,14 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, F
                 Some("csv") => Format::Csv,
                 _ => Format::Table,
             };
-            let (request, plot) = (request(matches)?, plot(matches)?);
-            Ok(Command::Analyze { request, speeds: speeds.transpose()?, format, plot })
+            let (request, plot, speeds) = (request(matches)?, plot(matches)?, speeds.transpose()?);
+            if let (Some(path), Some([first, others @ ..])) = (&plot, speeds.as_deref())
+                && others.iter().all(|speed| speed == first)
+            {
+                let message = "a picture needs a range of speeds, such as --speeds 0:10:0.1";
+                return Err(plot_problem(path, message));
+            }
+            Ok(Command::Analyze { request, speeds, format, plot })
         }
         Some(("show", matches)) => Ok(Command::Show { request: request(matches)?, plot: plot(matches)? }),
         Some(_) => Ok(Command::Bicycles),
@@ -158,8 +164,10 @@ fn request(matches: &ArgMatches) -> Result<Request, Failure> {
     for setting in matches.get_many::<String>("set").into_iter().flatten() {
         let option = format!("--set {setting}");
         match setting.split_once('=') {
-            Some((name, value)) => overrides.push((option, name.trim().to_owned(), value.to_owned())),
-            None => {
+            Some((name, value)) if !name.trim().is_empty() => {
+                overrides.push((option, name.trim().to_owned(), value.to_owned()))
+            }
+            _ => {
                 let message = "expected NAME=VALUE, such as mB=90".to_owned();
                 return Err(Failure::Input(vec![Problem { place: Place::Option(option), message }]));
             }
@@ -175,11 +183,12 @@ fn request(matches: &ArgMatches) -> Result<Request, Failure> {
 /// The picture is refused before anything is computed if its ending names no format.
 fn plot(matches: &ArgMatches) -> Result<Option<PathBuf>, Failure> {
     let Some(path) = matches.get_one::<PathBuf>("plot") else { return Ok(None) };
-    match path.extension().and_then(|ending| ending.to_str()) {
-        Some("svg" | "png") => Ok(Some(path.clone())),
-        _ => {
-            let place = Place::Option(format!("--plot {}", path.display()));
-            Err(Failure::Input(vec![Problem { place, message: "the name must end in .svg or .png".to_owned() }]))
-        }
-    }
+    let is_known =
+        path.extension().is_some_and(|ending| ["svg", "png"].iter().any(|known| ending.eq_ignore_ascii_case(known)));
+    if is_known { Ok(Some(path.clone())) } else { Err(plot_problem(path, "the name must end in .svg or .png")) }
+}
+
+fn plot_problem(path: &Path, message: &str) -> Failure {
+    let place = Place::Option(format!("--plot {}", path.display()));
+    Failure::Input(vec![Problem { place, message: message.to_owned() }])
 }

@@ -6,17 +6,31 @@ pub fn shortest(value: f64) -> String {
     text.strip_suffix(".0").unwrap_or(&text).to_owned()
 }
 
-/// Six decimals, or six digits of a number too large for them.
-pub fn six_decimals(value: f64) -> String {
-    if value.abs() < 1e7 { format!("{value:.6}") } else { format!("{value:.5e}") }
+/// So many decimals, or an exponent where they would be too long or leave less than two digits.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    // Adding zero turns -0 into 0.
+    let value = value + 0.0;
+    let least = 10_f64.powi(1 - decimals as i32);
+    if value == 0.0 || (least..1e7).contains(&value.abs()) {
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.*e}", decimals.max(2) - 1)
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::shortest;
+    use super::{fixed, shortest};
 
     #[test]
     fn zeros_do_not_pile_up() {
         assert_eq!([1.0, 0.1, -2.5, 1e300, 1e-9].map(shortest), ["1", "0.1", "-2.5", "1e300", "1e-9"]);
+    }
+
+    #[test]
+    fn exponents_stand_where_decimals_say_nothing() {
+        let six = [0.0, -0.0, 1.5, -0.000_02, 2e-6, 1e300].map(|value| fixed(value, 6));
+        assert_eq!(six, ["0.000000", "0.000000", "1.500000", "-0.000020", "2.00000e-6", "1.00000e300"]);
+        assert_eq!([3.782_904, -1e-300].map(|value| fixed(value, 4)), ["3.7829", "-1.000e-300"]);
     }
 }

@@ -1,5 +1,7 @@
 //! The speeds of an analysis: `4`, `3,4.5,6` or `0:10:0.1`.
 
+use crate::number::shortest;
+
 /// More than this many points is taken for a slip in the step.
 const MAX_POINTS: f64 = 100_000.0;
 
@@ -18,13 +20,14 @@ pub fn parse(text: &str) -> Result<Vec<f64>, String> {
 fn range(low: &str, high: &str, step: &str) -> Result<Vec<f64>, String> {
     let decimals = decimals(low).zip(decimals(step)).map(|(low, step)| low.max(step));
     let (low, high) = (number(low, "a speed")?, number(high, "a speed")?);
+    if low > high {
+        let (low, high) = (shortest(low), shortest(high));
+        return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
+    }
     let step = match step.trim().parse::<f64>() {
         Ok(step) if step.is_finite() && step > 0.0 => step,
         _ => return Err(format!("the step is `{}`; it must be a finite number > 0", step.trim())),
     };
-    if low > high {
-        return Err(format!("the range ends at {high}, before it begins at {low}"));
-    }
     // The end belongs to the range also if the division falls just short of it.
     let steps = ((high - low) / step + 1e-9).floor();
     if steps >= MAX_POINTS {
@@ -39,10 +42,16 @@ fn range(low: &str, high: &str, step: &str) -> Result<Vec<f64>, String> {
 }
 
 fn number(text: &str, what: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
+    let text = text.trim();
+    let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
+    match text.parse::<f64>() {
+        _ if text.is_empty() => Err(format!("{what} is empty; it must be a finite number")),
+        Ok(0.0) if mantissa.contains(|c: char| ('1'..='9').contains(&c)) => {
+            Err(format!("{what} is `{text}`, too small to tell from zero"))
+        }
         Ok(value) if value.is_finite() && value >= 0.0 => Ok(value.abs()),
-        Ok(value) if value.is_finite() => Err(format!("{what} is {value}; it must be >= 0")),
-        _ => Err(format!("{what} is `{}`; it must be a finite number", text.trim())),
+        Ok(value) if value.is_finite() => Err(format!("{what} is {}; it must be >= 0", shortest(value))),
+        _ => Err(format!("{what} is `{text}`; it must be a finite number")),
     }
 }
 
@@ -77,11 +86,13 @@ mod tests {
         for (text, message) in [
             ("0:10:0", "the step is `0`; it must be a finite number > 0"),
             ("0:10:-1", "the step is `-1`; it must be a finite number > 0"),
-            ("5:1:1", "the range ends at 1, before it begins at 5"),
+            ("5:1:1", "the range ends at 1, before it begins at 5; it must ascend"),
+            ("10:0:-1", "the range ends at 0, before it begins at 10; it must ascend"),
             ("0:10:1e-9", "the range has more than 100000 points"),
             ("-1:2:1", "a speed is -1; it must be >= 0"),
             ("nan", "a speed is `nan`; it must be a finite number"),
-            ("1,,2", "a speed is ``; it must be a finite number"),
+            ("1,,2", "a speed is empty; it must be a finite number"),
+            ("1e-400", "a speed is `1e-400`, too small to tell from zero"),
             ("0:inf:1", "a speed is `inf`; it must be a finite number"),
             ("fast", "a speed is `fast`; it must be a finite number"),
             ("0:10", "expected a speed, a list such as 3,4.5,6 or a range LOW:HIGH:STEP such as 0:10:0.1"),

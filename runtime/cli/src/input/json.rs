@@ -26,6 +26,8 @@ pub fn read(file: File) -> Document {
     };
     let object = match parse_to_ast(file.text, &CollectOptions::default(), &strict).map(|parsed| parsed.value) {
         Ok(Some(Value::Object(object))) => object,
+        // An empty file has no parameters, whatever its format.
+        Ok(None) => return document,
         Ok(_) => {
             document.problem(file.line(1), "this is not a JSON object of parameters");
             return document;

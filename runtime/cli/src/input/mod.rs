@@ -4,10 +4,12 @@ mod document;
 mod expression;
 mod json;
 mod lines;
+mod literal;
 mod names;
 mod parameters;
 mod plausible;
 mod toml;
+mod value;
 
 use std::io::Read as _;
 use std::path::Path;

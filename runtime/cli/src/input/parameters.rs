@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use carvallo::{Model, ModelInfo, ParameterInfo};
+use carvallo::{Model, ModelInfo};
 
-use super::document::{Document, Entry, Written};
-use super::expression::evaluate;
+use super::document::{Document, Entry};
 use super::names;
+use super::value::judge;
 use crate::failure::{Place, Problem};
 
 /// A bicycle as it was given, with the model that it makes.
@@ -59,6 +59,7 @@ pub fn resolve<M: Model<2, Scalar = f64>>(
         let message = format!("the parameters are for the model `{model}`; only {} is known", M::INFO.name);
         problems.push(Problem { place: Place::File(label.to_owned()), message });
     }
+    let is_empty = document.entries.is_empty();
     let mut notes = Vec::new();
     let mut given = collect(document.entries, M::INFO, &mut problems, &mut notes);
     for (position, entry) in collect(overrides, M::INFO, &mut problems, &mut notes) {
@@ -76,7 +77,10 @@ pub fn resolve<M: Model<2, Scalar = f64>>(
     }
     // What cannot be read may hold what seems to be missing.
     if !missing.is_empty() && !unreadable {
-        let message = format!("missing: {} (of {} parameters)", missing.join(", "), M::INFO.parameters.len());
+        let message = match is_empty {
+            true => "it has no parameters; `carvallo show benchmark` prints a file to start from".to_owned(),
+            false => format!("missing: {} (of {} parameters)", missing.join(", "), M::INFO.parameters.len()),
+        };
         problems.push(Problem { place: Place::File(label.to_owned()), message });
     }
     if !problems.is_empty() {
@@ -123,50 +127,4 @@ fn collect(
         }
     }
     given
-}
-
-fn judge(entry: &Entry, info: &ParameterInfo) -> Result<Given, Vec<Problem>> {
-    let mut problems = Vec::new();
-    let mut problem = |message: String| problems.push(Problem { place: entry.place.clone(), message });
-    let name = info.name;
-    let (value, written) = match number(&entry.value) {
-        Ok((value, written)) if info.domain.contains(value) => (value, written),
-        Ok((value, _)) => {
-            let hint = if info.unit == "rad" { format!(" (for degrees write `{value} deg`)") } else { String::new() };
-            problem(format!("`{name}` is {}; it must be {}{hint}", names::with_unit(value, info.unit), info.domain));
-            (value, String::new())
-        }
-        Err(found) => {
-            problem(format!("`{name}` is {found}"));
-            (0.0, String::new())
-        }
-    };
-    let deviation = entry.deviation.as_ref().and_then(|deviation| match number(deviation) {
-        Ok((deviation, written)) if deviation >= 0.0 => (deviation > 0.0).then_some(written),
-        Ok((deviation, _)) => {
-            problem(format!("the standard deviation of `{name}` is {deviation}; it must be >= 0"));
-            None
-        }
-        Err(found) => {
-            problem(format!("the standard deviation of `{name}` is {found}"));
-            None
-        }
-    });
-    if problems.is_empty() { Ok(Given { written, value, deviation }) } else { Err(problems) }
-}
-
-/// The value with its text; otherwise what was found and what was expected.
-fn number(written: &Written) -> Result<(f64, String), String> {
-    const EXPECTED: &str = "expected a number, or an expression such as `pi/10`";
-    match written {
-        Written::Other(found) => Err(format!("{found}; {EXPECTED}")),
-        Written::Text(text) if text.is_empty() => Err(format!("empty; {EXPECTED}")),
-        Written::Text(text) => match text.trim_start_matches(['+', '-', '.']).to_lowercase().as_str() {
-            "nan" | "inf" | "infinity" => Err(format!("`{text}`; expected a finite number")),
-            _ => match evaluate(text) {
-                Ok(value) => Ok((value, text.clone())),
-                Err(reason) => Err(format!("`{text}`; {EXPECTED}: {reason}")),
-            },
-        },
-    }
 }

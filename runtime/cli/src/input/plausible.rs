@@ -2,6 +2,8 @@
 
 use carvallo::ModelInfo;
 
+use crate::number::{fixed, shortest};
+
 /// Measured inertias may miss a bound by the rounding of their last digit without meaning anything.
 const TOLERANCE: f64 = 1e-9;
 
@@ -28,7 +30,9 @@ pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
     ];
     let inertias = bodies.into_iter().filter_map(|(body, moments)| judge(body, moments?));
     let below = ["zB", "zH"].into_iter().filter_map(|name| match value(name) {
-        Some(depth) if depth > 0.0 => Some(format!("`{name}` is {depth} m, below the ground: z points down")),
+        Some(depth) if depth > 0.0 => {
+            Some(format!("`{name}` is {} m, below the ground: z points down", shortest(depth)))
+        }
         _ => None,
     });
     inertias.chain(below).collect()
@@ -39,12 +43,15 @@ fn judge(body: &str, mut moments: [f64; 3]) -> Option<String> {
     let [small, middle, large] = moments;
     let sum = small + middle;
     if small < -TOLERANCE * large.abs() {
-        Some(format!("no rigid body has the inertias of the {body}: a principal moment is {small:.4} kg m²"))
+        Some(format!("no rigid body has the inertias of the {body}: a principal moment is {} kg m²", fixed(small, 4)))
     } else if large - sum > TOLERANCE * large {
-        let excess = if sum > 0.0 { format!("{:.1} %", 100.0 * (large / sum - 1.0)) } else { "far".to_owned() };
+        let percent = 100.0 * (large / sum - 1.0);
+        let excess = if percent < 1e7 { format!("{percent:.1} %") } else { "far".to_owned() };
         Some(format!(
-            "no rigid body has the inertias of the {body}: its principal moment {large:.4} kg m² exceeds the sum of \
-             the others, {sum:.4} kg m², by {excess}"
+            "no rigid body has the inertias of the {body}: its principal moment {} kg m² exceeds the sum of \
+             the others, {} kg m², by {excess}",
+            fixed(large, 4),
+            fixed(sum, 4)
         ))
     } else {
         None

@@ -6,7 +6,7 @@ use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, StableRange};
 
 use super::{FAINT, GOOD, HEADING, is_stable, matrices};
 use crate::analysis::{Analysis, Row};
-use crate::number::{shortest, six_decimals};
+use crate::number::{fixed, shortest};
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn table(analysis: &Analysis, rows: &[Row]) -> String {
@@ -33,21 +33,26 @@ fn write_matrices(analysis: &Analysis, text: &mut String) {
     let equations = "M q'' + v C1 q' + (g K0 + v² K2) q = f";
     let _ = writeln!(text, "\n{HEADING}Equations of motion{HEADING:#}  {equations}");
     let _ = writeln!(text, "  with q = ({}) and g = {} N/kg", coordinates.join(", "), shortest(analysis.gravity));
-    for (name, unit, rows) in matrices(&analysis.coefficients) {
-        // Adding zero turns -0 into 0.
-        let [[a, b], [c, d]] = rows.map(|row| row.map(|value| shortest(value + 0.0)));
-        let _ = writeln!(text, "  {name:<3}{unit:<7}{a:>22}{b:>22}");
-        let _ = writeln!(text, "  {:<10}{c:>22}{d:>22}", "");
+    // Adding zero turns -0 into 0.
+    let matrices = matrices(&analysis.coefficients)
+        .map(|(name, unit, rows)| (name, unit, rows.map(|row| row.map(|value| shortest(value + 0.0)))));
+    let width = width(matrices.iter().flat_map(|(_, _, rows)| rows.as_flattened()), 22);
+    for (name, unit, [[a, b], [c, d]]) in &matrices {
+        let _ = writeln!(text, "  {name:<3}{unit:<7}{a:>width$}{b:>width$}");
+        let _ = writeln!(text, "  {:<10}{c:>width$}{d:>width$}", "");
     }
 }
 
 fn critical_speeds(analysis: &Analysis, text: &mut String) {
     let _ = writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} (m/s)");
+    let speeds: Vec<String> =
+        analysis.stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
+    let width = width(&speeds, 20);
     for CriticalSpeed { kind, speed, eigenvalue, change, .. } in &analysis.stability.critical_speeds {
         let (name, at) = match kind {
-            CriticalKind::Weave => ("weave", format!("±{:.4} i", eigenvalue.im.abs())),
+            CriticalKind::Weave => ("weave", format!("±{} i", fixed(eigenvalue.im.abs(), 4))),
             CriticalKind::Capsize => ("capsize", "0".to_owned()),
-            CriticalKind::DoubleRoot => ("double root", format!("{:.4}", eigenvalue.re)),
+            CriticalKind::DoubleRoot => ("double root", fixed(eigenvalue.re, 4)),
         };
         let change = match change {
             Change::Stabilizes => "becomes stable",
@@ -56,7 +61,7 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
             Change::Splits => "an oscillation becomes two real eigenvalues",
             Change::Touches => "nothing changes for longer",
         };
-        let _ = writeln!(text, "  {name:<13}{:<20}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
+        let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
     }
     if analysis.stability.critical_speeds.is_empty() {
         let _ = writeln!(text, "  none");
@@ -74,41 +79,71 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
 }
 
 fn eigenvalues(analysis: &Analysis, rows: &[Row], text: &mut String) {
-    let decimals = rows.iter().map(|row| row.speed.to_string().split_once('.').map_or(0, |(_, tail)| tail.len()));
-    let decimals = decimals.max().unwrap_or(0);
+    let speeds = speeds(rows);
+    let (mut casterings, mut capsizes, mut weaves) = (Vec::new(), Vec::new(), Vec::new());
+    for Row { values: [castering, capsize, weave @ ..], .. } in rows {
+        casterings.push(number(castering));
+        capsizes.push(number(capsize));
+        weaves.push(pair(weave));
+    }
+    let weaves = aligned(&weaves);
+    let [v, first, second] = [width(&speeds, 9), width(&casterings, 18), width(&capsizes, 18)];
+    let third = width(&weaves, 26);
     let _ = writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s)");
-    let _ = writeln!(text, "{FAINT}{:>9}{:>18}{:>18}     weave{FAINT:#}", "v (m/s)", "castering", "capsize");
-    for Row { speed, values: [castering, capsize, weave @ ..] } in rows {
-        let (style, mark) = match is_stable(&analysis.stability.stable_ranges, *speed) {
+    let _ = writeln!(text, "{FAINT}{:>v$}{:>first$}{:>second$}     weave{FAINT:#}", "v (m/s)", "castering", "capsize");
+    for (index, row) in rows.iter().enumerate() {
+        let (style, mark) = match is_stable(&analysis.stability.stable_ranges, row.speed) {
             true => (GOOD, "  stable"),
             false => (anstyle::Style::new(), ""),
         };
-        let [castering, capsize] = [castering, capsize].map(|mode| number(mode.value.re, mode.value.im));
-        let weave = pair(weave);
-        let speed = if decimals > 6 { shortest(*speed) } else { format!("{speed:.decimals$}") };
-        let _ = writeln!(text, "{style}{speed:>9}{castering:>18}{capsize:>18}{weave:>26}{mark}{style:#}");
+        let (speed, castering, capsize, weave) = (&speeds[index], &casterings[index], &capsizes[index], &weaves[index]);
+        let _ = writeln!(text, "{style}{speed:>v$}{castering:>first$}{capsize:>second$}{weave:>third$}{mark}{style:#}");
     }
 }
 
-fn number(re: f64, im: f64) -> String {
-    if im == 0.0 {
-        six_decimals(re)
-    } else if re.abs().max(im.abs()) < 1e5 {
-        format!("{re:.4}{im:+.4}i")
-    } else {
-        format!("{re:.2e}{im:+.2e}i")
-    }
+/// The width of a column that keeps two spaces before or after its texts.
+fn width<'a>(texts: impl IntoIterator<Item = &'a String>, least: usize) -> usize {
+    texts.into_iter().map(|text| text.chars().count() + 2).fold(least, usize::max)
 }
 
-/// Two eigenvalues: a complex pair as one, others side by side.
-fn pair([first, second]: &[ModeValue; 2]) -> String {
-    let (first, second) = (first.value, second.value);
-    if first.im == 0.0 && second.im == 0.0 {
-        format!("{:>10}, {:>10}", six_decimals(first.re), six_decimals(second.re))
-    } else if first.re == second.re && first.im == -second.im {
-        format!("{:>10} ± {:>9} i", six_decimals(first.re), six_decimals(first.im.abs()))
-    } else {
-        // Weave in a pair with another mode.
-        format!("{}, {}", number(first.re, first.im), number(second.re, second.im))
+/// Speeds with as many decimals as one of them has, unless that would make them long.
+fn speeds(rows: &[Row]) -> Vec<String> {
+    let decimals = rows.iter().map(|row| row.speed.to_string().split_once('.').map_or(0, |(_, tail)| tail.len()));
+    let decimals = decimals.max().unwrap_or(0);
+    let is_long = decimals > 6 || rows.iter().any(|row| row.speed >= 1e9);
+    let speeds = rows.iter().map(|row| row.speed);
+    speeds.map(|speed| if is_long { shortest(speed) } else { format!("{speed:.decimals$}") }).collect()
+}
+
+fn number(ModeValue { value, .. }: &ModeValue) -> String {
+    if value.im == 0.0 {
+        return fixed(value.re, 6);
     }
+    let sign = if value.im < 0.0 { '-' } else { '+' };
+    format!("{}{sign}{}i", fixed(value.re, 4), fixed(value.im.abs(), 4))
+}
+
+/// Two eigenvalues: a complex pair as one, others side by side; with what stands between and after them.
+fn pair([first, second]: &[ModeValue; 2]) -> [String; 4] {
+    let (a, b) = (first.value, second.value);
+    let (second, between, after) = if a.im != 0.0 && a.re == b.re && a.im == -b.im {
+        (fixed(a.im.abs(), 6), " ± ", " i")
+    } else {
+        // Real, or each in a pair with another mode.
+        (number(second), ", ", "")
+    };
+    let first = if after.is_empty() { number(first) } else { fixed(a.re, 6) };
+    [first, between.to_owned(), second, after.to_owned()]
+}
+
+/// The pairs with their parts below each other.
+fn aligned(pairs: &[[String; 4]]) -> Vec<String> {
+    let longest = |part: usize| pairs.iter().map(|pair| pair[part].chars().count()).max().unwrap_or(0);
+    let (first, second) = (longest(0).max(10), longest(2).max(9));
+    let text = |[a, between, b, after]: &[String; 4]| {
+        // Without what stands after it, the second ends where it would.
+        let second = if after.is_empty() { second + 1 } else { second };
+        format!("{a:>first$}{between}{b:>second$}{after}")
+    };
+    pairs.iter().map(text).collect()
 }

@@ -1,5 +1,6 @@
 //! The frame of a graph: where data go on the page, ticks and their labels.
 
+use super::font;
 use super::scene::{Anchor, Color, Scene, line};
 
 pub const INK: Color = Color(0x22, 0x22, 0x22);
@@ -44,20 +45,38 @@ impl Axes {
             scene.polyline(&[(left, zero), (right, zero)], line(1.2), INK);
         }
         scene.rectangle(self.area, line(1.2), INK);
-        let text = |value: f64, range| tick_text(value, step(range)).replace('-', "−");
         for tick in ticks(self.x) {
             let (x, _) = self.place(tick, self.y.0);
             scene.polyline(&[(x, bottom), (x, bottom + 5.0)], line(1.2), INK);
-            scene.text((x, bottom + 20.0), Anchor::Middle, TEXT_SIZE, INK, &text(tick, self.x));
+            let text = label(tick, self.x);
+            // The last label may be wider than the margin.
+            let x = x.min(scene.width - 4.0 - font::width(&text, TEXT_SIZE) / 2.0);
+            scene.text((x, bottom + 20.0), Anchor::Middle, TEXT_SIZE, INK, &text);
         }
         for tick in ticks(self.y) {
             let (_, y) = self.place(self.x.0, tick);
             scene.polyline(&[(left - 5.0, y), (left, y)], line(1.2), INK);
-            scene.text((left - 9.0, y + 4.5), Anchor::End, TEXT_SIZE, INK, &text(tick, self.y));
+            scene.text((left - 9.0, y + 4.5), Anchor::End, TEXT_SIZE, INK, &label(tick, self.y));
         }
         scene.text(((left + right) / 2.0, bottom + 43.0), Anchor::Middle, 15.0, INK, x_label);
-        scene.upward_text((left - 44.0, (top + bottom) / 2.0), 15.0, INK, y_label);
+        scene.upward_text((left - title_distance(self.y), (top + bottom) / 2.0), 15.0, INK, y_label);
     }
+}
+
+/// How far left of the frame the title of a vertical axis stands, clear of the labels of its ticks.
+fn title_distance(range: (f64, f64)) -> f32 {
+    let widths = ticks(range).map(|tick| font::width(&label(tick, range), TEXT_SIZE));
+    widths.fold(44.0, |distance, width| distance.max(width + 19.0))
+}
+
+/// The room that a vertical axis needs left of the frame.
+pub fn margin(range: (f64, f64)) -> f32 {
+    title_distance(range) + 32.0
+}
+
+/// What stands at a tick.
+fn label(value: f64, range: (f64, f64)) -> String {
+    tick_text(value, step(range)).replace('-', "−")
 }
 
 /// The step of about eight ticks: 1, 2 or 5 times a power of ten.
@@ -87,7 +106,8 @@ fn ticks(range: (f64, f64)) -> impl Iterator<Item = f64> {
 
 fn tick_text(value: f64, step: f64) -> String {
     if value != 0.0 && !(1e-5..1e6).contains(&step) {
-        return format!("{value:.1e}");
+        let digits = value.abs().log10().floor() - (step.log10() + 1e-9).floor();
+        return format!("{value:.*e}", digits.clamp(1.0, 15.0) as usize);
     }
     // The tolerance guards against the logarithm of an exact power falling short.
     let decimals = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
@@ -105,6 +125,7 @@ mod tests {
         assert_eq!(tick_text(2.0, step((0.0, 10.0))), "2");
         assert_eq!(tick_text(0.3, step((0.0, 1.0))), "0.3");
         assert_eq!(tick_text(2e9, step((0.0, 1e10))), "2.0e9");
+        assert_eq!(tick_text(9.12e9, step((9.1e9, 9.2e9))), "9.12e9");
         assert_eq!(ticks((0.3, 1.2)).count(), 10);
     }
 }

@@ -8,6 +8,7 @@ use super::font;
 use super::labels::{Labels, THIN};
 use super::scene::{Anchor, Color, Paint, Scene, dashed};
 use crate::analysis::Analysis;
+use crate::number::fixed;
 
 const SIZE: f32 = 13.0;
 /// The height of a row of values.
@@ -38,11 +39,11 @@ pub fn critical(analysis: &Analysis, axes: &Axes) -> Vec<Critical> {
             CriticalKind::Capsize => ("capsize", color(Mode::Capsize)),
             CriticalKind::DoubleRoot => ("double root", INK.lighter(0.3)),
         };
-        let text = format!("{name} {speed:.4}");
+        let text = format!("{name} {}", fixed(speed, 4));
         let width = font::width(&text, SIZE);
-        // Left of the frame are the labels of its ticks, right of it the page ends.
+        // Nothing stands out of the frame.
         let [left, _, right, _] = axes.area;
-        let x = axes.place(speed, 0.0).0.clamp(left - 6.0 + width / 2.0, right + 20.0 - width / 2.0);
+        let x = axes.place(speed, 0.0).0.clamp(left + width / 2.0, right - width / 2.0);
         let has_room = |row: &u8| {
             let mut others = placed.iter().filter(|other| other.row == *row);
             others.all(|other| (other.x - x).abs() > (other.width + width) / 2.0 + 10.0)
@@ -59,13 +60,26 @@ pub fn height(critical: &[Critical]) -> f32 {
     f32::from(rows) * ROW
 }
 
-pub fn draw(critical: &[Critical], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
+/// Keeps labels off the lines, where there is room.
+pub fn avoid(critical: &[Critical], axes: &Axes, labels: &mut Labels) {
+    let [_, top, _, bottom] = axes.area;
+    for Critical { speed, .. } in critical {
+        let (x, _) = axes.place(*speed, 0.0);
+        labels.avoid_line(&[(x, top), (x, bottom)], THIN);
+    }
+}
+
+/// The lines, which make way for the labels that had no room beside them, and the values.
+pub fn draw(critical: &[Critical], axes: &Axes, labels: &Labels, scene: &mut Scene) {
     let [_, top, _, bottom] = axes.area;
     let base = |row: u8| top - 8.0 - f32::from(row) * ROW;
     for Critical { speed, color, row, .. } in critical {
         let (x, _) = axes.place(*speed, 0.0);
-        scene.polyline(&[(x, base(*row) + 4.0), (x, bottom)], dashed(1.2, [2.0, 3.0]), color.lighter(0.2));
-        labels.avoid_line(&[(x, top), (x, bottom)], THIN);
+        let mut from = base(*row) + 4.0;
+        for (to, next) in labels.crossed_at(x).into_iter().chain([(bottom, bottom)]) {
+            scene.polyline(&[(x, from), (x, to)], dashed(1.2, [2.0, 3.0]), color.lighter(0.2));
+            from = next;
+        }
     }
     for Critical { text, color, x, width, row, .. } in critical {
         // The line of a value in a higher row may pass behind this one.

@@ -2,7 +2,7 @@
 
 use carvallo::Mode;
 
-use super::axes::{Axes, INK};
+use super::axes::{self, Axes, INK};
 use super::critical;
 use super::curves::{Curve, Pair, alone, clip, extent, pairs, samples};
 use super::font;
@@ -13,27 +13,24 @@ use crate::failure::Failure;
 
 const WIDTH: f32 = 960.0;
 const HEIGHT: f32 = 640.0;
-const LEFT: f32 = 76.0;
 const RIGHT: f32 = WIDTH - 28.0;
 const BOTTOM: f32 = HEIGHT - 66.0;
 const LABEL_SIZE: f32 = 15.0;
 const STABLE: Color = Color(0xdd, 0xf1, 0xde);
 const STABLE_TEXT: Color = Color(0x2e, 0x7d, 0x32);
 
-/// The eigenvalues between two speeds.
+/// The eigenvalues between two speeds, the second above the first.
 ///
 /// # Errors
 /// If they cannot be computed at one of the speeds.
 pub fn eigenvalues(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene, Failure> {
     let title = format!("Eigenvalues of {} against forward speed", analysis.bicycle.name);
     let mut scene = Scene::new(title.clone(), WIDTH, HEIGHT);
-    scene.text(((LEFT + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
-
-    // A single speed is shown with what follows it.
-    let high = if high > low { high } else { low + f64::max(1.0, 0.1 * low) };
     let rows = analysis.rows(&samples(analysis, low, high))?;
     let extent = extent(&rows);
-    let mut axes = Axes { x: (low, high), y: (-extent, extent), area: [LEFT, 0.0, RIGHT, BOTTOM] };
+    let left = axes::margin((-extent, extent));
+    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    let mut axes = Axes { x: (low, high), y: (-extent, extent), area: [left, 0.0, RIGHT, BOTTOM] };
     let critical = critical::critical(analysis, &axes);
     let top = 56.0 + critical::height(&critical);
     axes.area[1] = top;
@@ -46,9 +43,13 @@ pub fn eigenvalues(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene
     axes.grid(&mut scene);
     stable_labels(&stable, &mut scene, &mut labels);
     let (_, zero) = axes.place(low, 0.0);
-    labels.avoid_line(&[(LEFT, zero), (RIGHT, zero)], LINE);
-    critical::draw(&critical, &axes, &mut scene, &mut labels);
-    modes(&rows, &axes, &mut scene, &mut labels);
+    labels.avoid_line(&[(left, zero), (RIGHT, zero)], LINE);
+    critical::avoid(&critical, &axes, &mut labels);
+    // Labels know the curves, and critical speeds the labels, but curves are painted over critical speeds.
+    let mut curves = Scene::new(title, WIDTH, HEIGHT);
+    modes(&rows, &axes, &mut curves, &mut labels);
+    critical::draw(&critical, &axes, &labels, &mut scene);
+    scene.items.append(&mut curves.items);
     axes.frame(&mut scene, "forward speed v (m/s)", "eigenvalue λ (1/s)");
     Ok(scene)
 }

@@ -11,7 +11,7 @@ const GAP: f32 = 2.0;
 const UNREADABLE: f32 = 400.0;
 /// What a point of a line weighs: lines of the data, and thin lines that a label may cross at need.
 pub const LINE: f32 = 60.0;
-pub const THIN: f32 = 4.0;
+pub const THIN: f32 = 16.0;
 
 /// What is on the page already.
 #[derive(Debug)]
@@ -61,6 +61,14 @@ impl Labels {
         let (_, bounds) = best.filter(|&(cost, _)| cost < UNREADABLE)?;
         self.boxes.push(bounds);
         Some((bounds[0], bounds[3] - descent))
+    }
+
+    /// The top and bottom of every box that an upright line meets, from above.
+    pub fn crossed_at(&self, x: f32) -> Vec<(f32, f32)> {
+        let boxes = self.boxes.iter().filter(|[left, _, right, _]| (*left..=*right).contains(&x));
+        let mut crossed: Vec<(f32, f32)> = boxes.map(|&[_, top, _, bottom]| (top, bottom)).collect();
+        crossed.sort_by(|a, b| a.0.total_cmp(&b.0));
+        crossed
     }
 
     fn cost(&self, bounds: [f32; 4]) -> f32 {

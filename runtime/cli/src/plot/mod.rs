@@ -6,6 +6,7 @@ mod curves;
 mod eigenvalues;
 mod font;
 mod labels;
+mod marks;
 mod png;
 mod scene;
 mod side_view;
@@ -27,7 +28,7 @@ pub use self::side_view::side_view;
 pub fn save(scene: &Scene, path: &Path) -> Result<(), Failure> {
     let fail = |error: String| Failure::Run(format!("cannot write {}: {error}", path.display()));
     let bytes = match path.extension() {
-        Some(ending) if ending == "png" => png::write(scene).map_err(fail)?,
+        Some(ending) if ending.eq_ignore_ascii_case("png") => png::write(scene).map_err(fail)?,
         _ => svg::write(scene).into_bytes(),
     };
     std::fs::write(path, bytes).map_err(|error| fail(error.to_string()))

@@ -2,8 +2,10 @@
 
 use super::axes::INK;
 use super::labels::{LINE, Labels};
-use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
+use super::marks::{DIMENSION, arc, arrow, center_of_mass};
+use super::scene::{Anchor, Color, Scene, dashed, line};
 use crate::input::Bicycle;
+use crate::number::shortest;
 
 const WIDTH: f32 = 960.0;
 const MAX_HEIGHT: f32 = 700.0;
@@ -14,7 +16,6 @@ const BELOW: f32 = 104.0;
 const TEXT_SIZE: f32 = 15.0;
 const FRAME: Color = Color(0xc8, 0xcd, 0xd2);
 const STEER: Color = Color(0x1f, 0x6f, 0xb4);
-const DIMENSION: Color = Color(0x60, 0x60, 0x60);
 
 /// What is drawn, in metres; heights are above the ground.
 struct Geometry {
@@ -196,38 +197,10 @@ fn dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mu
     labels.avoid_box([rear, ground, front.max(foot), ground + BELOW]);
 }
 
-/// A line with a head at each end, where it is long enough for heads.
-fn arrow(scene: &mut Scene, from: (f32, f32), to: (f32, f32)) {
-    scene.polyline(&[from, to], line(1.2), DIMENSION);
-    let direction = (to.0 - from.0).signum();
-    if (to.0 - from.0).abs() > 16.0 {
-        for ((x, y), inward) in [(from, direction), (to, -direction)] {
-            let head = [(x, y), (x + 7.0 * inward, y - 3.0), (x + 7.0 * inward, y + 3.0)];
-            scene.polyline(&head, Paint::Fill, DIMENSION);
-        }
-    }
-}
-
-/// The usual mark: a disc of which two opposite quarters are filled.
-fn center_of_mass((x, y): (f32, f32), scene: &mut Scene) {
-    let radius = 7.0;
-    scene.circle((x, y), radius, Paint::Fill, Color(0xff, 0xff, 0xff));
-    for start in [0.0, std::f32::consts::PI] {
-        let mut quarter = arc((x, y), radius, start, std::f32::consts::FRAC_PI_2);
-        quarter.push((x, y));
-        scene.polyline(&quarter, Paint::Fill, INK);
-    }
-    scene.circle((x, y), radius, line(1.5), INK);
-}
-
-/// Points along an arc; angles turn clockwise on the page, from the right.
-fn arc((x, y): (f32, f32), radius: f32, start: f32, turn: f32) -> Vec<(f32, f32)> {
-    const STEPS: u8 = 72;
-    let angle = |index: u8| start + turn * f32::from(index) / f32::from(STEPS);
-    (0..=STEPS).map(|index| (x + radius * angle(index).cos(), y + radius * angle(index).sin())).collect()
-}
-
 /// At most three decimals, without zeros at the end.
-fn three_decimals(value: f64) -> f64 {
-    (1000.0 * value).round() / 1000.0
+fn three_decimals(value: f64) -> String {
+    match value.abs() {
+        1e-3..1e7 => shortest((1000.0 * value).round() / 1000.0),
+        _ => shortest(value),
+    }
 }

@@ -1,7 +1,9 @@
 //! The command line from outside: what is printed, and the exit codes.
 
 mod analyze;
+mod extremes;
 mod formats;
+mod hints;
 mod mistakes;
 mod pictures;
 mod process;

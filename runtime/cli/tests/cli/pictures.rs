@@ -54,11 +54,13 @@ fn a_side_view_copes_with_odd_geometry() {
     for setting in ["c=-0.1", "lam=-0.5", "lam=1.5", "xB=40", "zB=0.2", "rF=0.01"] {
         picture(&["show", "benchmark", "--set", setting]);
     }
+    let texts = picture(&["show", "benchmark", "--set", "w=1e300"]);
+    assert!(texts.iter().any(|text| text == "wheel base w = 1e300 m"), "{texts:?}");
 }
 
 #[test]
 fn eigenvalues_can_be_drawn_at_any_speeds_and_gravity() {
-    for speeds in ["5", "0:30:1", "0:0.001:0.001"] {
+    for speeds in ["3,5", "0:30:1", "0:0.001:0.001", "0:1e6:1e3"] {
         picture(&["analyze", "benchmark", "--speeds", speeds]);
     }
     picture(&["analyze", "benchmark", "--gravity", "0"]);
@@ -67,7 +69,56 @@ fn eigenvalues_can_be_drawn_at_any_speeds_and_gravity() {
 #[test]
 fn png_is_written_by_its_ending() {
     let directory = Directory::new("png");
-    directory.run(&["analyze", "--plot", "picture.png"]);
-    let bytes = std::fs::read(directory.0.join("picture.png")).unwrap();
-    assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n"));
+    for name in ["picture.png", "PICTURE.PNG"] {
+        directory.run(&["analyze", "--plot", name]);
+        let bytes = std::fs::read(directory.0.join(name)).unwrap();
+        assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n"));
+    }
+    directory.run(&["show", "benchmark", "--plot", "picture.SVG"]);
+    assert!(std::fs::read_to_string(directory.0.join("picture.SVG")).unwrap().starts_with("<svg "));
+}
+
+/// Labels of ticks, titles and critical speeds keep off each other and on the page, whatever the numbers.
+#[test]
+fn labels_keep_clear_of_the_axis() {
+    let directory = Directory::new("labels");
+    for arguments in [["--speeds", "0:1e6:1e3"], ["--gravity", "1e-300"], ["--set", "mB=90"]] {
+        directory.run(&[&["analyze", "--plot", "picture.svg"], &arguments[..]].concat());
+        let svg = std::fs::read_to_string(directory.0.join("picture.svg")).unwrap();
+        let boxes: Vec<(&str, [f64; 2])> = svg.lines().filter_map(labelled).collect();
+        let of = |wanted: &str| boxes.iter().find(|(text, _)| *text == wanted).unwrap().1;
+        let [_, title_right] = of("eigenvalue λ (1/s)");
+        for (text, [left, right]) in &boxes {
+            assert!(*left >= 0.0 && *right <= 960.0, "{text} leaves the page: {left} to {right}");
+            let is_title = *text == "eigenvalue λ (1/s)";
+            assert!(
+                is_title || *left > title_right,
+                "{text} begins at {left}, in the title that ends at {title_right}"
+            );
+        }
+        let frame = boxes.iter().filter(|(text, _)| text.starts_with('−')).map(|(_, [_, right])| *right);
+        let frame = frame.fold(0.0, f64::max);
+        for (text, [left, _]) in boxes.iter().filter(|(text, _)| text.starts_with("weave ")) {
+            assert!(*left > frame, "{text} begins at {left}, left of the frame");
+        }
+    }
+}
+
+#[test]
+fn a_critical_speed_makes_way_for_a_label_on_it() {
+    let directory = Directory::new("crossed");
+    directory.run(&["analyze", "yellowrev", "--plot", "picture.svg"]);
+    let svg = std::fs::read_to_string(directory.0.join("picture.svg")).unwrap();
+    // Four critical speeds; the label of castering and capsize fits beside none.
+    assert_eq!(svg.matches("stroke-dasharray=\"2 3\"").count(), 5);
+}
+
+/// A text of a picture, and where its outlines begin and end from left to right.
+fn labelled(line: &str) -> Option<(&str, [f64; 2])> {
+    let (text, rest) = line.strip_prefix("<path aria-label=\"")?.split_once('"')?;
+    let data = rest.split_once(" d=\"")?.1.split_once('"')?.0;
+    let numbers = data.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter_map(|text| text.parse().ok());
+    let (low, high) =
+        numbers.step_by(2).fold((f64::INFINITY, 0.0_f64), |(low, high), x: f64| (low.min(x), high.max(x)));
+    Some((text, [low, high]))
 }

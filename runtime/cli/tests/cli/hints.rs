@@ -1,0 +1,60 @@
+//! That messages about slips say what to do instead.
+
+use crate::mistakes::{check, check_file, check_options};
+
+#[test]
+fn degrees_are_hinted_at_as_they_were_typed() {
+    let range = "it must be > -1.5707963267948966 and < 1.5707963267948966";
+    check_options(&["--set", "lam=95 deg"], &format!("--set lam=95 deg: `lam` is 1.6580627893946132 rad; {range}"));
+    let hint = "(for degrees write `18.50 deg`)";
+    check_options(&["--set", "lam=18.50"], &format!("--set lam=18.50: `lam` is 18.5 rad; {range} {hint}"));
+    check_options(&["--set", "lam=95"], &format!("--set lam=95: `lam` is 95 rad; {range}"));
+}
+
+#[test]
+fn units_are_named_but_not_accepted() {
+    let none = "no unit is accepted here";
+    check("kg", "mB = 85", "mB = \"85 kg\"", &format!("bike.toml:19: `mB` is `85 kg`; {none}: `mB` is in kg"));
+    check_options(&["--set", "w=102 cm"], &format!("--set w=102 cm: `w` is `102 cm`; {none}: `w` is in m"));
+    check_options(
+        &["--set", "lam=18 degrees"],
+        &format!(
+            "--set lam=18 degrees: `lam` is `18 degrees`; {none}: `lam` is in rad, or in degrees with `deg` as in \
+             `18 deg`"
+        ),
+    );
+    let deviation = format!("bike.toml:19: the standard deviation of `mB` is `1 kg`; {none}: `mB` is in kg");
+    check("kg-deviation", "mB = 85", "mB = \"85 +/- 1 kg\"", &deviation);
+}
+
+#[test]
+fn options_without_what_they_need() {
+    check_options(&["--set", "=3"], "--set =3: expected NAME=VALUE, such as mB=90");
+    check_options(&["--speeds", ",,,"], "--speeds ,,,: a speed is empty; it must be a finite number");
+    let descending = "--speeds 10:0:-1: the range ends at 0, before it begins at 10; it must ascend";
+    check_options(&["--speeds", "10:0:-1"], descending);
+}
+
+#[test]
+fn a_picture_needs_a_range_of_speeds() {
+    let message = "--plot x.svg: a picture needs a range of speeds, such as --speeds 0:10:0.1";
+    for speeds in ["5", "5,5", "5:5:1"] {
+        check_options(&["--speeds", speeds, "--plot", "x.svg"], message);
+    }
+}
+
+#[test]
+fn files_without_parameters() {
+    for (name, text) in [
+        ("bike.toml", ""),
+        ("bike.toml", "name = \"mine\"\n[parameters]\n"),
+        ("bike.json", ""),
+        ("bike.json", "{}"),
+        ("bike.json", "{\"parameters\": {}}"),
+        ("bike.yml", "# nothing yet\n"),
+        ("bike.txt", ""),
+    ] {
+        let message = "it has no parameters; `carvallo show benchmark` prints a file to start from";
+        check_file(name, text, &format!("{name}: {message}"));
+    }
+}
