@@ -1,11 +1,14 @@
 //! Constant expressions, such as `pi/10`, evaluated far beyond double precision.
 
+use std::collections::HashMap;
+
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 
 use super::resolve::unknown_function;
+use super::units::{Dimension, Quantity};
 use crate::model::Function;
 use crate::report::{Report, error};
-use crate::syntax::{Expression, Kind};
+use crate::syntax::{Expression, Kind, Value};
 
 /// Bits of the calculation: enough that the nearest `f64` of the result is the nearest of the exact value.
 const PRECISION: usize = 320;
@@ -24,8 +27,48 @@ impl Constant {
     /// # Errors
     /// Names other than `pi`, unknown functions, and values that are not finite.
     pub fn evaluate(expression: &Expression) -> syn::Result<Self> {
-        let mut constants = Consts::new().map_err(|_| error(expression.region, "out of memory"))?;
-        evaluate(expression, &mut constants).map(Self)
+        Self::evaluate_with(expression, &HashMap::new())
+    }
+
+    /// The value of a formula at given values of the names in it.
+    ///
+    /// # Errors
+    /// As [`Constant::evaluate`], for names that have no value.
+    pub fn evaluate_with(formula: &Expression, names: &HashMap<String, Self>) -> syn::Result<Self> {
+        let mut constants = Consts::new().map_err(|_| error(formula.region, "out of memory"))?;
+        evaluate(formula, names, &mut constants).map(Self)
+    }
+
+    /// The value in the units of the SI, where `own` is the dimension of what has the value and, unless another is
+    /// written behind it, its unit.
+    ///
+    /// # Errors
+    /// As [`Constant::evaluate`], and units that are not known or not of that dimension.
+    pub fn in_unit(value: &Value, own: Option<Dimension>) -> syn::Result<Self> {
+        let Some(unit) = &value.unit else { return Self::evaluate(&value.number) };
+        let quantity = Quantity::new(unit)?;
+        match own {
+            Some(own) if !own.same_unit(quantity.dimension) => {
+                let message = format!("a value in `{}`, which is {}: expected {own}", unit.text, quantity.dimension);
+                Err(error(unit.region, message))
+            }
+            _ => Self::evaluate(&quantity.formula(value.number.clone())),
+        }
+    }
+
+    /// A decimal number as text; nothing if it is none.
+    pub fn parse(text: &str) -> Option<Self> {
+        let value = BigFloat::parse(text, Radix::Dec, PRECISION, ROUNDING, &mut Consts::new().ok()?);
+        (!value.is_nan()).then_some(Self(value))
+    }
+
+    /// The size of the difference of two constants.
+    pub fn distance(&self, other: &Self) -> Self {
+        Self(self.0.sub(&other.0, PRECISION, ROUNDING).abs())
+    }
+
+    pub fn is_zero(&self) -> bool {
+        self.0.is_zero()
     }
 
     /// The nearest `f64`.
@@ -60,6 +103,8 @@ pub fn verify(expression: &Expression, report: &mut Report) {
 fn verify_parts(expression: &Expression, report: &mut Report) -> bool {
     let parts: Vec<(&Expression, bool)> = match &expression.kind {
         Kind::Number(_) => return true,
+        // Its value is verified with its unit, where it is resolved.
+        Kind::Quantity(..) => return false,
         Kind::Name(name) => return name == "pi",
         Kind::Sum(terms) => terms.iter().map(|term| (&term.value, false)).collect(),
         Kind::Product(factors) => factors.iter().map(|factor| (&factor.value, factor.inverse)).collect(),
@@ -97,18 +142,29 @@ impl PartialEq for Constant {
     }
 }
 
-fn evaluate(expression: &Expression, constants: &mut Consts) -> syn::Result<BigFloat> {
+fn evaluate(
+    expression: &Expression,
+    names: &HashMap<String, Constant>,
+    constants: &mut Consts,
+) -> syn::Result<BigFloat> {
     let (p, rm) = (PRECISION, ROUNDING);
     let value = match &expression.kind {
+        Kind::Quantity(number, unit) => {
+            let number = Expression { kind: Kind::Number(number.clone()), region: expression.region };
+            return evaluate(&Quantity::new(unit)?.formula(number), names, constants);
+        }
         Kind::Number(number) => BigFloat::parse(&number.to_string(), Radix::Dec, p, rm, constants),
         Kind::Name(name) if name == "pi" => constants.pi(p, rm),
         Kind::Name(name) => {
+            if let Some(known) = names.get(&name.to_string()) {
+                return Ok(known.0.clone());
+            }
             return Err(error(name, format!("found `{name}`: expected a constant, of numbers, `pi` and functions")));
         }
         Kind::Sum(terms) => {
             let mut sum = BigFloat::from_word(0, p);
             for term in terms {
-                let value = evaluate(&term.value, constants)?;
+                let value = evaluate(&term.value, names, constants)?;
                 sum = if term.negative { sum.sub(&value, p, rm) } else { sum.add(&value, p, rm) };
             }
             sum
@@ -116,17 +172,17 @@ fn evaluate(expression: &Expression, constants: &mut Consts) -> syn::Result<BigF
         Kind::Product(factors) => {
             let mut product = BigFloat::from_word(1, p);
             for factor in factors {
-                let value = evaluate(&factor.value, constants)?;
+                let value = evaluate(&factor.value, names, constants)?;
                 product = if factor.inverse { product.div(&value, p, rm) } else { product.mul(&value, p, rm) };
             }
             product
         }
         Kind::Power(base, exponent) => {
-            let power = evaluate(base, constants)?.powi(exponent.unsigned_abs() as usize, p, rm);
+            let power = evaluate(base, names, constants)?.powi(exponent.unsigned_abs() as usize, p, rm);
             if *exponent < 0 { BigFloat::from_word(1, p).div(&power, p, rm) } else { power }
         }
         Kind::Call(name, argument) => {
-            let value = evaluate(argument, constants)?;
+            let value = evaluate(argument, names, constants)?;
             match name.to_string().as_str() {
                 "sin" => value.sin(p, rm, constants),
                 "cos" => value.cos(p, rm, constants),

@@ -14,7 +14,7 @@ pub struct Resolved {
     /// By position in the declaration.
     pub definitions: Vec<Expr>,
     /// Positions in the declaration, each after those that it uses.
-    order: Vec<usize>,
+    pub order: Vec<usize>,
 }
 
 impl Resolved {

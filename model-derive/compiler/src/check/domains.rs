@@ -1,6 +1,7 @@
 //! The values that parameters may take.
 
 use super::constants::Constant;
+use super::units::Dimension;
 use crate::model;
 use crate::report::{Region, Report};
 use crate::syntax::{Bound, Relation};
@@ -12,11 +13,11 @@ pub struct Domain {
     upper: Option<(Constant, f64, bool)>,
 }
 
-/// The domain that the bounds of a parameter make.
-pub fn domain(bounds: &[Bound], report: &mut Report) -> Domain {
+/// The domain that the bounds of a quantity of dimension `own` make.
+pub fn domain(bounds: &[Bound], own: Option<Dimension>, report: &mut Report) -> Domain {
     let mut domain = Domain::default();
     for bound in bounds {
-        let constant = match Constant::evaluate(&bound.value) {
+        let constant = match Constant::in_unit(&bound.value, own) {
             Ok(constant) => constant,
             Err(error) => {
                 report.push(error);
@@ -26,7 +27,7 @@ pub fn domain(bounds: &[Bound], report: &mut Report) -> Domain {
         let value = match constant.to_f64() {
             Ok(value) => value,
             Err(message) => {
-                report.error(bound.value.region, message);
+                report.error(bound.value.region(), message);
                 continue;
             }
         };

@@ -5,8 +5,10 @@ mod definitions;
 mod domains;
 mod matrices;
 mod names;
+mod published;
 mod resolve;
 mod sets;
+mod units;
 mod unused;
 
 use crate::model::{Coordinate, Model, Parameter, Requirement};
@@ -20,6 +22,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         report.error(&declaration.name, "no parameters: expected `parameters { … }` with at least one");
     }
     let mut scope = names::Scope::new(&declaration, report);
+    let dimensions = units::Dimensions::new(&declaration, report);
     let resolved = definitions::resolve(&declaration, &mut scope, report);
     let requirements: Vec<Requirement> = declaration
         .requirements
@@ -28,7 +31,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
             text: resolve::text(&requirement.value),
             region: requirement.value.region,
             value: resolve::expression(&requirement.value, &mut scope, report),
-            domain: domains::domain(std::slice::from_ref(&requirement.bound), report).to_model(),
+            domain: domains::domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
         })
         .collect();
     let (matrices, entries) = matrices::matrices(&declaration, &mut scope, report);
@@ -40,6 +43,8 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         unused::report(&declaration, &resolved, &requirements, &matrices, &scope, report);
     }
 
+    units::check(&declaration, &dimensions, &scope, &resolved.order, report);
+
     let new = resolved.new_positions();
     let requirements: Vec<Requirement> = requirements
         .into_iter()
@@ -50,19 +55,22 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().map(|e| e.renumbered(&new)).collect()).collect()))
         .collect();
 
-    let domains: Vec<_> = declaration.parameters.iter().map(|p| domains::domain(&p.bounds, report)).collect();
-    let sets = sets::sets(&declaration, &domains, report);
+    let own = declaration.parameters.iter().zip(&dimensions.parameters);
+    let domains: Vec<_> = own.map(|(parameter, own)| domains::domain(&parameter.bounds, *own, report)).collect();
+    let parameters = sets::Parameters { domains: &domains, dimensions: &dimensions.parameters };
+    let sets = sets::sets(&declaration, &parameters, report);
     let gravity = gravity(&declaration, report);
     let definitions = resolved.in_order(&declaration);
     if report.is_empty() {
         sets::check_requirements(&sets, &definitions, &requirements, report);
+        published::check(&declaration, &dimensions, &resolved.order, report);
     }
     let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();
     let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {
         symbol: parameter.symbol.unwrap_or_else(|| parameter.name.to_string()),
         name: parameter.name,
         docs: parameter.docs,
-        unit: parameter.unit,
+        unit: parameter.unit.text,
         domain: domain.to_model(),
         used: used || gravity == Some(index),
     });
@@ -83,7 +91,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
                 label: coordinate.label.unwrap_or_else(|| coordinate.name.to_string()),
                 name: coordinate.name.to_string(),
                 docs: coordinate.docs,
-                unit: coordinate.unit,
+                unit: coordinate.unit.text,
             })
             .collect(),
         matrices,

@@ -2,6 +2,7 @@
 
 use super::constants;
 use super::names::{Meaning, Scope};
+use super::units::Quantity;
 use crate::model::{Expr, Function};
 use crate::nearest::nearest;
 use crate::report::Report;
@@ -17,6 +18,16 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
     let mut inner = |value: &Expression| resolve(value, scope, report);
     match &expression.kind {
         Kind::Number(number) => Expr::Number(number.clone()),
+        Kind::Quantity(number, unit) => {
+            let number = Expression { kind: Kind::Number(number.clone()), region: expression.region };
+            match Quantity::new(unit) {
+                Ok(quantity) => inner(&quantity.formula(number)),
+                Err(error) => {
+                    report.push(error);
+                    Expr::Pi
+                }
+            }
+        }
         Kind::Sum(terms) => Expr::Sum(terms.iter().map(|term| (term.negative, inner(&term.value))).collect()),
         Kind::Product(factors) => Expr::Product(factors.iter().map(|f| (f.inverse, inner(&f.value))).collect()),
         Kind::Power(base, exponent) => Expr::Power(Box::new(inner(base)), *exponent),
@@ -74,6 +85,7 @@ pub fn unknown_function(name: &str, known: &[&'static str]) -> String {
 pub fn text(expression: &Expression) -> String {
     match &expression.kind {
         Kind::Number(number) => number.to_string(),
+        Kind::Quantity(number, unit) => format!("{number} [{}]", unit.text),
         Kind::Name(name) => name.to_string(),
         Kind::Sum(terms) => {
             let mut text = String::new();

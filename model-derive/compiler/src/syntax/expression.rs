@@ -7,6 +7,7 @@ use syn::parse::{ParseStream, Parser};
 
 use super::number::Decimal;
 use super::tokens::{expected, signed_integer};
+use super::unit::{Unit, unit};
 use crate::report::{Region, error};
 
 /// A formula with the stretch of source that it comes from.
@@ -16,10 +17,25 @@ pub struct Expression {
     pub region: Region,
 }
 
+impl Expression {
+    /// Calls `visit` with every name that is used as a value.
+    pub fn names(&self, visit: &mut impl FnMut(&Ident)) {
+        match &self.kind {
+            Kind::Number(_) | Kind::Quantity(..) => {}
+            Kind::Name(name) => visit(name),
+            Kind::Sum(terms) => terms.iter().for_each(|term| term.value.names(visit)),
+            Kind::Product(factors) => factors.iter().for_each(|factor| factor.value.names(visit)),
+            Kind::Power(inner, _) | Kind::Call(_, inner) => inner.names(visit),
+        }
+    }
+}
+
 /// What a formula is. Sums and products are flat, so that long ones do not nest deeply.
 #[derive(Clone, Debug)]
 pub enum Kind {
     Number(Decimal),
+    /// `0.3 [m]`.
+    Quantity(Decimal, Unit),
     Name(Ident),
     Sum(Vec<Term>),
     Product(Vec<Factor>),
@@ -50,6 +66,11 @@ pub fn expression(input: ParseStream<'_>) -> syn::Result<Expression> {
     let value = sum(input, 0)?;
     reject_other_syntax(input)?;
     Ok(value)
+}
+
+/// The formula that a text writes; for constants of the compiler's own.
+pub fn constant(text: &str) -> syn::Result<Expression> {
+    expression.parse_str(text)
 }
 
 fn sum(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
@@ -154,7 +175,17 @@ fn primary(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
         Some((TokenTree::Literal(literal), _)) => {
             input.parse::<Literal>()?;
             let number = Decimal::from_literal(&literal).map_err(|message| error(literal.span(), message))?;
-            Ok(Expression { kind: Kind::Number(number), region: literal.span().into() })
+            let region = Region::from(literal.span());
+            if !input.peek(syn::token::Bracket) {
+                return Ok(Expression { kind: Kind::Number(number), region });
+            }
+            let content;
+            let brackets = syn::bracketed!(content in input);
+            let unit = unit(&content)?;
+            if !content.is_empty() {
+                return Err(expected(&content, "`*`, `/` or `]`"));
+            }
+            Ok(Expression { kind: Kind::Quantity(number, unit), region: region.to(brackets.span.close().into()) })
         }
         Some((TokenTree::Ident(_), _)) => name_or_call(input, depth),
         _ => Err(expected(input, "a formula")),

@@ -1,13 +1,16 @@
 //! The statements of a declaration.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
-use super::declaration::{Declaration, Definition, Doc, Matrix, MatrixName, ParameterSet, Requirement, SetValue};
+use super::declaration::{
+    Declaration, Definition, Doc, Matrix, MatrixName, ParameterSet, Printed, Published, Requirement, SetValue,
+};
 use super::expression::expression;
-use super::parameters::{comparison, coordinate, parameter};
+use super::number::Decimal;
+use super::parameters::{comparison, coordinate, parameter, value};
 use super::tokens::{docs, expected, name, semicolon, skip_statement, text};
 use crate::nearest::nearest;
 use crate::report::{Region, Report, error};
@@ -197,31 +200,65 @@ fn set(input: ParseStream<'_>, docs: Doc, model: &mut Declaration, report: &mut 
     let name = name(input, "the name of a parameter set")?;
     let source = text(input)?;
     let mut values = Vec::new();
+    let mut published = Vec::new();
     block(input, "the values of the set", report, |input, _| {
         let name = self::name(input, "the name of a parameter")?;
+        if let Some(matrix) = MatrixName::from_name(&name.to_string())
+            && input.peek(Token![=])
+            && input.peek2(syn::token::Bracket)
+        {
+            input.parse::<Token![=]>()?;
+            let (region, rows) = rows(input, printed)?;
+            published.push(Published { name: matrix, span: name.span(), rows, region });
+            return semicolon(input, "`;`", "the matrix");
+        }
         let value = || {
             if !input.peek(Token![=]) || input.peek(Token![==]) {
                 return Err(expected(input, "`=` and a value"));
             }
             input.parse::<Token![=]>()?;
-            let value = expression(input)?;
-            semicolon(input, AFTER_FORMULA, "the value")?;
+            let value = value(input)?;
+            semicolon(input, "an operator (`+ - * / ^`), a unit or `;`", "the value")?;
             Ok(value)
         };
         let value = value();
         values.push(SetValue { name, value: value.as_ref().ok().cloned() });
         value.map(|_| ())
     })?;
-    model.sets.push(ParameterSet { docs, name, source, values });
+    model.sets.push(ParameterSet { docs, name, source, values, published });
     Ok(())
+}
+
+/// A decimal number as it was printed, with its sign.
+fn printed(input: ParseStream<'_>) -> syn::Result<Printed> {
+    let minus = input.parse::<Option<Token![-]>>()?;
+    let Some((TokenTree::Literal(literal), _)) = input.cursor().token_tree() else {
+        return Err(expected(input, "a decimal number as it was printed"));
+    };
+    input.parse::<TokenTree>()?;
+    Decimal::from_literal(&literal).map_err(|message| error(literal.span(), message))?;
+    let region = Region::from(literal.span());
+    let sign = if minus.is_some() { "-" } else { "" };
+    let text = format!("{sign}{}", literal.to_string().replace('_', ""));
+    Ok(Printed { text, region: minus.map_or(region, |minus| Region::from(minus.span).to(region)) })
 }
 
 fn matrix(input: ParseStream<'_>, name: MatrixName, span: proc_macro2::Span) -> syn::Result<Matrix> {
     if input.parse::<Option<Token![=]>>()?.is_none() {
         return Err(expected(input, "`=` and the rows of the matrix"));
     }
-    let (region, rows) = list(input, "the rows `[[…], […]]`", |input| list(input, "a row `[…]`", expression))?;
+    let (region, rows) = rows(input, expression)?;
     Ok(Matrix { name, span, rows, region })
+}
+
+/// The rows of a matrix, each with its region.
+type Rows<T> = Vec<(Region, Vec<T>)>;
+
+fn rows<T>(
+    input: ParseStream<'_>,
+    entry: impl Fn(ParseStream<'_>) -> syn::Result<T>,
+) -> syn::Result<(Region, Rows<T>)> {
+    list(input, "the rows `[[…], […]]`", |input| list(input, "a row `[…]`", &entry))
 }
 
 /// A list in brackets, with where it stands.

@@ -8,9 +8,12 @@ mod parameters;
 mod tokens;
 mod unit;
 
-pub use declaration::{Bound, Declaration, Matrix, MatrixName, ParameterSet, Relation};
-pub use expression::{Expression, Kind};
+pub use declaration::{
+    Bound, Declaration, Direction, Matrix, MatrixName, ParameterSet, Printed, Published, Relation, Requirement, Value,
+};
+pub use expression::{Expression, Factor, Kind, Term, constant};
 pub use number::Decimal;
+pub use unit::Unit;
 
 use proc_macro2::TokenStream;
 use syn::parse::Parser;

@@ -62,6 +62,11 @@ impl Decimal {
         }
     }
 
+    /// Whether it is zero.
+    pub fn is_zero(&self) -> bool {
+        self.digits == "0"
+    }
+
     /// The whole number, if it is one and fits.
     pub fn to_integer(&self) -> Option<i32> {
         let zeros = usize::try_from(self.exponent).ok()?;
