@@ -55,7 +55,8 @@ fn every_run_gives_the_same_code() {
     let expand = |driver| expand(declaration(), driver).expect("the model compiles").to_string();
     let first = [Driver::Macro, Driver::File].map(expand);
     // Another model in between changes nothing.
-    let other = "model Other { parameters { lam: m, > 0; } coordinates { x: m; } M = [[lam^2 + tan(lam)]]; }";
+    let other =
+        "model Other { parameters { lam: rad, > 0; } coordinates { x: m; } M = [[lam^2*1 [kg] + tan(lam)*2 [kg]]]; }";
     assert!(compile(other.parse().expect("tokens")).is_ok());
     assert_eq!([Driver::Macro, Driver::File].map(expand), first);
 }

@@ -49,7 +49,7 @@ carvallo::model! {
 
 fn main() {
     let example = Units::EXAMPLE;
-    assert_eq!(example.to_array(), [1.5, 2.5, core::f64::consts::FRAC_PI_4 / 3.0, 1.5, 2000.0, 2.0, 0.0, 9.81]);
+    assert_eq!(example.to_array(), [1.5, 2.5, 0.261_799_387_799_149_44, 1.5, 2000.0, 2.0, 0.0, 9.81]);
     assert!(carvallo::Model::validate(&Units { m: 0.4, ..example }).is_err());
     let [[m11, _], [_, m22]] = example.matrices().m;
     assert!((m11 - 3.0).abs() < 1e-15 && (m22 - 0.375 * core::f64::consts::FRAC_1_SQRT_2).abs() < 1e-16);

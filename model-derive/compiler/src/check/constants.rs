@@ -49,7 +49,7 @@ impl Constant {
         let quantity = Quantity::new(unit)?;
         match own {
             Some(own) if !own.same_unit(quantity.dimension) => {
-                let message = format!("a value in `{}`, which is {}: expected {own}", unit.text, quantity.dimension);
+                let message = format!("a value in `{}`: expected one in {own}", unit.text);
                 Err(error(unit.region, message))
             }
             _ => Self::evaluate(&quantity.formula(value.number.clone())),

@@ -15,6 +15,8 @@ pub struct Resolved {
     pub definitions: Vec<Expr>,
     /// Positions in the declaration, each after those that it uses.
     pub order: Vec<usize>,
+    /// Whether some definition depends on itself, so that there is no such order.
+    pub cyclic: bool,
 }
 
 impl Resolved {
@@ -62,6 +64,7 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
     let uses: Vec<Vec<usize>> = definitions.iter().map(uses).collect();
     let mut state = vec![State::New; definitions.len()];
     let mut order = Vec::new();
+    let mut cyclic = false;
     for start in 0..definitions.len() {
         // Depth first with a stack of our own: a chain of thousands of definitions must not exhaust the thread's.
         let mut stack = vec![(start, 0)];
@@ -82,6 +85,7 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
                 State::New => stack.push((used, 0)),
                 State::Done => {}
                 State::Open => {
+                    cyclic = true;
                     let path = stack.iter().map(|(node, _)| *node).skip_while(|node| *node != used);
                     let names: Vec<String> =
                         path.chain([used]).map(|node| format!("`{}`", declaration.definitions[node].name)).collect();
@@ -92,5 +96,5 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
             }
         }
     }
-    Resolved { definitions, order }
+    Resolved { definitions, order, cyclic }
 }

@@ -20,7 +20,7 @@ pub fn matrices(declaration: &Declaration, scope: &mut Scope, report: &mut Repor
             continue;
         }
         // Without coordinates no shape is right, and the one mistake is that there are none.
-        if n > 0 {
+        if n > 0 && !declaration.coordinates_unread {
             check_shape(name, &matrix.rows, matrix.region, n, report);
         }
         let mut resolve = |row: &Vec<_>| row.iter().map(|entry| resolve::expression(entry, scope, report)).collect();

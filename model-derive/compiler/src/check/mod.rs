@@ -43,7 +43,9 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         unused::report(&declaration, &resolved, &requirements, &matrices, &scope, report);
     }
 
-    units::check(&declaration, &dimensions, &scope, &resolved.order, report);
+    if !resolved.cyclic {
+        units::check(&declaration, &dimensions, &scope, &resolved.order, report);
+    }
 
     let new = resolved.new_positions();
     let requirements: Vec<Requirement> = requirements

@@ -71,7 +71,7 @@ fn compare(
             if !agrees(printed, &value) {
                 let found = value.to_f64().map_or_else(|message| message, |value| value.to_string());
                 let message = format!(
-                    "published for `{}` is {}, but `{name}`, row {}, column {}, is {found} there: expected all printed digits",
+                    "`{}` publishes {}, but `{name}`, row {}, column {}, is {found} there: expected all printed digits",
                     set.name,
                     printed.text,
                     row + 1,
@@ -83,11 +83,18 @@ fn compare(
     }
 }
 
-/// Whether a value agrees with print to one unit of the last digit: not all print is rounded to the nearest.
+/// Whether a value agrees with print to less than one unit of the last digit: some print is not rounded to the nearest.
+/// What is printed without a decimal point is exact.
 fn agrees(printed: &Printed, value: &Constant) -> bool {
     let (mantissa, power) = printed.text.split_once(['e', 'E']).unwrap_or((&printed.text, "0"));
-    let places = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());
-    let unit = power.parse::<i64>().ok().and_then(|power| Constant::parse(&format!("1e{}", power - places as i64)));
-    let printed = Constant::parse(&printed.text);
-    unit.zip(printed).is_some_and(|(unit, printed)| value.distance(&printed) <= unit)
+    let Ok(power) = power.parse::<i64>() else { return false };
+    let last = match mantissa.split_once('.') {
+        Some((_, fraction)) => power - fraction.len() as i64,
+        None => power - EXACT,
+    };
+    let both = Constant::parse(&format!("1e{last}")).zip(Constant::parse(&printed.text));
+    both.is_some_and(|(unit, printed)| value.distance(&printed) < unit)
 }
+
+/// Digits behind the last one of an exact number that the calculation reaches with room to spare.
+const EXACT: i64 = 60;

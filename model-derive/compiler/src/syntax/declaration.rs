@@ -22,6 +22,8 @@ pub struct Declaration {
     pub requirements: Vec<Requirement>,
     pub sets: Vec<ParameterSet>,
     pub coordinates: Vec<Coordinate>,
+    /// Whether a coordinate could not be read, so that their number is not known.
+    pub coordinates_unread: bool,
     pub matrices: Vec<Matrix>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,

@@ -39,6 +39,7 @@ pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<D
         requirements: Vec::new(),
         sets: Vec::new(),
         coordinates: Vec::new(),
+        coordinates_unread: false,
         matrices: Vec::new(),
         unread: Vec::new(),
     };
@@ -163,7 +164,7 @@ fn coordinates(
         report.error(keyword, "a second `coordinates`: expected one, since its order is that of the matrices");
     }
     block(input, "the coordinates", report, |input, report| {
-        let coordinate = coordinate(input, report)?;
+        let coordinate = coordinate(input, report).inspect_err(|_| model.coordinates_unread = true)?;
         if first {
             model.coordinates.push(coordinate);
         }

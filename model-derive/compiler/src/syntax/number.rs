@@ -74,11 +74,20 @@ impl Decimal {
     }
 }
 
-/// In a form that every decimal parser reads.
+/// In a form that every decimal parser reads: with a power of ten only where zeros would be many.
 impl std::fmt::Display for Decimal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.digits)?;
-        if self.exponent == 0 { Ok(()) } else { write!(f, "e{}", self.exponent) }
+        let Self { digits, exponent } = self;
+        let places = exponent.unsigned_abs() as usize;
+        match *exponent {
+            0..=3 => write!(f, "{digits}{}", "0".repeat(places)),
+            -12..0 if places < digits.len() => {
+                let (whole, fraction) = digits.split_at(digits.len() - places);
+                write!(f, "{whole}.{fraction}")
+            }
+            -6..0 => write!(f, "0.{digits:0>places$}"),
+            _ => write!(f, "{digits}e{exponent}"),
+        }
     }
 }
 
@@ -94,13 +103,15 @@ mod tests {
     #[test]
     fn decimals_are_exact() {
         let cases = [
-            ("0.5", "5e-1"),
-            ("1_000", "1e3"),
-            ("2.50e-3", "25e-4"),
+            ("0.5", "0.5"),
+            ("1_000", "1000"),
+            ("2.50e-3", "0.0025"),
+            ("12.5", "12.5"),
+            ("1e-30", "1e-30"),
             ("0.0", "0"),
             ("007", "7"),
             ("1.", "1"),
-            ("3E2", "3e2"),
+            ("3E2", "300"),
         ];
         for (text, expected) in cases {
             assert_eq!(read(text).as_deref(), Ok(expected), "{text}");

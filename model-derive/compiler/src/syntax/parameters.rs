@@ -54,7 +54,8 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
             return Err(expected(input, AFTER_UNIT));
         }
     }
-    semicolon(input, "`,` or `;`", "the parameter")?;
+    let plain = parameter.bounds.is_empty() && parameter.direction.is_none();
+    semicolon(input, if plain { "`*`, `/`, `,` or `;`" } else { "`,` or `;`" }, "the parameter")?;
     Ok(parameter)
 }
 

@@ -19,6 +19,7 @@ carvallo::model! {
         set bob {
             m = 1;
             l = 2;
+            J = 1;
             g = 9.81;
         }
     }

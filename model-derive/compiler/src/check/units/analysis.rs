@@ -89,35 +89,46 @@ impl Analysis<'_> {
     }
 
     fn two_units(&self, this: (&Expression, Dimension), usual: (&Expression, Dimension)) -> String {
-        let origins = self.origins([this.0, usual.0], |name, dimension| format!("`{name}` in {dimension}"));
-        let (this, usual) = ((short(this.0), this.1), (short(usual.0), usual.1));
-        format!("`{}` is in {}, but `{}` in {}: expected terms in one unit{origins}", this.0, this.1, usual.0, usual.1)
+        let origins = self.units([this.0, usual.0]);
+        let (a, b) = (short(this.0), short(usual.0));
+        format!("`{a}` is {}, but `{b}` {}: expected terms in one unit{origins}", this.1.place(), usual.1.place())
     }
 
     fn two_mirrors(&self, this: (&Expression, Dimension), usual: (&Expression, Dimension)) -> String {
-        let origins = self.origins([this.0, usual.0], |name, d| format!("`{name}` {}", d.mirrors()));
-        format!(
-            "`{}` changes its sign {}, but `{}` {}: expected terms that mirror alike{origins}",
-            short(this.0),
-            this.1.mirrors(),
-            short(usual.0),
-            usual.1.mirrors(),
-        )
+        let origins = self.mirrors([this.0, usual.0]);
+        let (a, b) = (short(this.0), short(usual.0));
+        format!("`{a}` {}, but `{b}` {}: expected terms that mirror alike{origins}", this.1.sign(), usual.1.sign())
     }
 
-    /// Where the dimensions of formulas come from: their names, unless each is a name itself.
-    fn origins<const N: usize>(&self, formulas: [&Expression; N], entry: impl Fn(&str, Dimension) -> String) -> String {
+    /// Where the units of formulas come from, unless it is plain.
+    fn units<const N: usize>(&self, formulas: [&Expression; N]) -> String {
+        self.origins(formulas, |name, dimension| Some(format!("`{name}` {}", dimension.place())))
+    }
+
+    /// Where the mirrors of formulas come from, unless it is plain.
+    fn mirrors<const N: usize>(&self, formulas: [&Expression; N]) -> String {
+        self.origins(formulas, |name, dimension| {
+            dimension.is_odd().then(|| format!("`{name}` mirrors with {}", dimension.axes().join(" and ")))
+        })
+    }
+
+    /// An entry for each name in some formulas, unless each of them is a name itself.
+    fn origins<const N: usize>(
+        &self,
+        formulas: [&Expression; N],
+        entry: impl Fn(&str, Dimension) -> Option<String>,
+    ) -> String {
         if formulas.iter().all(|formula| matches!(formula.kind, Kind::Name(_))) {
             return String::new();
         }
         let mut entries: Vec<String> = Vec::new();
         for formula in formulas {
             formula.names(&mut |name| {
-                if let Some(dimension) = self.of_name(name).filter(|_| name != "pi") {
-                    let entry = entry(&name.to_string(), dimension);
-                    if !entries.contains(&entry) {
-                        entries.push(entry);
-                    }
+                let dimension = self.of_name(name).filter(|_| name != "pi");
+                if let Some(entry) = dimension.and_then(|dimension| entry(&name.to_string(), dimension))
+                    && !entries.contains(&entry)
+                {
+                    entries.push(entry);
                 }
             });
         }
@@ -125,14 +136,11 @@ impl Analysis<'_> {
     }
 
     fn call(&self, function: &str, inner: Dimension, argument: &Expression, report: &mut Report) -> Option<Dimension> {
-        let in_unit = |name: &str, dimension: Dimension| format!("`{name}` in {dimension}");
         match function {
             "sqrt" if self.dimensions.mirrored && inner.is_odd() => {
-                let message = format!(
-                    "the square root of a quantity that changes its sign {}: expected one that no mirror changes{}",
-                    inner.mirrors(),
-                    self.origins([argument], |name, d| format!("`{name}` {}", d.mirrors())),
-                );
+                let sign = inner.sign();
+                let origins = self.mirrors([argument]);
+                let message = format!("this square root is of what {sign}: expected what no mirror changes{origins}");
                 report.error(argument.region, message);
                 None
             }
@@ -144,9 +152,9 @@ impl Analysis<'_> {
                 root
             }
             "sin" | "cos" | "tan" if !inner.is_number() => {
-                let origins = self.origins([argument], in_unit);
+                let origins = self.units([argument]);
                 let message =
-                    format!("`{function}` of a quantity in {inner}: expected a pure number or an angle{origins}");
+                    format!("`{function}` of what is in {inner}: expected a pure number or an angle{origins}");
                 report.error(argument.region, message);
                 None
             }

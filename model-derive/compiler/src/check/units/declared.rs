@@ -70,7 +70,8 @@ impl Dimensions {
         let coordinates = declaration.coordinates.iter().map(|coordinate| {
             let dimension = coherent(&coordinate.unit, report)?;
             if !dimension.is_number() && !dimension.same_unit(Dimension::new([0, 1, 0])) {
-                let message = format!("a coordinate in {dimension}: expected an angle (`rad`) or a length (`m`)");
+                let message =
+                    format!("a coordinate {}: expected an angle (`rad`) or a length (`m`)", dimension.place());
                 report.error(coordinate.unit.region, message);
                 return None;
             }

@@ -75,11 +75,23 @@ impl Dimension {
         self.odd.contains(&true)
     }
 
-    /// What mirrors do to it, to end a sentence "… changes its sign".
-    pub fn mirrors(self) -> String {
-        let axes: Vec<&str> =
-            ["x", "y", "z"].into_iter().zip(self.odd).filter(|(_, odd)| *odd).map(|(a, _)| a).collect();
-        if axes.is_empty() { "in no mirror".into() } else { format!("when mirrored in {}", axes.join(" or ")) }
+    /// As the end of a sentence "it is …".
+    pub fn place(self) -> String {
+        if self.is_number() { "a pure number".into() } else { format!("in {self}") }
+    }
+
+    /// As the end of a sentence "it …": what mirrors do to its sign.
+    pub fn sign(self) -> String {
+        if self.is_odd() {
+            format!("changes its sign when {} is mirrored", self.axes().join(" or "))
+        } else {
+            "keeps its sign in every mirror".into()
+        }
+    }
+
+    /// The axes whose mirrors change its sign.
+    pub fn axes(self) -> Vec<&'static str> {
+        ["x", "y", "z"].into_iter().zip(self.odd).filter(|(_, odd)| *odd).map(|(axis, _)| axis).collect()
     }
 }
 

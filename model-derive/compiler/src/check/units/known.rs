@@ -44,7 +44,10 @@ static KNOWN: [Known; 20] = [
 ];
 
 /// Whole words that people write for a unit.
-const WORDS: [(&str, &str); 17] = [
+const WORDS: [(&str, &str); 20] = [
+    ("kgs", "kg"),
+    ("rads", "rad"),
+    ("degs", "deg"),
     ("kilogram", "kg"),
     ("kilograms", "kg"),
     ("gram", "g"),

@@ -38,7 +38,7 @@ fn gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Repo
     for (parameter, dimension) in declaration.parameters.iter().zip(&dimensions.parameters) {
         let Some(dimension) = dimension.filter(|_| parameter.gravity.is_some()) else { continue };
         if !dimension.same_unit(Dimension::new([0, 1, -2])) {
-            let message = format!("`{}`, the gravity, is in {dimension}: expected `N/kg`", parameter.name);
+            let message = format!("`{}`, the gravity, is {}: expected `N/kg`", parameter.name, dimension.place());
             report.error(parameter.unit.region, message);
         }
     }
@@ -56,7 +56,8 @@ fn check_requirement(analysis: &Analysis<'_>, requirement: &Requirement, report:
     };
     if !fits {
         let text = short(value);
-        let message = format!("`{text}` is in {dimension}: expected a bound with its unit, such as `1 {dimension}`");
+        let message =
+            format!("`{text}` is {}: expected a bound in its unit, such as `1 {dimension}`", dimension.place());
         report.error(bound.value.region(), message);
     }
 }
@@ -77,16 +78,19 @@ fn check_matrix(analysis: &Analysis<'_>, matrix: &Matrix, report: &mut Report) {
             let (row, column) = (&coordinates[row], &coordinates[column]);
             if !found.same_unit(expected) {
                 let message = format!(
-                    "this entry of `{name}` is in {found}: expected {expected}, as its row is `{}` in {} and its column \
-                     `{}` in {}",
-                    row.name, row.unit.text, column.name, column.unit.text,
+                    "this entry of `{name}` is {}: expected {expected}, as its row is `{}` in {} and its column `{}` in {}",
+                    found.place(),
+                    row.name,
+                    row.unit.text,
+                    column.name,
+                    column.unit.text,
                 );
                 report.error(entry.region, message);
             } else if analysis.dimensions.mirrored && found != expected {
                 let message = format!(
-                    "this entry of `{name}` changes its sign {}: expected {}, as its row is `{}` and its column `{}`",
-                    found.mirrors(),
-                    expected.mirrors(),
+                    "this entry of `{name}` {}: expected one that {}, as its row is `{}` and its column `{}`",
+                    found.sign(),
+                    expected.sign(),
                     row.name,
                     column.name,
                 );
