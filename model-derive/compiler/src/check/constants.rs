@@ -1,5 +1,6 @@
 //! Constant expressions, such as `pi/10`, evaluated far beyond double precision.
 
+use std::cell::RefCell;
 use std::collections::HashMap;
 
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
@@ -35,8 +36,8 @@ impl Constant {
     /// # Errors
     /// As [`Constant::evaluate`], for names that have no value.
     pub fn evaluate_with(formula: &Expression, names: &HashMap<String, Self>) -> syn::Result<Self> {
-        let mut constants = Consts::new().map_err(|_| error(formula.region, "out of memory"))?;
-        evaluate(formula, names, &mut constants).map(Self)
+        let value = with_digits(|digits| evaluate(formula, names, digits));
+        value.unwrap_or_else(|| Err(error(formula.region, "out of memory"))).map(Self)
     }
 
     /// The value in the units of the SI, where `own` is the dimension of what has the value and, unless another is
@@ -58,7 +59,7 @@ impl Constant {
 
     /// A decimal number as text; nothing if it is none.
     pub fn parse(text: &str) -> Option<Self> {
-        let value = BigFloat::parse(text, Radix::Dec, PRECISION, ROUNDING, &mut Consts::new().ok()?);
+        let value = with_digits(|digits| BigFloat::parse(text, Radix::Dec, PRECISION, ROUNDING, digits))?;
         (!value.is_nan()).then_some(Self(value))
     }
 
@@ -76,7 +77,7 @@ impl Constant {
     /// # Errors
     /// If the value is beyond the range of `f64`, a sentence that says so.
     pub fn to_f64(&self) -> Result<f64, String> {
-        let text = Consts::new().ok().and_then(|mut c| self.0.format(Radix::Dec, ROUNDING, &mut c).ok());
+        let text = with_digits(|digits| self.0.format(Radix::Dec, ROUNDING, digits).ok()).flatten();
         let value: f64 = text.and_then(|text| text.parse().ok()).unwrap_or(f64::NAN);
         if value.is_finite() && (value != 0.0 || self.0.is_zero()) {
             Ok(value)
@@ -84,6 +85,12 @@ impl Constant {
             Err("beyond the range of f64: expected a magnitude between 1e-300 and 1e300".into())
         }
     }
+}
+
+/// Digits of π and the like. Found anew for each constant they would take most of the time of a check.
+fn with_digits<T>(work: impl FnOnce(&mut Consts) -> T) -> Option<T> {
+    thread_local!(static DIGITS: RefCell<Option<Consts>> = RefCell::new(Consts::new().ok()));
+    DIGITS.with_borrow_mut(|digits| digits.as_mut().map(work))
 }
 
 /// Reports parts of a formula that are constant and have no finite value within the range of `f64`, and divisors that
