@@ -2,9 +2,12 @@
 
 mod door;
 mod form;
+mod identity;
 mod import;
 mod optimize;
+mod prove;
 
 pub use door::{Failure, enter};
 pub use form::{Engine, Form, Undefined};
 pub use optimize::{Place, compile};
+pub use prove::{Depth, Proof, proofs, same_zeros};

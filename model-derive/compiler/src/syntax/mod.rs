@@ -8,7 +8,7 @@ mod parameters;
 mod tokens;
 mod unit;
 
-pub use declaration::{Bound, Declaration, Matrix, MatrixName, ParameterSet, Relation};
+pub use declaration::{Assertion, Bound, Declaration, Matrix, MatrixName, ParameterSet, Relation};
 pub use expression::{Expression, Kind};
 pub use number::Decimal;
 

@@ -62,6 +62,12 @@ impl Decimal {
         }
     }
 
+    /// The nearest `f64`.
+    pub fn to_f64(&self) -> f64 {
+        // Digits and a power of ten are always read.
+        self.to_string().parse().unwrap_or(f64::NAN)
+    }
+
     /// The whole number, if it is one and fits.
     pub fn to_integer(&self) -> Option<i32> {
         let zeros = usize::try_from(self.exponent).ok()?;

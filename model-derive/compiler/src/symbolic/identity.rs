@@ -1,0 +1,172 @@
+//! Whether formulas are equal for all values of the parameters.
+
+use std::collections::HashMap;
+
+use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
+use symbolica::domains::integer::Z;
+use symbolica::domains::rational::{Q, Rational};
+use symbolica::transcendental::{sec, tan};
+
+use super::form::{Form, pi};
+
+impl Form {
+    /// Whether the formula is zero for all values of the parameters, exactly.
+    ///
+    /// `true` is a proof: over the rational functions of the parameters, of square roots, and of sines and cosines
+    /// under sin² + cos² = 1 and the addition theorems. `false` proves nothing; formulas that would grow beyond bounds
+    /// are not even looked at.
+    pub fn is_zero(&self) -> bool {
+        let plain = plain(&self.0);
+        if expanded_terms(plain.as_view()) > MAX_TERMS {
+            return false;
+        }
+        let quotient = plain.expand().to_rational_polynomial::<_, _, u16>(&Q, &Z, None);
+        let numerator = quotient.numerator.to_expression().expand();
+        let reduced = numerator.replace_map_bottom_up(|view, _, out| {
+            let AtomView::Pow(power) = view else { return };
+            let (base, exponent) = power.get_base_exp();
+            let exponent = i64::try_from(exponent).unwrap_or(0);
+            if let Some(argument) = call_of(base, Symbol::COS)
+                && exponent >= 2
+            {
+                let sine = Atom::num(1) - argument.sin().pow(2);
+                **out = sine.pow(exponent / 2) * argument.cos().pow(exponent % 2);
+            }
+        });
+        reduced.expand().is_zero()
+    }
+
+    /// Whether the formula would grow beyond what [`Form::is_zero`] looks at.
+    pub fn is_too_long(&self) -> bool {
+        expanded_terms(plain(&self.0).as_view()) > MAX_TERMS
+    }
+
+    /// Whether the formula is another one times a number that is not zero: `true` is a proof.
+    pub fn is_multiple_of(&self, other: &Self) -> bool {
+        let [one, other] = [self, other].map(|form| plain(&form.0));
+        if [&one, &other].iter().any(|form| expanded_terms(form.as_view()) > MAX_TERMS || form.expand().is_zero()) {
+            return false;
+        }
+        let quotient = (one / other).expand().to_rational_polynomial::<_, _, u16>(&Q, &Z, None);
+        quotient.numerator.is_constant() && quotient.denominator.is_constant() && !quotient.numerator.is_zero()
+    }
+
+    /// Whether the symbol of `other` occurs.
+    pub(super) fn mentions(&self, other: &Self) -> bool {
+        matches!(other.0.as_view(), AtomView::Var(symbol) if self.0.contains_symbol(symbol.get_symbol()))
+    }
+
+    /// With a formula in the place of the symbol `name`.
+    pub(super) fn replace(&self, name: &Self, value: &Self) -> Self {
+        Self(self.0.replace(name.0.to_pattern()).with(value.0.to_pattern()))
+    }
+}
+
+/// Formulas that could expand into more terms than this are not looked at: their proof could take longer than anyone
+/// waits.
+const MAX_TERMS: f64 = 2_000.0;
+
+/// In sines and cosines of parameters and the like, and in whole powers and roots.
+fn plain(atom: &Atom) -> Atom {
+    atom.replace_map_bottom_up(|view, _, out| {
+        let call = |function| call_of(view, function).map(|argument| sine_and_cosine(&argument));
+        if let Some((sine, _)) = call(Symbol::SIN) {
+            **out = sine;
+        } else if let Some((_, cosine)) = call(Symbol::COS) {
+            **out = cosine;
+        } else if let Some((sine, cosine)) = call(tan()) {
+            **out = sine / cosine;
+        } else if let Some((_, cosine)) = call(sec()) {
+            **out = cosine.pow(-1);
+        } else if let Some((base, whole, rest)) = fractional_power(view) {
+            **out = base.pow(whole) * base.pow(Atom::num(rest));
+        }
+    })
+}
+
+/// At most about so many terms stand in the numerator once all is expanded over one denominator.
+fn expanded_terms(view: AtomView<'_>) -> f64 {
+    let mut divisors = HashMap::new();
+    let terms = terms(view, &mut divisors);
+    divisors.into_values().product::<f64>() * terms
+}
+
+/// The terms of a numerator; the divisors are noted with the terms of their powers, equal ones once.
+fn terms(view: AtomView<'_>, divisors: &mut HashMap<Atom, f64>) -> f64 {
+    match view {
+        AtomView::Add(sum) => sum.iter().map(|term| terms(term, divisors)).sum(),
+        AtomView::Mul(product) => product.iter().map(|factor| terms(factor, divisors)).product(),
+        AtomView::Pow(power) => {
+            let (base, exponent) = power.get_base_exp();
+            let base_terms = terms(base, divisors);
+            let exponent = i64::try_from(exponent).unwrap_or(1);
+            // As many as there are ways to choose the factors of a term: n + t - 1 over n.
+            let expanded =
+                (1..=exponent.unsigned_abs()).fold(1.0, |terms, n| terms * (base_terms + n as f64 - 1.0) / n as f64);
+            if exponent > 0 {
+                return expanded;
+            }
+            let known = divisors.entry(base.to_owned()).or_insert(1.0);
+            *known = known.max(expanded);
+            1.0
+        }
+        AtomView::Num(_) | AtomView::Var(_) | AtomView::Fun(_) => 1.0,
+    }
+}
+
+/// The addition theorems double the terms with each summand and each multiple; beyond these they are not used.
+const MAX_SUMMANDS: usize = 4;
+const MAX_MULTIPLE: i64 = 8;
+
+/// Sine and cosine of a sum in those of its summands, and of a whole multiple in those of the one.
+fn sine_and_cosine(argument: &Atom) -> (Atom, Atom) {
+    let argument = argument.expand();
+    let summands: Vec<Atom> = match argument.as_view() {
+        AtomView::Add(sum) if sum.get_nargs() <= MAX_SUMMANDS => sum.iter().map(|term| term.to_owned()).collect(),
+        AtomView::Add(_) => return (argument.sin(), argument.cos()),
+        _ => vec![argument],
+    };
+    summands.iter().map(multiple).fold((Atom::num(0), Atom::num(1)), add_angles)
+}
+
+fn add_angles((sine, cosine): (Atom, Atom), (other_sine, other_cosine): (Atom, Atom)) -> (Atom, Atom) {
+    (&sine * &other_cosine + &cosine * &other_sine, cosine * other_cosine - sine * other_sine)
+}
+
+/// Sine and cosine of a product in those of the product without the whole part of its number.
+fn multiple(product: &Atom) -> (Atom, Atom) {
+    let factor = match product.as_view() {
+        AtomView::Mul(factors) => factors.iter().find_map(|factor| Rational::try_from(factor).ok()),
+        _ => None,
+    };
+    let factor = factor.unwrap_or(Rational::from(1));
+    let turns = product / pi() * Atom::num(2);
+    if let Ok(quarters) = i64::try_from(turns.as_view()) {
+        let [sine, cosine] = [quarters, quarters + 1].map(|quarter| [0, 1, 0, -1][quarter.rem_euclid(4) as usize]);
+        return (Atom::num(sine), Atom::num(cosine));
+    }
+    let whole = i64::try_from(Atom::num(factor.numerator()).as_view()).ok().filter(|n| n.abs() <= MAX_MULTIPLE);
+    let Some(whole) = whole.filter(|whole| *whole != 0) else { return (product.sin(), product.cos()) };
+    let one = product / Atom::num(whole);
+    let (sine, cosine) = (one.sin(), one.cos());
+    let all = (0..whole.abs()).map(|_| (sine.clone(), cosine.clone()));
+    let (sine, cosine) = all.fold((Atom::num(0), Atom::num(1)), add_angles);
+    (sine * Atom::num(whole.signum()), cosine)
+}
+
+/// The argument, if `view` is a call of `function`.
+fn call_of(view: AtomView<'_>, function: Symbol) -> Option<Atom> {
+    let AtomView::Fun(call) = view else { return None };
+    let argument = call.iter().next().filter(|_| call.get_symbol() == function)?;
+    Some(argument.to_owned())
+}
+
+/// Base, whole part and fraction of a power that is not a whole one.
+fn fractional_power(view: AtomView<'_>) -> Option<(Atom, i64, Rational)> {
+    let AtomView::Pow(power) = view else { return None };
+    let (base, exponent) = power.get_base_exp();
+    let exponent = Rational::try_from(exponent).ok().filter(|exponent| !exponent.is_integer())?;
+    let whole = exponent.floor().to_i64()?;
+    let rest = exponent - Rational::from(whole);
+    Some((base.to_owned(), whole, rest))
+}
