@@ -92,7 +92,7 @@ pub fn check(
             }
             _ => {}
         };
-        if proof != Proof::NotFound {
+        if !matches!(proof, Proof::NotFound | Proof::TooLong) {
             refuse_undefined(proof);
             continue;
         }
@@ -108,10 +108,7 @@ pub fn check(
             Ok([proof @ (Proof::Found | Proof::Undefined(..))]) => refuse_undefined(*proof),
             Ok(proof) => {
                 let why = match proof {
-                    [Proof::TooLong] => {
-                        "the formulas grow too long with their definitions put in; expected a shorter claim, such as \
-                         one in definitions"
-                    }
+                    [Proof::TooLong] => "the formulas grow too long when they are expanded; expected a shorter claim",
                     _ => {
                         "they are not the same under the rules of fractions, roots, sin² + cos² = 1 and the addition \
                          theorems; expected sides that are"

@@ -12,7 +12,7 @@ use super::resolve;
 use crate::equations::Equations;
 use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
 use crate::report::Report;
-use crate::symbolic::{self, Depth, Proof};
+use crate::symbolic::{self, Depth, Proof, Sign};
 use crate::syntax::{Decimal, Declaration, Expression, Kind};
 
 /// A checked declaration, before it is a model.
@@ -135,20 +135,23 @@ impl<'a> Search<'a> {
         if meets(self.ranges.of(value)) {
             return true;
         }
-        let known = self.checked.requirements.iter().chain(&self.found);
-        let bounded = known.filter(|known| meets(known.domain.into())).map(|known| known.value.clone());
         let equations = |outputs| Equations::of_formulas(self.checked.domains.len(), self.checked.definitions, outputs);
-        let equal = |other: Expr| equations(vec![value.clone(), other]);
         if domain.nonzero {
-            let zero = equal(Expr::Number(Decimal { digits: "0".into(), exponent: 0 }));
-            let is_zero = symbolic::proofs(vec![zero], Depth::Formulas);
-            is_zero.is_ok_and(|proofs| matches!(proofs[..], [Proof::Found | Proof::Undefined(..)]))
-                || symbolic::same_zeros(equations([value.clone()].into_iter().chain(bounded).collect()))
-                    .unwrap_or(false)
-        } else {
-            let proofs = symbolic::proofs(bounded.map(equal).collect(), Depth::Formulas);
-            proofs.is_ok_and(|proofs| proofs.contains(&Proof::Found))
+            let zero = Expr::Number(Decimal { digits: "0".into(), exponent: 0 });
+            let proofs = symbolic::proofs(vec![equations(vec![value.clone(), zero])], Depth::Formulas);
+            if proofs.is_ok_and(|proofs| matches!(proofs[..], [Proof::Found | Proof::Undefined(..)])) {
+                return true;
+            }
         }
+        let known = || self.checked.requirements.iter().chain(&self.found);
+        let outputs = [value].into_iter().chain(known().map(|known| &known.value)).cloned().collect();
+        // A failure of the engine is reported where it compiles the model.
+        let signs = symbolic::multiples(equations(outputs)).unwrap_or_default();
+        known().zip(signs).any(|(known, sign)| match sign {
+            Some(Sign::Positive) => meets(known.domain.into()),
+            Some(Sign::Negative) => meets(-Interval::from(known.domain)),
+            None => false,
+        })
     }
 }
 

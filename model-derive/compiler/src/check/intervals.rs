@@ -6,6 +6,9 @@
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
 
+#[cfg(test)]
+mod tests;
+
 /// A bound, and whether it is itself left out. Infinite bounds always are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct End {
@@ -183,15 +186,17 @@ impl Interval {
 
     /// Square roots of the numbers that are not negative.
     pub fn sqrt(self) -> Self {
-        let root = |end: End, shift: fn(f64) -> f64| {
+        let least = Self::closed(0.0, f64::INFINITY).without_upper();
+        let Self { lower, upper, nonzero } = self.intersection(least);
+        let root = |end: End, outward: fn(f64) -> f64| {
             let root = end.value.max(0.0).sqrt();
-            let exact = root == 0.0 || end.value > TINY && root.mul_add(root, -end.value) == 0.0;
-            End { value: if exact || root.is_infinite() { root } else { shift(root).max(0.0) }, ..end }
+            let error = root.mul_add(root, -end.value);
+            // On the wrong side of the exact root, or too small to tell.
+            let rounded_inward = error != 0.0 && (error < 0.0) == (outward(root) > root);
+            let unclear = root != 0.0 && end.value < TINY;
+            End { value: if rounded_inward || unclear { outward(root).max(0.0) } else { root }, ..end }
         };
-        let lower =
-            if self.lower.value < 0.0 { End { value: 0.0, open: false } } else { root(self.lower, f64::next_down) };
-        let nonzero = self.excludes_zero();
-        Self { lower, upper: root(self.upper, f64::next_up), nonzero }
+        Self { lower: root(lower, f64::next_down), upper: root(upper, f64::next_up), nonzero }
     }
 
     /// Sines.
@@ -305,13 +310,13 @@ fn mul_down(a: f64, b: f64) -> f64 {
 /// At most one divided by a positive number.
 fn recip_down(value: f64) -> f64 {
     let quotient = value.recip();
-    if quotient.mul_add(value, -1.0) == 0.0 { quotient } else { quotient.next_down().max(0.0) }
+    if quotient.mul_add(value, -1.0) > 0.0 { quotient.next_down() } else { quotient }
 }
 
 /// At least one divided by a positive number.
 fn recip_up(value: f64) -> f64 {
     let quotient = value.recip();
-    if quotient.mul_add(value, -1.0) == 0.0 { quotient } else { quotient.next_up() }
+    if quotient.mul_add(value, -1.0) < 0.0 { quotient.next_up() } else { quotient }
 }
 
 impl std::iter::Sum for Interval {

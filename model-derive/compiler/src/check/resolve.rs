@@ -73,7 +73,7 @@ pub fn unknown_function(name: &str, known: &[&'static str]) -> String {
 /// A formula as text, for messages.
 pub fn text(expression: &Expression) -> String {
     match &expression.kind {
-        Kind::Number(number) => number.to_string(),
+        Kind::Number(number) => number.plain(),
         Kind::Name(name) => name.to_string(),
         Kind::Sum(terms) => {
             let mut text = String::new();

@@ -59,20 +59,24 @@ pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
     }
 }
 
-/// What the matrices divide by or take the root of, where the domains alone do not make sure that it can be done.
+/// What the matrices divide by and take the root of, where the domains alone do not make sure that it can be done.
 fn needs(model: &Model) -> String {
     let needs = model.requirements.iter().filter(|requirement| requirement.origin == Origin::Matrices);
-    let text = needs.map(|Requirement { text, domain, .. }| {
-        if domain.nonzero {
-            format!(" Divides by `{text}`, which the declared domains do not keep from zero; `validate` does.")
-        } else {
-            format!(
-                " Takes the root of `{text}`, which the declared domains do not keep from being negative; \
-                     `validate` does."
-            )
-        }
-    });
-    text.collect()
+    let lines: Vec<String> = needs
+        .map(|Requirement { text, domain, .. }| match domain.nonzero {
+            true => format!("- divides by `{text}`, which the declared domains do not keep from zero"),
+            false => {
+                format!("- takes the root of `{text}`, which the declared domains do not keep from being negative")
+            }
+        })
+        .collect();
+    if lines.is_empty() {
+        return String::new();
+    }
+    format!(
+        " Beside what is outside the domains, `validate` refuses what has no value here, for it\n{}.",
+        lines.join(";\n")
+    )
 }
 
 /// A program as statements, and each value as an expression.

@@ -41,14 +41,17 @@ impl Form {
         expanded_terms(plain(&self.0).as_view()) > MAX_TERMS
     }
 
-    /// Whether the formula is another one times a number that is not zero: `true` is a proof.
-    pub fn is_multiple_of(&self, other: &Self) -> bool {
+    /// The sign of the number that another formula is to be multiplied by to give this one, if it is seen that there is
+    /// such a number and that it is not zero.
+    pub fn multiple_of(&self, other: &Self) -> Option<Sign> {
         let [one, other] = [self, other].map(|form| plain(&form.0));
         if [&one, &other].iter().any(|form| expanded_terms(form.as_view()) > MAX_TERMS || form.expand().is_zero()) {
-            return false;
+            return None;
         }
         let quotient = (one / other).expand().to_rational_polynomial::<_, _, u16>(&Q, &Z, None);
-        quotient.numerator.is_constant() && quotient.denominator.is_constant() && !quotient.numerator.is_zero()
+        let number = quotient.numerator.to_expression() / quotient.denominator.to_expression();
+        let number = Rational::try_from(number.as_view()).ok().filter(|number| !number.is_zero())?;
+        Some(if number.is_negative() { Sign::Negative } else { Sign::Positive })
     }
 
     /// Whether the symbol of `other` occurs.
@@ -62,9 +65,18 @@ impl Form {
     }
 }
 
+/// The sign of a number that is not zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// Above zero.
+    Positive,
+    /// Below zero.
+    Negative,
+}
+
 /// Formulas that could expand into more terms than this are not looked at: their proof could take longer than anyone
 /// waits.
-const MAX_TERMS: f64 = 2_000.0;
+const MAX_TERMS: f64 = 5_000.0;
 
 /// In sines and cosines of parameters and the like, and in whole powers and roots.
 fn plain(atom: &Atom) -> Atom {
@@ -86,32 +98,39 @@ fn plain(atom: &Atom) -> Atom {
 
 /// At most about so many terms stand in the numerator once all is expanded over one denominator.
 fn expanded_terms(view: AtomView<'_>) -> f64 {
-    let mut divisors = HashMap::new();
-    let terms = terms(view, &mut divisors);
-    divisors.into_values().product::<f64>() * terms
+    let mut divisors = Divisors::new();
+    let terms = terms(view, 1, &mut divisors);
+    divisors.into_values().fold(terms, |terms, (divisor, power)| terms * terms_of_power(divisor, power))
 }
 
-/// The terms of a numerator; the divisors are noted with the terms of their powers, equal ones once.
-fn terms(view: AtomView<'_>, divisors: &mut HashMap<Atom, f64>) -> f64 {
+/// For each divisor its terms and its power.
+type Divisors = HashMap<Atom, (f64, u64)>;
+
+/// The terms of a numerator; the divisors are noted, equal ones once. All stands inside a power.
+fn terms(view: AtomView<'_>, power: u64, divisors: &mut Divisors) -> f64 {
     match view {
-        AtomView::Add(sum) => sum.iter().map(|term| terms(term, divisors)).sum(),
-        AtomView::Mul(product) => product.iter().map(|factor| terms(factor, divisors)).product(),
-        AtomView::Pow(power) => {
-            let (base, exponent) = power.get_base_exp();
-            let base_terms = terms(base, divisors);
-            let exponent = i64::try_from(exponent).unwrap_or(1);
-            // As many as there are ways to choose the factors of a term: n + t - 1 over n.
-            let expanded =
-                (1..=exponent.unsigned_abs()).fold(1.0, |terms, n| terms * (base_terms + n as f64 - 1.0) / n as f64);
+        AtomView::Add(sum) => sum.iter().map(|term| terms(term, power, divisors)).sum(),
+        AtomView::Mul(product) => product.iter().map(|factor| terms(factor, power, divisors)).product(),
+        AtomView::Pow(whole) => {
+            let (base, exponent) = whole.get_base_exp();
+            // A root is a symbol like any other.
+            let Ok(exponent) = i64::try_from(exponent) else { return 1.0 };
+            let inner = power.saturating_mul(exponent.unsigned_abs());
+            let base_terms = terms(base, inner, divisors);
             if exponent > 0 {
-                return expanded;
+                return terms_of_power(base_terms, exponent.unsigned_abs());
             }
-            let known = divisors.entry(base.to_owned()).or_insert(1.0);
-            *known = known.max(expanded);
+            let (_, known) = divisors.entry(base.to_owned()).or_insert((base_terms, inner));
+            *known = inner.max(*known);
             1.0
         }
         AtomView::Num(_) | AtomView::Var(_) | AtomView::Fun(_) => 1.0,
     }
+}
+
+/// As many as there are ways to choose the factors of a term: n + t - 1 over n.
+fn terms_of_power(terms: f64, power: u64) -> f64 {
+    (1..=power.min(MAX_TERMS as u64)).fold(1.0, |all, n| all * (terms + n as f64 - 1.0) / n as f64)
 }
 
 /// The addition theorems double the terms with each summand and each multiple; beyond these they are not used.

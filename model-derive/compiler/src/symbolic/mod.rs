@@ -9,5 +9,6 @@ mod prove;
 
 pub use door::{Failure, enter};
 pub use form::{Engine, Form, Undefined};
+pub use identity::Sign;
 pub use optimize::{Place, compile};
-pub use prove::{Depth, Proof, proofs, same_zeros};
+pub use prove::{Depth, Proof, multiples, proofs};

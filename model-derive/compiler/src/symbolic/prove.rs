@@ -2,6 +2,7 @@
 
 use super::door::{Failure, enter};
 use super::form::{Engine, Form, Undefined};
+use super::identity::Sign;
 use super::optimize::Place;
 use crate::equations::Equations;
 
@@ -42,45 +43,40 @@ fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<Proof, (Plac
     let system = System::new(engine, pair)?;
     let [left, right] = &system.outputs[..] else { unreachable!("a claim has two sides") };
     let mut difference = left.minus(right);
-    if difference.is_zero() {
-        return Ok(Proof::Found);
-    }
-    if depth == Depth::Names {
-        return Ok(Proof::NotFound);
-    }
-    for (name, value) in system.definitions.iter().rev() {
-        if !difference.mentions(name) {
-            continue;
-        }
-        difference = difference.replace(name, value);
-        if difference.operations() > MAX_OPERATIONS || difference.is_too_long() {
-            return Ok(Proof::TooLong);
-        }
+    let mut names = system.definitions.iter().rev();
+    loop {
         if difference.is_zero() {
             return Ok(Proof::Found);
         }
+        if difference.operations() > MAX_OPERATIONS || difference.is_too_long() {
+            return Ok(Proof::TooLong);
+        }
+        let next = names.find(|(name, _)| depth == Depth::Formulas && difference.mentions(name));
+        let Some((name, value)) = next else { return Ok(Proof::NotFound) };
+        difference = difference.replace(name, value);
     }
-    Ok(Proof::NotFound)
 }
 
 /// Formulas with more operations than this are not put into others.
 const MAX_OPERATIONS: usize = 5_000;
 
-/// Whether one output after the first is the first, times a number that is not zero: `true` is a proof.
+/// For each output after the first whether the first is a multiple of it by a number that is not zero, and by which sign.
+/// A sign is a proof.
 ///
 /// # Errors
 /// If the engine cannot be had or fails.
-pub fn same_zeros(equations: Equations) -> Result<bool, Failure> {
+pub fn multiples(equations: Equations) -> Result<Vec<Option<Sign>>, Failure> {
     enter(move |engine| {
-        let Ok(system) = System::new(engine, &equations) else { return false };
+        let Ok(system) = System::new(engine, &equations) else { return Vec::new() };
         let mut outputs = system.outputs;
         for (name, value) in system.definitions.iter().rev() {
             outputs = outputs.iter().map(|output| output.replace(name, value)).collect();
             if outputs.iter().any(|output| output.operations() > MAX_OPERATIONS) {
-                return false;
+                return Vec::new();
             }
         }
-        outputs.split_first().is_some_and(|(first, others)| others.iter().any(|other| first.is_multiple_of(other)))
+        let Some((first, others)) = outputs.split_first() else { return Vec::new() };
+        others.iter().map(|other| first.multiple_of(other)).collect()
     })
 }
 

@@ -68,6 +68,22 @@ impl Decimal {
         self.to_string().parse().unwrap_or(f64::NAN)
     }
 
+    /// As people write it: with a point, and a power of ten only where there would be many zeros.
+    pub fn plain(&self) -> String {
+        const MANY: usize = 6;
+        let Self { digits, exponent } = self;
+        let shift = exponent.unsigned_abs() as usize;
+        if *exponent > 0 && shift <= MANY {
+            format!("{digits}{}", "0".repeat(shift))
+        } else if *exponent < 0 && shift <= digits.len() + MANY {
+            let padded = format!("{digits:0>width$}", width = shift + 1);
+            let (whole, fraction) = padded.split_at(padded.len() - shift);
+            format!("{whole}.{fraction}")
+        } else {
+            self.to_string()
+        }
+    }
+
     /// The whole number, if it is one and fits.
     pub fn to_integer(&self) -> Option<i32> {
         let zeros = usize::try_from(self.exponent).ok()?;
@@ -105,6 +121,14 @@ mod tests {
         ];
         for (text, expected) in cases {
             assert_eq!(read(text).as_deref(), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn people_read_a_point() {
+        for text in ["0.5", "1000", "0.0025", "12.75", "0", "7", "3e12", "1e-9", "0.000001"] {
+            let literal: Literal = text.parse().expect("a literal");
+            assert_eq!(Decimal::from_literal(&literal).map(|decimal| decimal.plain()).as_deref(), Ok(text));
         }
     }
 
