@@ -33,7 +33,8 @@ fn claims_that_hold_are_proved() {
         "assert 1/a + 1/b == (a + b)/(a*b);",
         "assert tan(t)*cos(t) == sin(t); assert 1/cos(s)^2 == 1 + tan(s)^2;",
         "assert sin(2*t) == 2*sin(t)*cos(t); assert cos(3*t) == 4*cos(t)^3 - 3*cos(t);",
-        "assert cos(t - s) == cos(t)*cos(s) + sin(t)*sin(s); assert sin(s + t/2 + s) == sin(2*s)*cos(t/2) + cos(2*s)*sin(t/2);",
+        "assert cos(t - s) == cos(t)*cos(s) + sin(t)*sin(s); assert sin(t/2)*cos(t/2) == sin(t)/2; assert cos(t/3 + t/6)^2 == (1 + cos(t))/2;",
+        "assert sin(s + t/2 + s) == sin(2*s)*cos(t/2) + cos(2*s)*sin(t/2);",
         "assert sin(t + pi/2) == cos(t); assert tan(pi - t) == -tan(t);",
         "assert sqrt(a)^2 == a; assert sqrt(a + b)^3 == (a + b)*sqrt(a + b);",
         "let mu = (c/a)*cos(t); let nu = mu^2; assert mu*a == c*cos(t); assert nu*a^2 == c^2*(1 - sin(t)^2);",
@@ -97,7 +98,10 @@ fn claims_about_deep_definitions_come_to_an_end() {
         format!("let {name}0 = c*sin(t); {rest}")
     };
     let both = format!("{}{}", chain("d"), chain("e"));
-    assert_eq!(mistakes(&format!("{both} assert d59*(2 + a) == d58*(1 + d58); assert e59*(2 + a) == e58 + e58^2;")), [""; 0]);
+    assert_eq!(
+        mistakes(&format!("{both} assert d59*(2 + a) == d58*(1 + d58); assert e59*(2 + a) == e58 + e58^2;")),
+        [""; 0]
+    );
     let found = mistakes(&format!("{both} assert d59 == e59;"));
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(

@@ -94,6 +94,10 @@ impl<'a> Search<'a> {
             if self.is_met(&value, domain) {
                 continue;
             }
+            if !domain.nonzero && self.ranges.of(&value).is_negative() {
+                self.report.error(formula.region, symbolic::Undefined::RootOfNegative);
+                continue;
+            }
             self.ranges.add_fact(&value, domain.into());
             let (text, region) = (resolve::text(&formula), formula.region);
             self.found.push(Requirement { text, region, value, domain, origin });

@@ -74,6 +74,11 @@ impl Interval {
         self.lower.value >= 0.0
     }
 
+    /// Whether only negative numbers are inside.
+    pub fn is_negative(self) -> bool {
+        self.upper.value < 0.0 || self.upper.value == 0.0 && self.upper.open
+    }
+
     /// Whether all numbers inside are finite and no number is in both.
     pub fn is_apart_from(self, other: Self) -> bool {
         let bounded = |interval: Self| interval.lower.value.is_finite() && interval.upper.value.is_finite();

@@ -7,7 +7,8 @@ use symbolica::domains::integer::Z;
 use symbolica::domains::rational::{Q, Rational};
 use symbolica::transcendental::{sec, tan};
 
-use super::form::{Form, pi};
+use super::angles::Angles;
+use super::form::Form;
 
 impl Form {
     /// Whether the formula is zero for all values of the parameters, exactly.
@@ -78,10 +79,11 @@ pub enum Sign {
 /// waits.
 const MAX_TERMS: f64 = 5_000.0;
 
-/// In sines and cosines of parameters and the like, and in whole powers and roots.
+/// In sines and cosines of single angles, and in whole powers and roots.
 fn plain(atom: &Atom) -> Atom {
+    let angles = Angles::of(atom);
     atom.replace_map_bottom_up(|view, _, out| {
-        let call = |function| call_of(view, function).map(|argument| sine_and_cosine(&argument));
+        let call = |function| call_of(view, function).map(|argument| angles.sine_and_cosine(&argument));
         if let Some((sine, _)) = call(Symbol::SIN) {
             **out = sine;
         } else if let Some((_, cosine)) = call(Symbol::COS) {
@@ -133,48 +135,8 @@ fn terms_of_power(terms: f64, power: u64) -> f64 {
     (1..=power.min(MAX_TERMS as u64)).fold(1.0, |all, n| all * (terms + n as f64 - 1.0) / n as f64)
 }
 
-/// The addition theorems double the terms with each summand and each multiple; beyond these they are not used.
-const MAX_SUMMANDS: usize = 4;
-const MAX_MULTIPLE: i64 = 8;
-
-/// Sine and cosine of a sum in those of its summands, and of a whole multiple in those of the one.
-fn sine_and_cosine(argument: &Atom) -> (Atom, Atom) {
-    let argument = argument.expand();
-    let summands: Vec<Atom> = match argument.as_view() {
-        AtomView::Add(sum) if sum.get_nargs() <= MAX_SUMMANDS => sum.iter().map(|term| term.to_owned()).collect(),
-        AtomView::Add(_) => return (argument.sin(), argument.cos()),
-        _ => vec![argument],
-    };
-    summands.iter().map(multiple).fold((Atom::num(0), Atom::num(1)), add_angles)
-}
-
-fn add_angles((sine, cosine): (Atom, Atom), (other_sine, other_cosine): (Atom, Atom)) -> (Atom, Atom) {
-    (&sine * &other_cosine + &cosine * &other_sine, cosine * other_cosine - sine * other_sine)
-}
-
-/// Sine and cosine of a product in those of the product without the whole part of its number.
-fn multiple(product: &Atom) -> (Atom, Atom) {
-    let factor = match product.as_view() {
-        AtomView::Mul(factors) => factors.iter().find_map(|factor| Rational::try_from(factor).ok()),
-        _ => None,
-    };
-    let factor = factor.unwrap_or(Rational::from(1));
-    let turns = product / pi() * Atom::num(2);
-    if let Ok(quarters) = i64::try_from(turns.as_view()) {
-        let [sine, cosine] = [quarters, quarters + 1].map(|quarter| [0, 1, 0, -1][quarter.rem_euclid(4) as usize]);
-        return (Atom::num(sine), Atom::num(cosine));
-    }
-    let whole = i64::try_from(Atom::num(factor.numerator()).as_view()).ok().filter(|n| n.abs() <= MAX_MULTIPLE);
-    let Some(whole) = whole.filter(|whole| *whole != 0) else { return (product.sin(), product.cos()) };
-    let one = product / Atom::num(whole);
-    let (sine, cosine) = (one.sin(), one.cos());
-    let all = (0..whole.abs()).map(|_| (sine.clone(), cosine.clone()));
-    let (sine, cosine) = all.fold((Atom::num(0), Atom::num(1)), add_angles);
-    (sine * Atom::num(whole.signum()), cosine)
-}
-
 /// The argument, if `view` is a call of `function`.
-fn call_of(view: AtomView<'_>, function: Symbol) -> Option<Atom> {
+pub(super) fn call_of(view: AtomView<'_>, function: Symbol) -> Option<Atom> {
     let AtomView::Fun(call) = view else { return None };
     let argument = call.iter().next().filter(|_| call.get_symbol() == function)?;
     Some(argument.to_owned())
