@@ -104,7 +104,7 @@ carvallo::model! {
             delta "steer": rad, about z;
         }
 
-        M = [
+        symmetric M = [
             [ITxx, IAlx + mu*ITxz],
             [IAlx + mu*ITxz, IAll + 2*mu*IAlz + mu^2*ITzz],
         ];
@@ -112,7 +112,7 @@ carvallo::model! {
             [0, mu*ST + SF*cos(lam) + (ITxz/w)*cos(lam) - mu*mT*zT],
             [-(mu*ST + SF*cos(lam)), (IAlz/w)*cos(lam) + mu*(SA + (ITzz/w)*cos(lam))],
         ];
-        K0 = [
+        symmetric K0 = [
             [mT*zT, -SA],
             [-SA, -SA*sin(lam)],
         ];

@@ -10,20 +10,21 @@
 ///     parameters {
 ///         /// Documentation, then: name, symbol, unit, domain.
 ///         lam "λ": rad, in (-90 deg, 90 deg);   // an open interval; `in [a, b]` includes its ends
-///         m: kg, > 0;                       // or `>=`, `<`, `<=`; without a domain any finite value
+///         m: kg, > 0;                       // or `>=`, `<`, `<=`, `!= 0`; without one any finite value
 ///         r: m, > 0, along z;               // how it lies in the axes: see below
 ///         g: N/kg, >= 0, gravity;           // the field strength that K0 is multiplied by
 ///         I: kg*m^2, >= 0, unused;          // no matrix depends on it
 ///     }
 ///
 ///     let a = m*r^2*sin(lam)^2;             // + - * / ^, parentheses, sin, cos, tan, sqrt, pi
-///     require a/r^2 + m > 0;                // a condition on several parameters
+///     require a/r^2 + m > 0;                // a condition on several parameters; `!= 0` is one too
+///     assert a == m*r^2*(1 - cos(2*lam))/2; // a claim, to be proved
 ///
 ///     coordinates {
 ///         phi "lean": rad;
 ///     }
 ///
-///     M = [[a + 0.1 [kg]*r^2]];             // and C0, C1, Kc, K0, K2: those left out are zero
+///     symmetric M = [[a + 0.1 [kg]*r^2]];             // and C0, C1, Kc, K0, K2: those left out are zero
 ///
 ///     set example "where the values come from" {
 ///         lam = 18 deg; m = 2; r = 35 cm; g = 9.81; I = 0;
@@ -54,6 +55,18 @@
 /// # Published matrices
 /// A set may carry the matrices that its source publishes. A printed entry must differ from the exact value of its
 /// formula by less than one unit of its last digit; one without a decimal point is exact.
+///
+/// # What it proves
+/// `symmetric` before a matrix claims that each entry equals its mirror image; `assert` claims that two formulas of
+/// parameters and definitions are equal. Claims are proved exactly, for all parameters, under the rules of fractions,
+/// roots, sin² + cos² = 1 and the addition theorems. One that is wrong is an error with values for which it is, inside
+/// the domains and requirements; so is one that can be neither proved nor refuted. Claims make no code, and what only
+/// they mention is not used.
+///
+/// Everything that a formula divides by, the cosine in a tangent, and everything under a root is bounded over the
+/// declared domains. What they and the requirements do not keep from zero, or a root's argument from being negative,
+/// becomes a requirement of its own: `validate` refuses it and names it, and so does the documentation of
+/// `Name::matrices`. A `require` on the expression, or on a multiple of it, says it in your words.
 ///
 /// # What it makes
 /// - A struct `Name<T = f64>` with the parameters as public fields, for `f32` and `f64`; `Name::EXAMPLE` for each

@@ -4,7 +4,8 @@
 //! tokens ─ syntax ─ check ─▶ Model ─▶ Equations ─ symbolic ─▶ Program ─ passes ─▶ Program ─ emit ─▶ tokens
 //! ```
 //!
-//! Data flows one way, and each stage has its own type. [`expand`] runs all of it; the macro and the ahead-of-time
+//! Data flows one way, and each stage has its own type. What a declaration claims of itself is proved in `check`, which
+//! asks the symbolic engine and is told what it found. [`expand`] runs all of it; the macro and the ahead-of-time
 //! binary call it alike.
 
 mod check;

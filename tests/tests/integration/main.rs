@@ -1,6 +1,8 @@
 //! Integration tests: results of generated code and of the runtime against facts from outside of both.
 
 mod bicycles;
+#[cfg(feature = "compiler")]
+mod claims;
 mod critical_speeds;
 mod designs;
 mod eigenvalues;

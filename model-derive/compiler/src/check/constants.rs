@@ -68,6 +68,7 @@ impl Constant {
         Self(self.0.sub(&other.0, PRECISION, ROUNDING).abs())
     }
 
+    /// Whether it is zero.
     pub fn is_zero(&self) -> bool {
         self.0.is_zero()
     }
@@ -128,7 +129,7 @@ fn verify_parts(expression: &Expression, report: &mut Report) -> bool {
     }
     for ((part, inverse), _) in parts.iter().zip(&constant).filter(|(_, constant)| **constant) {
         match Constant::evaluate(part) {
-            Ok(value) if *inverse && value.0.is_zero() => {
+            Ok(value) if *inverse && value.is_zero() => {
                 report.error(part.region, "a division by zero: expected a divisor that is not zero");
             }
             _ => verify(part, report),

@@ -6,7 +6,7 @@ use super::names::Scope;
 use super::resolve;
 use crate::model::Expr;
 use crate::report::Report;
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, Expression};
 
 /// The definitions, resolved, and their order.
 #[derive(Debug)]
@@ -25,6 +25,11 @@ impl Resolved {
         let new = self.new_positions();
         let entry = |old: &usize| (declaration.definitions[*old].name.clone(), self.definitions[*old].renumbered(&new));
         self.order.iter().map(entry).collect()
+    }
+
+    /// The formulas of the definitions as they are written, in their order.
+    pub fn sources<'a>(&self, declaration: &'a Declaration) -> Vec<&'a Expression> {
+        self.order.iter().map(|old| &declaration.definitions[*old].value).collect()
     }
 
     /// For each position in the declaration the one in the order.

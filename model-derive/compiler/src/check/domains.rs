@@ -11,6 +11,7 @@ use crate::syntax::{Bound, Relation};
 pub struct Domain {
     lower: Option<(Constant, f64, bool)>,
     upper: Option<(Constant, f64, bool)>,
+    nonzero: bool,
 }
 
 /// The domain that the bounds of a quantity of dimension `own` make.
@@ -32,6 +33,16 @@ pub fn domain(bounds: &[Bound], own: Option<Dimension>, report: &mut Report) -> 
             }
         };
         let (side, end, included) = match bound.relation {
+            Relation::NotEqual => {
+                if value != 0.0 {
+                    report.error(
+                        bound.region,
+                        format!("found `!= {value}`: expected `!= 0`, the one value to leave out"),
+                    );
+                }
+                domain.nonzero = true;
+                continue;
+            }
             Relation::Greater => (&mut domain.lower, "lower", false),
             Relation::GreaterEqual => (&mut domain.lower, "lower", true),
             Relation::Less => (&mut domain.upper, "upper", false),
@@ -42,7 +53,7 @@ pub fn domain(bounds: &[Bound], own: Option<Dimension>, report: &mut Report) -> 
         }
     }
     if let (Some((low, _, low_in)), Some((high, _, high_in))) = (&domain.lower, &domain.upper)
-        && !(low < high || low == high && *low_in && *high_in)
+        && !(low < high || low == high && *low_in && *high_in && !(domain.nonzero && low.is_zero()))
     {
         let region = bounds.iter().map(|bound| bound.region).reduce(Region::to);
         if let Some(region) = region {
@@ -58,7 +69,7 @@ impl Domain {
     pub fn contains(&self, value: &Constant) -> bool {
         let above = self.lower.as_ref().is_none_or(|(low, _, included)| value > low || *included && value == low);
         let below = self.upper.as_ref().is_none_or(|(high, _, included)| value < high || *included && value == high);
-        above && below
+        above && below && !(self.nonzero && value.is_zero())
     }
 
     /// In the numbers of the generated code.
@@ -68,6 +79,6 @@ impl Domain {
             Some((_, value, true)) => model::Bound::Closed(*value),
             Some((_, value, false)) => model::Bound::Open(*value),
         };
-        model::Domain { lower: bound(&self.lower), upper: bound(&self.upper) }
+        model::Domain { lower: bound(&self.lower), upper: bound(&self.upper), nonzero: self.nonzero }
     }
 }

@@ -1,19 +1,26 @@
 //! The syntax tree to a [`Model`]: the last stage that reports the user's mistakes.
 
+mod claims;
 mod constants;
+mod counterexample;
 mod definitions;
+mod divisors;
 mod domains;
+mod intervals;
 mod matrices;
 mod names;
 mod published;
+mod ranges;
 mod resolve;
 mod sets;
 mod units;
 mod unused;
 
-use crate::model::{Coordinate, Model, Parameter, Requirement};
+use self::claims::Claim;
+use self::counterexample::Space;
+use crate::model::{Coordinate, Domain, Expr, Matrices, Model, Origin, Parameter, Requirement};
 use crate::report::Report;
-use crate::syntax::{Declaration, MatrixName};
+use crate::syntax::{Assertion, Declaration, MatrixName};
 
 /// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
 pub fn check(declaration: Declaration, report: &mut Report) -> Model {
@@ -32,7 +39,13 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
             region: requirement.value.region,
             value: resolve::expression(&requirement.value, &mut scope, report),
             domain: domains::domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
+            origin: Origin::Declared,
         })
+        .collect();
+    let assertions: Vec<[Expr; 2]> = declaration
+        .assertions
+        .iter()
+        .map(|assertion| [&assertion.left, &assertion.right].map(|side| resolve::expression(side, &mut scope, report)))
         .collect();
     let (matrices, entries) = matrices::matrices(&declaration, &mut scope, report);
     let used = unused::parameters(&declaration, &resolved, &requirements, &matrices);
@@ -40,7 +53,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let complete = matrices.iter().any(|(name, _)| *name == MatrixName::M)
         && matrices.iter().all(|(_, rows)| !rows.is_empty() && rows.iter().all(|row| !row.is_empty()));
     if !unread && complete {
-        unused::report(&declaration, &resolved, &requirements, &matrices, &scope, report);
+        unused::report(&declaration, &resolved, &requirements, &assertions, &matrices, &scope, report);
     }
 
     if !resolved.cyclic {
@@ -48,11 +61,11 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     }
 
     let new = resolved.new_positions();
-    let requirements: Vec<Requirement> = requirements
+    let mut requirements: Vec<Requirement> = requirements
         .into_iter()
         .map(|requirement| Requirement { value: requirement.value.renumbered(&new), ..requirement })
         .collect();
-    let matrices = matrices
+    let matrices: Matrices = matrices
         .into_iter()
         .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().map(|e| e.renumbered(&new)).collect()).collect()))
         .collect();
@@ -63,8 +76,29 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let sets = sets::sets(&declaration, &parameters, report);
     let gravity = gravity(&declaration, report);
     let definitions = resolved.in_order(&declaration);
+    let symmetric = claims::symmetric(&declaration);
     if report.is_empty() {
+        let domains: Vec<Domain> = domains.iter().map(|domain| domain.to_model()).collect();
+        let checked = divisors::Checked {
+            declaration: &declaration,
+            resolved: &resolved,
+            domains: &domains,
+            definitions: &definitions,
+            requirements: &requirements,
+            matrices: &matrices,
+        };
+        // Whatever is needed for a requirement to have a value comes before it.
+        let needed = divisors::requirements(&checked, &mut scope, report);
+        requirements = needed.into_iter().chain(requirements).collect();
         sets::check_requirements(&sets, &definitions, &requirements, report);
+        let mut claims = claims::mirrored(&symmetric, &matrices, &entries);
+        claims.extend(declaration.assertions.iter().zip(&assertions).map(|(Assertion { left, right }, [a, b])| {
+            let sides = [(a.renumbered(&new), left.region), (b.renumbered(&new), right.region)];
+            Claim::asserted([left, right].map(resolve::text), sides)
+        }));
+        let names: Vec<String> = declaration.parameters.iter().map(|parameter| parameter.name.to_string()).collect();
+        let space = Space { domains: &domains, requirements: &requirements, sets: &sets };
+        claims::check(&claims, &names, &definitions, &space, report);
         published::check(&declaration, &dimensions, &resolved.order, report);
     }
     let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();
@@ -98,6 +132,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
             .collect(),
         matrices,
         entries,
+        symmetric,
     }
 }
 

@@ -27,13 +27,16 @@ pub fn report(
     declaration: &Declaration,
     resolved: &Resolved,
     requirements: &[Requirement],
+    assertions: &[[Expr; 2]],
     matrices: &Matrices,
     scope: &Scope,
     report: &mut Report,
 ) {
     let roots = || entries(matrices).chain(requirements.iter().map(|r| &r.value));
-    let reached = reached(resolved, roots());
-    for (definition, reached) in declaration.definitions.iter().zip(reached) {
+    let used = reached(resolved, roots());
+    // A definition may serve claims alone. A parameter may not: no value of it would change anything.
+    let claimed = reached(resolved, assertions.iter().flatten());
+    for (definition, reached) in declaration.definitions.iter().zip(used.iter().zip(&claimed).map(|(u, c)| *u || *c)) {
         let name = definition.name.to_string();
         if !reached && !scope.excused.contains(&name) {
             report.error(
@@ -44,7 +47,9 @@ pub fn report(
     }
     // What only an unused definition mentions needs no second error.
     let mut mentioned = vec![false; declaration.parameters.len()];
-    mark(roots().chain(&resolved.definitions), &mut mentioned);
+    let only_claimed = used.iter().zip(&claimed).map(|(used, claimed)| !used && *claimed);
+    let others = resolved.definitions.iter().zip(only_claimed).filter(|(_, only)| !only).map(|(expr, _)| expr);
+    mark(roots().chain(others), &mut mentioned);
     for (parameter, mentioned) in declaration.parameters.iter().zip(mentioned) {
         let name = parameter.name.to_string();
         match (parameter.unused, mentioned) {

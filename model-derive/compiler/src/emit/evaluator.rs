@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::{Names, allow, docs, number};
-use crate::model::Model;
+use crate::model::{Model, Origin, Requirement};
 use crate::program::{Counts, Instruction, Program, Value};
 
 pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
@@ -13,7 +13,10 @@ pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
     let n = model.coordinates.len();
     let allow = allow();
     let fields: Vec<Ident> = model.matrices.iter().map(|(matrix, _)| format_ident!("{}", matrix.field())).collect();
-    let field_docs = model.matrices.iter().map(|(matrix, _)| docs(matrix.docs()));
+    let field_docs = model.matrices.iter().map(|(matrix, _)| {
+        let proved = if model.symmetric.contains(matrix) { " Symmetric, proved." } else { "" };
+        docs(&format!("{}{proved}", matrix.docs()))
+    });
     let struct_docs = docs(&format!(
         "The coefficient matrices of [`{name}`], each {n} x {n} and row by row, in SI units.\n\n\
          Matrices that the model does not declare are zero and left out.",
@@ -21,8 +24,9 @@ pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
     let size = proc_macro2::Literal::usize_unsuffixed(n);
     let function_docs = docs(&format!(
         "The coefficient matrices, from one straight-line program:\n{}.\n\n\
-         The parameters are not validated.",
+         The parameters are not validated.{}",
         Counts::of(program),
+        needs(model),
     ));
     let body = Body::new(program, model, names);
     let statements = &body.statements;
@@ -53,6 +57,26 @@ pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
             }
         }
     }
+}
+
+/// What the matrices divide by and take the root of, where the domains alone do not make sure that it can be done.
+fn needs(model: &Model) -> String {
+    let needs = model.requirements.iter().filter(|requirement| requirement.origin == Origin::Matrices);
+    let lines: Vec<String> = needs
+        .map(|Requirement { text, domain, .. }| match domain.nonzero {
+            true => format!("- divides by `{text}`, which the declared domains do not keep from zero"),
+            false => {
+                format!("- takes the root of `{text}`, which the declared domains do not keep from being negative")
+            }
+        })
+        .collect();
+    if lines.is_empty() {
+        return String::new();
+    }
+    format!(
+        " Beside what is outside the domains, `validate` refuses what has no value here, for it\n{}.",
+        lines.join(";\n")
+    )
 }
 
 /// A program as statements, and each value as an expression.

@@ -61,6 +61,6 @@ pub fn domain(domain: Domain) -> TokenStream {
             quote!(::carvallo::Bound::Closed(#value))
         }
     };
-    let (lower, upper) = (bound(domain.lower), bound(domain.upper));
-    quote!(::carvallo::Domain { lower: #lower, upper: #upper })
+    let (lower, upper, nonzero) = (bound(domain.lower), bound(domain.upper), domain.nonzero);
+    quote!(::carvallo::Domain { lower: #lower, upper: #upper, nonzero: #nonzero })
 }

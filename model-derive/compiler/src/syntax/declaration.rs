@@ -20,6 +20,7 @@ pub struct Declaration {
     pub parameters: Vec<Parameter>,
     pub definitions: Vec<Definition>,
     pub requirements: Vec<Requirement>,
+    pub assertions: Vec<Assertion>,
     pub sets: Vec<ParameterSet>,
     pub coordinates: Vec<Coordinate>,
     /// Whether a coordinate could not be read, so that their number is not known.
@@ -80,6 +81,7 @@ pub enum Relation {
     GreaterEqual,
     Less,
     LessEqual,
+    NotEqual,
 }
 
 /// `let mT = mR + mB;`
@@ -94,6 +96,13 @@ pub struct Definition {
 pub struct Requirement {
     pub value: Expression,
     pub bound: Bound,
+}
+
+/// `assert mu*w == c*cos(lam);`
+#[derive(Debug)]
+pub struct Assertion {
+    pub left: Expression,
+    pub right: Expression,
 }
 
 /// `set benchmark "source" { w = 1.02; }`
@@ -146,6 +155,8 @@ pub struct Coordinate {
 #[derive(Debug)]
 pub struct Matrix {
     pub name: MatrixName,
+    /// Whether the word `symmetric` stands before it.
+    pub symmetric: bool,
     pub span: Span,
     /// The rows, each with its region.
     pub rows: Vec<(Region, Vec<Expression>)>,

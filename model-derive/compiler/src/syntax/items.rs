@@ -6,7 +6,8 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
 use super::declaration::{
-    Declaration, Definition, Doc, Matrix, MatrixName, ParameterSet, Printed, Published, Requirement, SetValue,
+    Assertion, Declaration, Definition, Doc, Matrix, MatrixName, ParameterSet, Printed, Published, Requirement,
+    SetValue,
 };
 use super::expression::expression;
 use super::number::Decimal;
@@ -37,6 +38,7 @@ pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<D
         parameters: Vec::new(),
         definitions: Vec::new(),
         requirements: Vec::new(),
+        assertions: Vec::new(),
         sets: Vec::new(),
         coordinates: Vec::new(),
         coordinates_unread: false,
@@ -71,8 +73,9 @@ fn statements(
     }
 }
 
-const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `set name { … }`, \
-                          `coordinates { … }`, `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, `K0`, `K2`";
+const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
+                          `set name { … }`, `coordinates { … }`, `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, \
+                          `K0`, `K2`, with `symmetric` before it if that is to be proved";
 
 fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
     let docs = docs(input, report)?;
@@ -96,8 +99,8 @@ fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repor
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 11] =
-    ["source", "parameters", "coordinates", "require", "set", "M", "C0", "C1", "Kc", "K0", "K2"];
+const KEYWORDS: [&str; 13] =
+    ["source", "parameters", "coordinates", "require", "assert", "set", "symmetric", "M", "C0", "C1", "Kc", "K0", "K2"];
 
 fn statement_after(
     word: &str,
@@ -127,10 +130,12 @@ fn statement_after(
             model.requirements.push(Requirement { value, bound });
             semicolon(input, AFTER_FORMULA, "the requirement")
         }
+        "assert" => assertion(input, model),
+        "symmetric" => symmetric(input, model),
         "set" => set(input, docs, model, report),
         other => match MatrixName::from_name(other) {
             Some(matrix_name) => {
-                model.matrices.push(matrix(input, matrix_name, keyword.span())?);
+                model.matrices.push(matrix(input, matrix_name, keyword.span(), false)?);
                 semicolon(input, "`;`", "the matrix")
             }
             None => unreachable!("a keyword that no statement begins with"),
@@ -244,12 +249,39 @@ fn printed(input: ParseStream<'_>) -> syn::Result<Printed> {
     Ok(Printed { text, region: minus.map_or(region, |minus| Region::from(minus.span).to(region)) })
 }
 
-fn matrix(input: ParseStream<'_>, name: MatrixName, span: proc_macro2::Span) -> syn::Result<Matrix> {
+/// `assert left == right;`, behind its first word.
+fn assertion(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
+    let left = expression(input)?;
+    if input.parse::<Option<Token![==]>>()?.is_none() {
+        let what = "`==` and the formula that it equals; a condition on the parameters is a `require`";
+        return Err(expected(input, what));
+    }
+    let right = expression(input)?;
+    semicolon(input, AFTER_FORMULA, "the assertion")?;
+    model.assertions.push(Assertion { left, right });
+    Ok(())
+}
+
+/// `symmetric M = …;`, behind its first word.
+fn symmetric(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
+    let what = "a matrix after `symmetric`: `M`, `C0`, `C1`, `Kc`, `K0` or `K2`";
+    if !input.peek(syn::Ident) {
+        return Err(expected(input, what));
+    }
+    let name: syn::Ident = input.parse()?;
+    let Some(matrix_name) = MatrixName::from_name(&name.to_string()) else {
+        return Err(error(&name, format!("found `{name}`: expected {what}")));
+    };
+    model.matrices.push(matrix(input, matrix_name, name.span(), true)?);
+    semicolon(input, "`;`", "the matrix")
+}
+
+fn matrix(input: ParseStream<'_>, name: MatrixName, span: proc_macro2::Span, symmetric: bool) -> syn::Result<Matrix> {
     if input.parse::<Option<Token![=]>>()?.is_none() {
         return Err(expected(input, "`=` and the rows of the matrix"));
     }
     let (region, rows) = rows(input, expression)?;
-    Ok(Matrix { name, span, rows, region })
+    Ok(Matrix { name, symmetric, span, rows, region })
 }
 
 /// The rows of a matrix, each with its region.

@@ -67,6 +67,12 @@ impl Decimal {
         self.digits == "0"
     }
 
+    /// The nearest `f64`.
+    pub fn to_f64(&self) -> f64 {
+        // Digits and a power of ten are always read.
+        self.to_string().parse().unwrap_or(f64::NAN)
+    }
+
     /// The whole number, if it is one and fits.
     pub fn to_integer(&self) -> Option<i32> {
         let zeros = usize::try_from(self.exponent).ok()?;
@@ -74,19 +80,20 @@ impl Decimal {
     }
 }
 
-/// In a form that every decimal parser reads: with a power of ten only where zeros would be many.
+/// As people write it, and as every decimal parser reads it: a power of ten stands only for many zeros.
 impl std::fmt::Display for Decimal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        const MANY: usize = 6;
         let Self { digits, exponent } = self;
-        let places = exponent.unsigned_abs() as usize;
-        match *exponent {
-            0..=3 => write!(f, "{digits}{}", "0".repeat(places)),
-            -12..0 if places < digits.len() => {
-                let (whole, fraction) = digits.split_at(digits.len() - places);
-                write!(f, "{whole}.{fraction}")
-            }
-            -6..0 => write!(f, "0.{digits:0>places$}"),
-            _ => write!(f, "{digits}e{exponent}"),
+        let shift = exponent.unsigned_abs() as usize;
+        if *exponent >= 0 && shift <= MANY {
+            write!(f, "{digits}{}", "0".repeat(shift))
+        } else if *exponent < 0 && shift <= digits.len() + MANY {
+            let padded = format!("{digits:0>width$}", width = shift + 1);
+            let (whole, fraction) = padded.split_at(padded.len() - shift);
+            write!(f, "{whole}.{fraction}")
+        } else {
+            write!(f, "{digits}e{exponent}")
         }
     }
 }
@@ -115,6 +122,14 @@ mod tests {
         ];
         for (text, expected) in cases {
             assert_eq!(read(text).as_deref(), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn people_read_a_point() {
+        for text in ["0.5", "1000", "0.0025", "12.75", "0", "7", "3e12", "1e-9", "0.000001"] {
+            let literal: Literal = text.parse().expect("a literal");
+            assert_eq!(Decimal::from_literal(&literal).map(|decimal| decimal.to_string()).as_deref(), Ok(text));
         }
     }
 

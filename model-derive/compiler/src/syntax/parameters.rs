@@ -59,8 +59,8 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
     Ok(parameter)
 }
 
-const AFTER_UNIT: &str =
-    "a domain (`> 0`, `>= 0`, `in (a, b)`, `in [a, b]`), a direction (`along x`, `about y`), `gravity` or `unused`";
+const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `!= 0`, `in (a, b)`, `in [a, b]`), a direction (`along x`, `about y`), \
+                          `gravity` or `unused`";
 
 fn colon(input: ParseStream<'_>) -> syn::Result<()> {
     if input.peek(Token![:]) && !input.peek(Token![::]) {
@@ -81,6 +81,8 @@ pub fn comparison(input: ParseStream<'_>) -> syn::Result<Option<Bound>> {
         Relation::Greater
     } else if input.parse::<Option<Token![<]>>()?.is_some() {
         Relation::Less
+    } else if input.parse::<Option<Token![!=]>>()?.is_some() {
+        Relation::NotEqual
     } else {
         return Ok(None);
     };

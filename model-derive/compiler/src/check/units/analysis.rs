@@ -5,7 +5,7 @@ use super::dimension::Dimension;
 use crate::check::names::{Meaning, Scope};
 use crate::check::resolve::text;
 use crate::report::{Region, Report};
-use crate::syntax::{Declaration, Expression, Kind, Term};
+use crate::syntax::{Assertion, Declaration, Expression, Kind, Term};
 
 /// What the names in formulas are in.
 pub struct Analysis<'a> {
@@ -66,16 +66,13 @@ impl Analysis<'_> {
     /// All terms of a sum are in one unit and mirror alike; those that differ from most of them are reported.
     fn sum(&self, terms: &[Term], report: &mut Report) -> Option<Dimension> {
         let found: Vec<_> = terms.iter().map(|term| self.dimension(&term.value, report)).collect();
-        let alike = |one: Dimension, other: Dimension| {
-            if self.dimensions.mirrored { one == other } else { one.same_unit(other) }
-        };
-        let count = |one: Dimension| found.iter().flatten().filter(|other| alike(one, **other)).count();
+        let count = |one: Dimension| found.iter().flatten().filter(|other| self.alike(one, **other)).count();
         // The last of the maxima in the reverse order is the first in the sum's own.
         let known = found.iter().enumerate().rev().filter_map(|(index, dimension)| Some((index, (*dimension)?)));
         let (usual, dimension) = known.max_by_key(|(_, dimension)| count(*dimension))?;
         let mut right = true;
         for (index, term) in terms.iter().enumerate() {
-            let Some(other) = found[index].filter(|other| !alike(*other, dimension)) else { continue };
+            let Some(other) = found[index].filter(|other| !self.alike(*other, dimension)) else { continue };
             let this = (&term.value, other);
             let usual = (&terms[usual].value, dimension);
             let message =
@@ -88,16 +85,29 @@ impl Analysis<'_> {
         right.then_some(dimension)
     }
 
+    /// Both sides of an assertion are in one unit and mirror alike.
+    pub fn check_equal(&self, Assertion { left, right }: &Assertion, report: &mut Report) {
+        let sides = self.dimension(left, report).zip(self.dimension(right, report));
+        let Some((one, other)) = sides.filter(|(one, other)| !self.alike(*one, *other)) else { return };
+        let (this, that) = ((right, other), (left, one));
+        let message = if one.same_unit(other) { self.two_mirrors(this, that) } else { self.two_units(this, that) };
+        report.error(left.region.to(right.region), message);
+    }
+
+    fn alike(&self, one: Dimension, other: Dimension) -> bool {
+        if self.dimensions.mirrored { one == other } else { one.same_unit(other) }
+    }
+
     fn two_units(&self, this: (&Expression, Dimension), usual: (&Expression, Dimension)) -> String {
         let origins = self.units([this.0, usual.0]);
         let (a, b) = (short(this.0), short(usual.0));
-        format!("`{a}` is {}, but `{b}` {}: expected terms in one unit{origins}", this.1.place(), usual.1.place())
+        format!("`{a}` is {}, but `{b}` {}: expected the same unit{origins}", this.1.place(), usual.1.place())
     }
 
     fn two_mirrors(&self, this: (&Expression, Dimension), usual: (&Expression, Dimension)) -> String {
         let origins = self.mirrors([this.0, usual.0]);
         let (a, b) = (short(this.0), short(usual.0));
-        format!("`{a}` {}, but `{b}` {}: expected terms that mirror alike{origins}", this.1.sign(), usual.1.sign())
+        format!("`{a}` {}, but `{b}` {}: expected them to mirror alike{origins}", this.1.sign(), usual.1.sign())
     }
 
     /// Where the units of formulas come from, unless it is plain.

@@ -29,6 +29,9 @@ pub fn check(declaration: &Declaration, dimensions: &Dimensions, scope: &Scope, 
     for requirement in &declaration.requirements {
         check_requirement(&analysis, requirement, report);
     }
+    for assertion in &declaration.assertions {
+        analysis.check_equal(assertion, report);
+    }
     for matrix in &declaration.matrices {
         check_matrix(&analysis, matrix, report);
     }
