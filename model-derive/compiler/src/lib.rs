@@ -19,7 +19,7 @@ mod report;
 pub mod symbolic;
 mod syntax;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream, TokenTree};
 
 pub use crate::emit::Driver;
 pub use crate::equations::Equations;
@@ -69,7 +69,17 @@ fn region(model: &Model, failure: &symbolic::Failure) -> Region {
 ///
 /// # Errors
 /// As [`compile`].
-pub fn expand(declaration: TokenStream, driver: Driver) -> syn::Result<TokenStream> {
+pub fn expand(declaration: TokenStream, driver: &Driver) -> syn::Result<TokenStream> {
     let Compiled { model, matrices, requirements } = compile(declaration)?;
     Ok(emit::emit(&model, &matrices, &requirements, driver))
+}
+
+/// What the macro leaves in the place of a declaration, before which stands in parentheses the path of the runtime.
+pub fn declare(input: TokenStream) -> TokenStream {
+    let mut tokens = input.into_iter();
+    let Some(TokenTree::Group(runtime)) = tokens.next() else {
+        return report::error(Span::call_site(), "expected a call by `carvallo::model!`").into_compile_error();
+    };
+    let driver = Driver::Macro { runtime: runtime.stream() };
+    expand(tokens.collect(), &driver).unwrap_or_else(syn::Error::into_compile_error)
 }

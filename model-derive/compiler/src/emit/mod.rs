@@ -2,64 +2,46 @@
 
 mod evaluator;
 mod info;
+mod names;
 mod structure;
 mod trait_impl;
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
+use self::names::Names;
 use crate::model::Model;
-use crate::program::{Program, Value};
+use crate::program::Program;
 
 /// The Rust of a model: one struct of its parameters, one of its matrices, and what they can do.
-pub fn emit(model: &Model, matrices: &Program, requirements: &Program, driver: Driver) -> TokenStream {
+pub fn emit(model: &Model, matrices: &Program, requirements: &Program, driver: &Driver) -> TokenStream {
+    emit_with(model, Some(matrices), Some(requirements), driver)
+}
+
+/// For whom the code is written.
+#[derive(Clone, Debug)]
+pub enum Driver {
+    /// The macro: the code lands among a user's items, one of which could have the name of a definition and be a
+    /// constant, which a `let` cannot shadow. So local variables are only numbered.
+    Macro {
+        /// How the user's crate gets at the runtime, such as `$crate`.
+        runtime: TokenStream,
+    },
+    /// A file of its own, for people to read: local variables that are definitions have their names.
+    File,
+}
+
+fn emit_with(
+    model: &Model,
+    matrices: Option<&Program>,
+    requirements: Option<&Program>,
+    driver: &Driver,
+) -> TokenStream {
     let names = Names::new(model, driver);
     let structure = structure::emit(model, &names);
     let evaluator = evaluator::emit(model, &names, matrices);
     let trait_impl = trait_impl::emit(model, &names, requirements);
     quote! { #structure #evaluator #trait_impl }
-}
-
-/// For whom the code is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Driver {
-    /// The macro: the code lands among a user's items, one of which could have the name of a definition and be a
-    /// constant, which a `let` cannot shadow. So local variables are only numbered.
-    Macro,
-    /// A file of its own, for people to read: local variables that are definitions have their names.
-    File,
-}
-
-/// The names that the parts share.
-struct Names {
-    driver: Driver,
-    model: Ident,
-    matrices: Ident,
-    /// The type parameter; another letter for a model that is called `T` itself.
-    scalar: Ident,
-}
-
-impl Names {
-    fn new(model: &Model, driver: Driver) -> Self {
-        let name = model.name.clone();
-        Self {
-            driver,
-            matrices: format_ident!("{name}Matrices", span = name.span()),
-            scalar: if name == "T" { format_ident!("S") } else { format_ident!("T") },
-            model: name,
-        }
-    }
-
-    /// The local variable that holds a value.
-    fn local(&self, program: &Program, model: &Model, value: Value) -> Ident {
-        let taken = |name: &str| model.definitions.iter().any(|(definition, _)| definition == name);
-        let label = program.labels.iter().find(|(labelled, _)| *labelled == value);
-        match (self.driver, label) {
-            (Driver::File, Some((_, definition))) => model.definitions[*definition].0.clone(),
-            (Driver::File, None) if taken(&format!("t{value}")) => format_ident!("t{value}_"),
-            _ => format_ident!("t{value}"),
-        }
-    }
 }
 
 /// What generated items are allowed: names as in the formulas, and parts that a crate does not use.

@@ -1,0 +1,43 @@
+//! Where names are used, so that editors lead from a use to its declaration.
+
+use proc_macro2::Ident;
+
+use super::names::{Meaning, Scope};
+use super::resolve;
+use crate::model::{References, Target};
+use crate::syntax::{Declaration, Expression, Kind};
+
+/// All uses of parameters and definitions, in formulas and in parameter sets.
+pub fn references(declaration: &Declaration, scope: &Scope) -> References {
+    let mut uses = Vec::new();
+    let mut note = |name: &Ident| match scope.get(name) {
+        Some(Meaning::Parameter(_)) => uses.push((Target::Parameter, name.clone())),
+        Some(Meaning::Definition(_)) => uses.push((Target::Definition, name.clone())),
+        Some(Meaning::Coordinate | Meaning::Unread) | None => {}
+    };
+    let Declaration { definitions, requirements, matrices, sets, .. } = declaration;
+    let formulas = definitions.iter().map(|definition| &definition.value);
+    let formulas = formulas.chain(requirements.iter().map(|requirement| &requirement.value));
+    let entries = matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    formulas.chain(entries).for_each(|formula| walk(formula, &mut note));
+    for entry in sets.iter().flat_map(|set| &set.values) {
+        // In a set a name is a parameter's.
+        if matches!(scope.get(&entry.name), Some(Meaning::Parameter(_))) {
+            note(&entry.name);
+        }
+    }
+    let definition = |index: usize| (definitions[index].name.clone(), resolve::text(&definitions[index].value));
+    // A second definition of one name is a mistake, and reported.
+    let first = |index: &usize| scope.get(&definitions[*index].name) == Some(Meaning::Definition(*index));
+    References { definitions: (0..definitions.len()).filter(first).map(definition).collect(), uses }
+}
+
+fn walk(formula: &Expression, note: &mut impl FnMut(&Ident)) {
+    match &formula.kind {
+        Kind::Number(_) => {}
+        Kind::Name(name) => note(name),
+        Kind::Sum(terms) => terms.iter().for_each(|term| walk(&term.value, note)),
+        Kind::Product(factors) => factors.iter().for_each(|factor| walk(&factor.value, note)),
+        Kind::Power(inner, _) | Kind::Call(_, inner) => walk(inner, note),
+    }
+}
