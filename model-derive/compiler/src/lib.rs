@@ -43,15 +43,26 @@ pub struct Compiled {
 /// # Errors
 /// All mistakes of the declaration, each at its span; or the failure of the symbolic engine at the model's name.
 pub fn compile(declaration: TokenStream) -> syn::Result<Compiled> {
+    compile_or_model(declaration).map_err(|(error, _)| error)
+}
+
+/// As [`compile`], but beside the error there is what is known of the model.
+fn compile_or_model(declaration: TokenStream) -> Result<Compiled, (syn::Error, Option<Box<Model>>)> {
     let mut report = Report::default();
     let model = syntax::parse(declaration, &mut report).map(|declaration| check::check(declaration, &mut report));
-    report.finish()?;
-    let Some(model) = model else { unreachable!("a declaration without a model is reported") };
-
+    let model = match (report.finish(), model) {
+        (Ok(()), Some(model)) => model,
+        (Ok(()), None) => unreachable!("a declaration without a model is reported"),
+        (Err(error), model) => return Err((error, model.map(Box::new))),
+    };
     let equations = vec![Equations::of_matrices(&model), Equations::of_requirements(&model)];
-    let programs = symbolic::compile(equations).map_err(|failure| report::error(region(&model, &failure), failure))?;
-    let [matrices, requirements] = programs.try_into().unwrap_or_else(|_| unreachable!("a program for each"));
-    Ok(Compiled { model, matrices, requirements })
+    match symbolic::compile(equations) {
+        Ok(programs) => {
+            let [matrices, requirements] = programs.try_into().unwrap_or_else(|_| unreachable!("a program for each"));
+            Ok(Compiled { model, matrices, requirements })
+        }
+        Err(failure) => Err((report::error(region(&model, &failure), failure), Some(Box::new(model)))),
+    }
 }
 
 /// Where in the declaration a failure belongs.
@@ -74,12 +85,19 @@ pub fn expand(declaration: TokenStream, driver: &Driver) -> syn::Result<TokenStr
     Ok(emit::emit(&model, &matrices, &requirements, driver))
 }
 
-/// What the macro leaves in the place of a declaration, before which stands in parentheses the path of the runtime.
+/// What the macro leaves in the place of a declaration, before which stands in parentheses the path of the runtime:
+/// its Rust, or its mistakes, and beside them the types that the rest of the file uses.
 pub fn declare(input: TokenStream) -> TokenStream {
     let mut tokens = input.into_iter();
     let Some(TokenTree::Group(runtime)) = tokens.next() else {
         return report::error(Span::call_site(), "expected a call by `carvallo::model!`").into_compile_error();
     };
     let driver = Driver::Macro { runtime: runtime.stream() };
-    expand(tokens.collect(), &driver).unwrap_or_else(syn::Error::into_compile_error)
+    match compile_or_model(tokens.collect()) {
+        Ok(Compiled { model, matrices, requirements }) => emit::emit(&model, &matrices, &requirements, &driver),
+        Err((error, model)) => {
+            let outline = model.map(|model| emit::outline(*model, &driver));
+            error.into_compile_error().into_iter().chain(outline.into_iter().flatten()).collect()
+        }
+    }
 }

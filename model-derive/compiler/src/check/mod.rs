@@ -5,6 +5,7 @@ mod definitions;
 mod domains;
 mod matrices;
 mod names;
+mod references;
 mod resolve;
 mod sets;
 mod unused;
@@ -54,6 +55,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let sets = sets::sets(&declaration, &domains, report);
     let gravity = gravity(&declaration, report);
     let definitions = resolved.in_order(&declaration);
+    let references = references::references(&declaration, &scope);
     if report.is_empty() {
         sets::check_requirements(&sets, &definitions, &requirements, report);
     }
@@ -88,6 +90,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
             .collect(),
         matrices,
         entries,
+        references,
     }
 }
 

@@ -29,7 +29,11 @@ pub fn references(declaration: &Declaration, scope: &Scope) -> References {
     let definition = |index: usize| (definitions[index].name.clone(), resolve::text(&definitions[index].value));
     // A second definition of one name is a mistake, and reported.
     let first = |index: &usize| scope.get(&definitions[*index].name) == Some(Meaning::Definition(*index));
-    References { definitions: (0..definitions.len()).filter(first).map(definition).collect(), uses }
+    References {
+        definitions: (0..definitions.len()).filter(first).map(definition).collect(),
+        uses,
+        matrices: matrices.iter().map(|matrix| (matrix.name, matrix.span)).collect(),
+    }
 }
 
 fn walk(formula: &Expression, note: &mut impl FnMut(&Ident)) {

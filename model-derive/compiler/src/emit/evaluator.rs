@@ -2,20 +2,21 @@
 
 use std::collections::HashMap;
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
 
 use super::names::Names;
 use super::{allow, docs, number};
 use crate::model::Model;
 use crate::program::{Counts, Instruction, Program, Value};
+use crate::syntax::MatrixName;
 
 pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStream {
     let Names { runtime, model: name, matrices, scalar, .. } = names;
     let visibility = &model.visibility;
     let n = model.coordinates.len();
     let allow = allow();
-    let fields: Vec<Ident> = model.matrices.iter().map(|(matrix, _)| format_ident!("{}", matrix.field())).collect();
+    let fields: Vec<Ident> = model.matrices.iter().map(|(matrix, _)| field(*matrix, model)).collect();
     let field_docs = model.matrices.iter().map(|(matrix, _)| docs(matrix.docs()));
     let struct_docs = docs(&format!(
         "The coefficient matrices of [`{name}`], each {n} x {n} and row by row, in SI units.\n\n\
@@ -50,6 +51,12 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
             }
         }
     }
+}
+
+/// The field of a matrix, at the span of its declaration.
+fn field(matrix: MatrixName, model: &Model) -> Ident {
+    let declared = model.references.matrices.iter().find(|(name, _)| *name == matrix);
+    Ident::new(matrix.field(), declared.map_or(Span::call_site(), |(_, span)| *span))
 }
 
 fn matrices_body(model: &Model, names: &Names, program: &Program, fields: &[Ident]) -> TokenStream {

@@ -3,6 +3,8 @@
 mod evaluator;
 mod info;
 mod names;
+mod outline;
+mod references;
 mod structure;
 mod trait_impl;
 
@@ -31,6 +33,13 @@ pub enum Driver {
     File,
 }
 
+/// What can be had of a model with mistakes, so that the rest of a file still has its types: all but the programs.
+pub fn outline(model: Model, driver: &Driver) -> TokenStream {
+    let model = outline::sound(model);
+    // Nothing could be generic in the type of the parameters.
+    if model.parameters.is_empty() { TokenStream::new() } else { emit_with(&model, None, None, driver) }
+}
+
 fn emit_with(
     model: &Model,
     matrices: Option<&Program>,
@@ -39,9 +48,12 @@ fn emit_with(
 ) -> TokenStream {
     let names = Names::new(model, driver);
     let structure = structure::emit(model, &names);
-    let evaluator = evaluator::emit(model, &names, matrices);
-    let trait_impl = trait_impl::emit(model, &names, requirements);
-    quote! { #structure #evaluator #trait_impl }
+    // Without coordinates, which is a mistake, there is no size of the matrices.
+    let sized = !model.coordinates.is_empty();
+    let evaluator = sized.then(|| evaluator::emit(model, &names, matrices));
+    let trait_impl = sized.then(|| trait_impl::emit(model, &names, requirements));
+    let references = names.among_items.then(|| references::emit(model, &names));
+    quote! { #structure #evaluator #trait_impl #references }
 }
 
 /// What generated items are allowed: names as in the formulas, and parts that a crate does not use.
