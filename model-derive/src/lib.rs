@@ -6,10 +6,8 @@
 
 use proc_macro::TokenStream;
 
-/// What `carvallo::model!` hands its declaration to.
+/// What `carvallo::model!` hands its declaration to, behind the path of its crate in parentheses.
 #[proc_macro]
-pub fn model(declaration: TokenStream) -> TokenStream {
-    carvallo_compiler::expand(declaration.into(), carvallo_compiler::Driver::Macro)
-        .unwrap_or_else(syn::Error::into_compile_error)
-        .into()
+pub fn model(input: TokenStream) -> TokenStream {
+    carvallo_compiler::declare(input.into()).into()
 }

@@ -83,6 +83,6 @@
 #[macro_export]
 macro_rules! model {
     ($($declaration:tt)*) => {
-        $crate::__model! { $($declaration)* }
+        $crate::__model! { ($crate) $($declaration)* }
     };
 }

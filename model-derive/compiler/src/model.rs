@@ -1,6 +1,6 @@
 //! The checked model: every name resolved, every shape and domain right.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 
 use crate::report::Region;
 use crate::syntax::{Decimal, MatrixName};
@@ -34,6 +34,28 @@ pub struct Model {
     pub entries: Vec<Region>,
     /// The matrices that are proved to be symmetric.
     pub symmetric: Vec<MatrixName>,
+    /// The names in the declaration, for editors.
+    pub references: References,
+}
+
+/// What editors need to know of the names in a declaration.
+#[derive(Debug)]
+pub struct References {
+    /// The definitions in declared order, each with its formula as it was written.
+    pub definitions: Vec<(Ident, String)>,
+    /// Every use of a name in a formula or a parameter set.
+    pub uses: Vec<(Target, Ident)>,
+    /// The names of the declared matrices, where they are declared.
+    pub matrices: Vec<(MatrixName, Span)>,
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A parameter.
+    Parameter,
+    /// A definition.
+    Definition,
 }
 
 /// Matrices by name, each as rows of formulas.

@@ -11,6 +11,7 @@ mod matrices;
 mod names;
 mod published;
 mod ranges;
+mod references;
 mod resolve;
 mod sets;
 mod units;
@@ -56,9 +57,9 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         unused::report(&declaration, &resolved, &requirements, &assertions, &matrices, &scope, report);
     }
 
-    if !resolved.cyclic {
-        units::check(&declaration, &dimensions, &scope, &resolved.order, report);
-    }
+    // Of definitions in a cycle the first mistake is the cycle.
+    let order = if resolved.cyclic { &[] } else { &resolved.order[..] };
+    let defined = units::check(&declaration, &dimensions, &scope, order, report);
 
     let new = resolved.new_positions();
     let mut requirements: Vec<Requirement> = requirements
@@ -77,6 +78,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let gravity = gravity(&declaration, report);
     let definitions = resolved.in_order(&declaration);
     let symmetric = claims::symmetric(&declaration);
+    let references = references::references(&declaration, &scope, &defined);
     if report.is_empty() {
         let domains: Vec<Domain> = domains.iter().map(|domain| domain.to_model()).collect();
         let checked = divisors::Checked {
@@ -133,6 +135,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         matrices,
         entries,
         symmetric,
+        references,
     }
 }
 

@@ -13,7 +13,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 pub fn compile(path: &Path, shown: &str) -> Result<String, String> {
     let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
     let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
-    let rust = crate::expand(tokens, crate::Driver::File).map_err(|error| render(&error, shown, &text))?;
+    let rust = crate::expand(tokens, &crate::Driver::File).map_err(|error| render(&error, shown, &text))?;
     let file = syn::parse2(rust).map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
     Ok(format!("{}\n{}", header(shown, &text), prettyplease::unparse(&file)))
 }

@@ -18,8 +18,15 @@ use super::names::Scope;
 use crate::report::Report;
 use crate::syntax::{Declaration, Direction, Matrix, MatrixName, Requirement};
 
-/// Reports formulas whose units or mirrors do not fit; `order` puts each definition after those that it uses.
-pub fn check(declaration: &Declaration, dimensions: &Dimensions, scope: &Scope, order: &[usize], report: &mut Report) {
+/// Reports formulas whose units or mirrors do not fit, and returns the dimensions of the definitions, as far as they are
+/// known; `order` puts each definition after those that it uses.
+pub fn check(
+    declaration: &Declaration,
+    dimensions: &Dimensions,
+    scope: &Scope,
+    order: &[usize],
+    report: &mut Report,
+) -> Vec<Option<Dimension>> {
     gravity(declaration, dimensions, report);
     let definitions = vec![None; declaration.definitions.len()];
     let mut analysis = Analysis { declaration, scope, dimensions, definitions };
@@ -35,6 +42,7 @@ pub fn check(declaration: &Declaration, dimensions: &Dimensions, scope: &Scope, 
     for matrix in &declaration.matrices {
         check_matrix(&analysis, matrix, report);
     }
+    analysis.definitions
 }
 
 fn gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Report) {
