@@ -3,13 +3,28 @@
 use carvallo::Model;
 use carvallo_compiler::{Driver, compile, expand};
 
-/// A model of two coordinates with the given statements; its parameters are lengths a, b > 0 and c, angles t and s, the
+/// A model of two coordinates with the given statements; its parameters are numbers a, b > 0 and c, angles t and s, the
 /// latter less than a right angle.
 fn model(statements: &str) -> String {
-    let parameters = "a: m, > 0; b: m, > 0; c: m; t: rad; s: rad, in (-pi/2, pi/2);";
+    let parameters = "a: 1, > 0; b: 1, > 0; c: 1; t: rad; s: rad, in (-pi/2, pi/2);";
     let used = "C0 = [[a + b + c, t], [s, 0]];";
     let mass = if statements.contains("M =") { "" } else { "M = [[1, 0], [0, 1]];" };
-    format!("model Sample {{ parameters {{ {parameters} }} coordinates {{ x: m; y: m; }} {used} {mass} {statements} }}")
+    let statements = in_units(&format!("{used} {mass} {statements}"));
+    format!("model Sample {{ parameters {{ {parameters} }} coordinates {{ x: m; y: m; }} {statements} }}")
+}
+
+/// The statements with the entries of the matrices, which are numbers, in the units that they must have.
+fn in_units(statements: &str) -> String {
+    let units = [("M", "kg"), ("C0", "kg/s"), ("Kc", "N/m"), ("K0", "kg/m"), ("K2", "kg/m^2")];
+    let statements = statements.split_inclusive(';').map(|statement| {
+        let matrix = statement.split_once(" = [[").and_then(|(name, rest)| Some((name, rest.strip_suffix("]];")?)));
+        let Some((before, rows)) = matrix else { return statement.to_string() };
+        let (_, unit) = units.iter().find(|(name, _)| before.ends_with(name)).expect("a matrix");
+        let entry = |entry: &str| format!("({entry})*1 [{unit}]");
+        let row = |row: &str| format!("[{}]", row.split(", ").map(entry).collect::<Vec<_>>().join(", "));
+        format!("{before} = [{}];", rows.split("], [").map(row).collect::<Vec<_>>().join(", "))
+    });
+    statements.collect()
 }
 
 fn mistakes(statements: &str) -> Vec<String> {
@@ -169,8 +184,8 @@ carvallo::model! {
         }
         let arm = a - b;
         coordinates { x: m; y: m; }
-        symmetric M = [[m, arm*m], [m*a - m*b, m]];
-        Kc = [[k/arm, sqrt(b - a/2)], [1/k, 1/sin(turn)]];
+        symmetric M = [[m, arm*m/b], [(m*a - m*b)/b, m]];
+        Kc = [[k*b/arm, k*sqrt(b - a/2)/sqrt(b)], [1 [N^2/m^2]/k, k/sin(turn)]];
         assert arm + b == a;
         assert sin(2*turn) == 2*sin(turn)*cos(turn);
         set level { m = 1; a = 2; b = 1; k = -3; turn = 0.5; }
@@ -182,7 +197,7 @@ fn validation_refuses_what_has_no_value() {
     let error = |lever: Lever| lever.validate().expect_err("it is refused").to_string();
     let lever = Lever::LEVEL;
     assert_eq!(lever.validate(), Ok(()));
-    assert_eq!(lever.matrices().kc, [[-3.0, 0.0], [-1.0 / 3.0, 1.0 / f64::sin(0.5)]]);
+    assert_eq!(lever.matrices().kc, [[-3.0, 0.0], [-1.0 / 3.0, -3.0 / f64::sin(0.5)]]);
     assert_eq!(error(Lever { b: 2.0, ..lever }), "Lever: `a - b` is 0; it must not be 0");
     assert_eq!(error(Lever { b: 0.5, ..lever }), "Lever: `b - a/2` is -0.5; it must be >= 0");
     assert_eq!(error(Lever { k: 0.0, ..lever }), "Lever: `k` is 0 N/m; it must not be 0");
@@ -193,7 +208,7 @@ fn validation_refuses_what_has_no_value() {
 #[test]
 fn the_documentation_says_what_is_proved_and_what_is_refused() {
     let statements = "symmetric M = [[a, c], [c, b]]; K0 = [[1/(a - b), sqrt(c)], [0, 1/a]]; require 1/t > 0;";
-    let code = expand(model(statements).parse().expect("tokens"), Driver::File).expect("no mistakes").to_string();
+    let code = expand(model(statements).parse().expect("tokens"), &Driver::File).expect("no mistakes").to_string();
     for text in [
         "Mass matrix M, the coefficient of q''. Symmetric, proved.",
         "Stiffness K0, a coefficient of g q.\"",

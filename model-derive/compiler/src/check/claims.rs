@@ -111,7 +111,7 @@ pub fn check(
                     [Proof::TooLong] => "the formulas grow too long when they are expanded; expected a shorter claim",
                     _ => {
                         "they are not the same under the rules of fractions, roots, sin² + cos² = 1 and the addition \
-                         theorems; expected sides that are"
+                         theorems; expected formulas that are"
                     }
                 };
                 report.error(claim.region(), format!("{}, and {}: {why}", unproved(claim), none_among(tried)));

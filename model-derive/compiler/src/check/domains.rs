@@ -57,7 +57,8 @@ pub fn domain(bounds: &[Bound], own: Option<Dimension>, report: &mut Report) -> 
     {
         let region = bounds.iter().map(|bound| bound.region).reduce(Region::to);
         if let Some(region) = region {
-            report.error(region, "an empty domain: expected a lower bound below the upper one");
+            let other = if domain.nonzero { ", or other values than 0" } else { "" };
+            report.error(region, format!("an empty domain: expected a lower bound below the upper one{other}"));
         }
         return Domain::default();
     }

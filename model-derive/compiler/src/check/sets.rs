@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use super::constants::Constant;
 use super::domains::Domain;
 use super::units::Dimension;
-use crate::model::{Expr, ParameterSet, Requirement};
+use crate::model::{Expr, Origin, ParameterSet, Requirement};
 use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{self, Declaration};
@@ -56,8 +56,13 @@ pub fn check_requirements(
         for requirement in requirements {
             let value = requirement.value.evaluate(&set.values, &values);
             if !requirement.domain.contains(value) {
-                let Requirement { text, domain, .. } = requirement;
-                let message = format!("`{text}` is {value} in the set `{}`: expected {domain}", set.name);
+                let Requirement { text, domain, origin, .. } = requirement;
+                let why = match (origin, domain.nonzero) {
+                    (Origin::Declared, _) => "",
+                    (_, true) => ", and a formula divides by it",
+                    (_, false) => ", and a formula takes its root",
+                };
+                let message = format!("`{text}` is {value} in the set `{}`{why}: expected {domain}", set.name);
                 report.error(&set.name, message);
             }
         }

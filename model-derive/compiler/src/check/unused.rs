@@ -36,9 +36,9 @@ pub fn report(
     let used = reached(resolved, roots());
     // A definition may serve claims alone. A parameter may not: no value of it would change anything.
     let claimed = reached(resolved, assertions.iter().flatten());
-    for (definition, reached) in declaration.definitions.iter().zip(used.iter().zip(&claimed).map(|(u, c)| *u || *c)) {
+    for (index, definition) in declaration.definitions.iter().enumerate() {
         let name = definition.name.to_string();
-        if !reached && !scope.excused.contains(&name) {
+        if !used[index] && !claimed[index] && !scope.excused.contains(&name) {
             report.error(
                 &definition.name,
                 format!("`{name}` is never used: expected a matrix or a requirement that depends on it"),
@@ -47,18 +47,24 @@ pub fn report(
     }
     // What only an unused definition mentions needs no second error.
     let mut mentioned = vec![false; declaration.parameters.len()];
-    let only_claimed = used.iter().zip(&claimed).map(|(used, claimed)| !used && *claimed);
-    let others = resolved.definitions.iter().zip(only_claimed).filter(|(_, only)| !only).map(|(expr, _)| expr);
-    mark(roots().chain(others), &mut mentioned);
-    for (parameter, mentioned) in declaration.parameters.iter().zip(mentioned) {
+    let mut in_claims = mentioned.clone();
+    let (used, claimed) = (&used, &claimed);
+    let definitions = |for_claims: bool| {
+        let all = resolved.definitions.iter().enumerate();
+        all.filter(move |(index, _)| (!used[*index] && claimed[*index]) == for_claims).map(|(_, expr)| expr)
+    };
+    mark(roots().chain(definitions(false)), &mut mentioned);
+    mark(assertions.iter().flatten().chain(definitions(true)), &mut in_claims);
+    for (index, parameter) in declaration.parameters.iter().enumerate() {
         let name = parameter.name.to_string();
-        match (parameter.unused, mentioned) {
+        match (parameter.unused, mentioned[index]) {
             (Some(span), true) => {
                 report.error(span, format!("`{name}` is used: expected no `unused` here"));
             }
             (None, false) if parameter.gravity.is_none() && !scope.excused.contains(&name) => {
+                let found = if in_claims[index] { "used in assertions only" } else { "never used" };
                 let message = format!(
-                    "`{name}` is never used: expected a formula that depends on it, or the word `unused` after its unit"
+                    "`{name}` is {found}: expected a formula that depends on it, or the word `unused` after its unit"
                 );
                 report.error(&parameter.name, message);
             }

@@ -41,7 +41,7 @@ fn bounds_that_are_exact_stay() {
 }
 
 /// Exact values to 20 digits: 0.1 + 0.2 = 0.30000000000000001665 in doubles, 0.1² = 0.010000000000000001110,
-/// √2 = 1.4142135623730950488.
+/// √3 = 1.7320508075688772935.
 #[test]
 fn bounds_that_are_rounded_move_outward() {
     let [tenth, fifth] = [0.1, 0.2].map(Interval::point);
@@ -49,7 +49,7 @@ fn bounds_that_are_rounded_move_outward() {
         ("0.1 + 0.2", tenth.plus(fifth), (0.3, 0.300_000_000_000_000_04)),
         ("0.1 * 0.1", tenth.times(tenth), (0.01, 0.010_000_000_000_000_002)),
         ("1/3", Interval::point(3.0).reciprocal(), (0.333_333_333_333_333_3, 0.333_333_333_333_333_37)),
-        ("sqrt 2", Interval::point(2.0).sqrt(), (1.414_213_562_373_095, 1.414_213_562_373_095_1)),
+        ("sqrt 3", Interval::point(3.0).sqrt(), (1.732_050_807_568_877_2, 1.732_050_807_568_877_4)),
         ("1e308 + 1e308", Interval::point(1e308).plus(Interval::point(1e308)), (f64::MAX, INFINITY)),
     ];
     for (name, found, (lower, upper)) in cases {
