@@ -92,8 +92,8 @@ mod models {
         /// A model that needs all kinds of statements.
         pub model Whipple {
             parameters {
-                l: m, > 0;
-                m: kg, > 0;
+                l: 1, > 0;
+                m: 1, > 0;
                 s: rad;
                 values: 1;
                 g: N/kg, gravity;
@@ -103,9 +103,9 @@ mod models {
             let info = 1/t5 + m/t5;
             require m + mT + t5 > 0;
             coordinates { f64: rad; T: m; }
-            M = [[m, mT*info], [mT*info, t5]];
-            C1 = [[0, -mT^2*t5], [0.5, l]];
-            K0 = [[-m, info], [0, mT]];
+            M = [[m*1 [kg*m^2], mT*info*1 [kg*m]], [mT*info*1 [kg*m], t5*1 [kg]]];
+            C1 = [[0, -mT^2*t5*1 [kg]], [0.5 [kg], l*1 [kg/m]]];
+            K0 = [[-m*1 [kg*m], info*1 [kg]], [0, mT*1 [kg/m]]];
             set ok { l = 1; m = 4; s = 0; values = 0; g = 9.81; }
         }
     }
@@ -113,7 +113,7 @@ mod models {
     // A second one beside it, and one that has the letter of a type parameter.
     ::carvallo::model! {
         pub model WhippleToo {
-            parameters { l: m, > 0; }
+            parameters { l: kg, > 0; }
             coordinates { q: m; }
             M = [[l]];
         }
@@ -123,7 +123,7 @@ mod models {
 mod letter {
     ::carvallo::model! {
         pub model U {
-            parameters { u: m, > 0; }
+            parameters { u: kg, > 0; }
             coordinates { q: m; }
             M = [[u]];
         }
@@ -138,7 +138,7 @@ fn in_a_function() -> [[f64; 1]; 1] {
             parameters { l: m, > 0; }
             let twice = 2*l;
             coordinates { q: m; }
-            M = [[twice^2]];
+            M = [[twice^2*1 [kg/m^2]]];
             set one { l = 1; }
         }
     }
@@ -153,7 +153,7 @@ macro_rules! declare {
                 parameters { $parameter: m, > 0; }
                 let square = $parameter^2;
                 coordinates { q: m; }
-                M = [[square]];
+                M = [[square*1 [kg/m^2]]];
             }
         })*
     };
