@@ -38,16 +38,24 @@ pub struct Compiled {
     pub requirements: Program,
 }
 
-/// Compiles a declaration.
+/// Checks a declaration as far as that goes without the symbolic engine.
 ///
 /// # Errors
-/// All mistakes of the declaration, each at its span; or the failure of the symbolic engine at the model's name.
-pub fn compile(declaration: TokenStream) -> syn::Result<Compiled> {
+/// All mistakes of the declaration, each at its span.
+pub fn check(declaration: TokenStream) -> syn::Result<Model> {
     let mut report = Report::default();
     let model = syntax::parse(declaration, &mut report).map(|declaration| check::check(declaration, &mut report));
     report.finish()?;
     let Some(model) = model else { unreachable!("a declaration without a model is reported") };
+    Ok(model)
+}
 
+/// Compiles a declaration.
+///
+/// # Errors
+/// As [`check`]; or the failure of the symbolic engine, at the formula without a value or at the model's name.
+pub fn compile(declaration: TokenStream) -> syn::Result<Compiled> {
+    let model = check(declaration)?;
     let equations = vec![Equations::of_matrices(&model), Equations::of_requirements(&model)];
     let programs = symbolic::compile(equations).map_err(|failure| report::error(region(&model, &failure), failure))?;
     let [matrices, requirements] = programs.try_into().unwrap_or_else(|_| unreachable!("a program for each"));

@@ -7,6 +7,8 @@ mod eigenvalues;
 #[cfg(feature = "compiler")]
 mod generation;
 mod modes;
+#[cfg(feature = "compiler")]
+mod mutants;
 mod operations;
 mod published;
 #[cfg(feature = "compiler")]

@@ -1,5 +1,7 @@
 //! Constant expressions, such as `pi/10`, evaluated far beyond double precision.
 
+use std::cell::RefCell;
+
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 
 use super::resolve::unknown_function;
@@ -24,8 +26,8 @@ impl Constant {
     /// # Errors
     /// Names other than `pi`, unknown functions, and values that are not finite.
     pub fn evaluate(expression: &Expression) -> syn::Result<Self> {
-        let mut constants = Consts::new().map_err(|_| error(expression.region, "out of memory"))?;
-        evaluate(expression, &mut constants).map(Self)
+        let value = with_digits(|digits| evaluate(expression, digits));
+        value.unwrap_or_else(|| Err(error(expression.region, "out of memory"))).map(Self)
     }
 
     /// The nearest `f64`.
@@ -33,7 +35,7 @@ impl Constant {
     /// # Errors
     /// If the value is beyond the range of `f64`, a sentence that says so.
     pub fn to_f64(&self) -> Result<f64, String> {
-        let text = Consts::new().ok().and_then(|mut c| self.0.format(Radix::Dec, ROUNDING, &mut c).ok());
+        let text = with_digits(|digits| self.0.format(Radix::Dec, ROUNDING, digits).ok()).flatten();
         let value: f64 = text.and_then(|text| text.parse().ok()).unwrap_or(f64::NAN);
         if value.is_finite() && (value != 0.0 || self.0.is_zero()) {
             Ok(value)
@@ -41,6 +43,12 @@ impl Constant {
             Err("beyond the range of f64: expected a magnitude between 1e-300 and 1e300".into())
         }
     }
+}
+
+/// Digits of π and the like. Found anew for each constant they would take most of the time of a check.
+fn with_digits<T>(work: impl FnOnce(&mut Consts) -> T) -> Option<T> {
+    thread_local!(static DIGITS: RefCell<Option<Consts>> = RefCell::new(Consts::new().ok()));
+    DIGITS.with_borrow_mut(|digits| digits.as_mut().map(work))
 }
 
 /// Reports parts of a formula that are constant and have no finite value within the range of `f64`, and divisors that
