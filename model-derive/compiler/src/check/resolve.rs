@@ -5,7 +5,7 @@ use super::names::{Meaning, Scope};
 use crate::model::{Expr, Function};
 use crate::nearest::nearest;
 use crate::report::Report;
-use crate::syntax::{Expression, Kind};
+use crate::syntax::{Expression, Kind, is_keyword};
 
 /// Resolves a formula; definitions are numbered as they are declared.
 pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Expr {
@@ -24,6 +24,11 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
             let argument = inner(argument);
             match Function::from_name(&name.to_string()) {
                 Some(function) => Expr::Call(function, Box::new(argument)),
+                None if scope.get(name).is_some() => {
+                    report.error(name, format!("`{name}` is no function: expected an operator before the parentheses"));
+                    scope.excused.insert(name.to_string());
+                    argument
+                }
                 None => {
                     report.error(name, unknown_function(&name.to_string(), &FORMULA_FUNCTIONS));
                     argument
@@ -34,7 +39,7 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
         Kind::Name(name) => match scope.get(name) {
             Some(Meaning::Parameter(index)) => Expr::Parameter(index),
             Some(Meaning::Definition(index)) => Expr::Definition(index),
-            Some(Meaning::Unread) => Expr::Pi,
+            Some(Meaning::Refused) => Expr::Pi,
             Some(Meaning::Coordinate) => {
                 let message = format!(
                     "`{name}` is a coordinate: the matrices are its coefficients; expected parameters and definitions"
@@ -45,6 +50,9 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
             None => {
                 let message = match Function::from_name(&name.to_string()) {
                     Some(_) => format!("`{name}` is a function: expected its argument in parentheses"),
+                    None if is_keyword(&name.to_string()) => {
+                        format!("`{name}`, a keyword of Rust, is not supported in formulas: expected a formula")
+                    }
                     None if name == "v" => SPEED.to_string(),
                     None => {
                         let hint = scope.suggestion(name);

@@ -5,7 +5,7 @@ use syn::parse::ParseStream;
 
 use super::declaration::{Bound, Coordinate, Doc, Parameter, Relation};
 use super::expression::{Expression, expression};
-use super::tokens::{docs, expected, name, semicolon, text};
+use super::tokens::{declared, docs, expected, semicolon, text};
 use super::unit::unit;
 use crate::report::{Region, Report, error};
 
@@ -16,8 +16,9 @@ pub fn parameter(
     unread: &mut Vec<syn::Ident>,
     report: &mut Report,
 ) -> syn::Result<()> {
-    let docs = docs(input, report)?;
-    let name = name(input, "the name of a parameter")?;
+    let what = "the name of a parameter";
+    let docs = docs(input, what, report)?;
+    let name = declared(input, what)?;
     match parameter_after_name(input, docs, &name) {
         Ok(parameter) => parameters.push(parameter),
         Err(error) => {
@@ -52,6 +53,12 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
     }
     semicolon(input, "`,` or `;`", "the parameter")?;
     Ok(parameter)
+}
+
+/// Whether a parameter or a coordinate starts here.
+pub fn starts(input: ParseStream<'_>) -> bool {
+    input.peek(syn::Ident)
+        && (input.peek2(Token![:]) && !input.peek2(Token![::]) || input.peek2(syn::LitStr) && input.peek3(Token![:]))
 }
 
 const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `in (a, b)`, `in [a, b]`), `gravity` or `unused`";
@@ -109,8 +116,9 @@ fn interval(input: ParseStream<'_>) -> syn::Result<[Bound; 2]> {
 }
 
 pub fn coordinate(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Coordinate> {
-    let docs = docs(input, report)?;
-    let name = name(input, "the name of a coordinate")?;
+    let what = "the name of a coordinate";
+    let docs = docs(input, what, report)?;
+    let name = declared(input, what)?;
     let label = text(input)?;
     colon(input)?;
     let unit = unit(input)?;
