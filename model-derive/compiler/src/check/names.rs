@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use crate::model::Function;
 use crate::nearest::nearest;
 use crate::report::Report;
-use crate::syntax::{Declaration, is_keyword};
+use crate::syntax::{Declaration, reserved};
 
 /// What a name in a formula stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub enum Meaning {
     /// A position in the declaration.
     Definition(usize),
     Coordinate,
-    /// Its statement could not be read, or it cannot be a name: either is reported already.
+    /// Its statement could not be read, or it cannot be a name: what is reported already.
     Refused,
 }
 
@@ -53,9 +53,7 @@ impl Scope {
         let refused = match text.as_str() {
             "pi" => Some("the name of the number π"),
             name if Function::from_name(name).is_some() => Some("the name of a function"),
-            name if name.starts_with("r#") => Some("a raw identifier"),
-            name if is_keyword(name) => Some("a keyword of Rust"),
-            _ => None,
+            name => reserved(name),
         };
         if let Some(what) = refused {
             report.error(name, format!("`{text}` is {what}: expected another name"));

@@ -5,7 +5,7 @@ use super::names::{Meaning, Scope};
 use crate::model::{Expr, Function};
 use crate::nearest::nearest;
 use crate::report::Report;
-use crate::syntax::{Expression, Kind, is_keyword};
+use crate::syntax::{Expression, Kind, reserved};
 
 /// Resolves a formula; definitions are numbered as they are declared.
 pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Expr {
@@ -50,14 +50,14 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
             None => {
                 let message = match Function::from_name(&name.to_string()) {
                     Some(_) => format!("`{name}` is a function: expected its argument in parentheses"),
-                    None if is_keyword(&name.to_string()) => {
-                        format!("`{name}`, a keyword of Rust, is not supported in formulas: expected a formula")
-                    }
                     None if name == "v" => SPEED.to_string(),
-                    None => {
-                        let hint = scope.suggestion(name);
-                        format!("unknown name `{name}`: expected a parameter or a definition{hint}")
-                    }
+                    None => match reserved(&name.to_string()) {
+                        Some(what) => format!("`{name}`, {what}, is not supported in formulas: expected a formula"),
+                        None => {
+                            let hint = scope.suggestion(name);
+                            format!("unknown name `{name}`: expected a parameter or a definition{hint}")
+                        }
+                    },
                 };
                 report.error(name, message);
                 // Any value will do: with a mistake reported nothing is compiled.

@@ -246,9 +246,7 @@ fn reject_other_syntax(input: ParseStream<'_>) -> syn::Result<()> {
         "paths are"
     } else if input.peek(Token![?]) {
         "`?` is"
-    } else if input.peek(Token![!=]) {
-        "comparisons are"
-    } else if input.peek(Token![!]) {
+    } else if input.peek(Token![!]) && !input.peek(Token![!=]) {
         "macros are"
     } else if input.peek(Token![as]) {
         "casts are"

@@ -105,13 +105,9 @@ const LOST: &str = "documentation that would be lost: expected a comment (`// â€
 /// Whether a statement starts here.
 fn starts(input: ParseStream<'_>) -> bool {
     let Some((word, _)) = input.cursor().ident() else { return false };
-    match word.to_string().as_str() {
-        "let" => true,
-        "parameters" | "coordinates" => input.peek2(syn::token::Brace),
-        "source" => input.peek2(syn::LitStr),
-        "set" | "require" => input.peek2(syn::Ident),
-        other => MatrixName::from_name(other).is_some() && input.peek2(Token![=]) && !input.peek2(Token![==]),
-    }
+    let follows = input.peek2(syn::token::Brace) || input.peek2(syn::LitStr) || input.peek2(syn::Ident);
+    let assigned = input.peek2(Token![=]) && !input.peek2(Token![==]);
+    word == "let" || KEYWORDS.iter().any(|keyword| word == keyword) && (follows || assigned)
 }
 
 /// What may begin a statement, beside `let`.

@@ -11,7 +11,7 @@ mod unit;
 pub use declaration::{Bound, Declaration, Matrix, MatrixName, ParameterSet, Relation};
 pub use expression::{Expression, Kind};
 pub use number::Decimal;
-pub use tokens::is_keyword;
+pub use tokens::reserved;
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::Parser;

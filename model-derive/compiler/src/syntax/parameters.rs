@@ -5,7 +5,7 @@ use syn::parse::ParseStream;
 
 use super::declaration::{Bound, Coordinate, Doc, Parameter, Relation};
 use super::expression::{Expression, expression};
-use super::tokens::{declared, docs, expected, semicolon, text};
+use super::tokens::{declared, docs, expected, reserved, semicolon, text};
 use super::unit::unit;
 use crate::report::{Region, Report, error};
 
@@ -20,7 +20,14 @@ pub fn parameter(
     let docs = docs(input, what, report)?;
     let name = declared(input, what)?;
     match parameter_after_name(input, docs, &name) {
-        Ok(parameter) => parameters.push(parameter),
+        Ok(parameter) => match reserved(&name.to_string()) {
+            None => parameters.push(parameter),
+            // It could not become a field.
+            Some(what) => {
+                report.error(&name, format!("`{name}` is {what}: expected another name"));
+                unread.push(name);
+            }
+        },
         Err(error) => {
             unread.push(name);
             return Err(error);
@@ -53,12 +60,6 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
     }
     semicolon(input, "`,` or `;`", "the parameter")?;
     Ok(parameter)
-}
-
-/// Whether a parameter or a coordinate starts here.
-pub fn starts(input: ParseStream<'_>) -> bool {
-    input.peek(syn::Ident)
-        && (input.peek2(Token![:]) && !input.peek2(Token![::]) || input.peek2(syn::LitStr) && input.peek3(Token![:]))
 }
 
 const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `in (a, b)`, `in [a, b]`), `gravity` or `unused`";
@@ -124,4 +125,10 @@ pub fn coordinate(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Co
     let unit = unit(input)?;
     semicolon(input, "`;`", "the coordinate")?;
     Ok(Coordinate { docs, name, label, unit })
+}
+
+/// Whether a parameter or a coordinate starts here.
+pub fn starts(input: ParseStream<'_>) -> bool {
+    input.peek(syn::Ident)
+        && (input.peek2(Token![:]) && !input.peek2(Token![::]) || input.peek2(syn::LitStr) && input.peek3(Token![:]))
 }

@@ -57,13 +57,20 @@ pub fn operator(mut cursor: Cursor<'_>) -> (String, Region) {
     (text.chars().take(length).collect(), region)
 }
 
-/// Whether a name is a word of Rust, in the edition that has the most of them.
-pub fn is_keyword(name: &str) -> bool {
-    name == "gen" || syn::parse_str::<syn::Ident>(name).is_err()
+/// What an identifier is, if no model can have it for a name: a word of Rust, in the edition that has the most of them,
+/// or a raw one.
+pub fn reserved(name: &str) -> Option<&'static str> {
+    if name.starts_with("r#") {
+        Some("a raw identifier")
+    } else if name == "gen" || syn::parse_str::<syn::Ident>(name).is_err() {
+        Some("a keyword of Rust")
+    } else {
+        None
+    }
 }
 
-/// A name that is declared here. A word of Rust is taken for one, unless a name follows, and refused later: then its
-/// uses are no further mistakes.
+/// A name that is declared here. A reserved one is read too, unless a name follows, and refused later: then its uses are
+/// no further mistakes.
 pub fn declared(input: ParseStream<'_>, what: &str) -> syn::Result<syn::Ident> {
     if input.peek(syn::Ident::peek_any) && !input.peek2(syn::Ident::peek_any) {
         return input.call(syn::Ident::parse_any);
@@ -78,13 +85,10 @@ pub fn name(input: ParseStream<'_>, what: &str) -> syn::Result<syn::Ident> {
     }
     let ident = input.call(syn::Ident::parse_any)?;
     let text = ident.to_string();
-    if text.starts_with("r#") {
-        return Err(syn::Error::new(ident.span(), format!("raw identifiers are not supported: expected {what}")));
+    match reserved(&text) {
+        Some(reserved) => Err(error(&ident, format!("`{text}` is {reserved}: expected {what}"))),
+        None => Ok(ident),
     }
-    if is_keyword(&text) {
-        return Err(syn::Error::new(ident.span(), format!("`{text}` is a keyword of Rust: expected {what}")));
-    }
-    Ok(ident)
 }
 
 /// The `;` that ends a statement; `what` says what could stand in its place.
