@@ -39,7 +39,7 @@ pub struct Compiled {
     pub requirements: Program,
 }
 
-/// Checks a declaration as far as that goes without the symbolic engine.
+/// Checks a declaration, and makes no programs of it.
 ///
 /// # Errors
 /// All mistakes of the declaration, each at its span.

@@ -34,7 +34,10 @@ pub fn find(declaration: TokenStream) -> Formulas {
                 found.names.push((*name).to_string());
                 found.formulas.push(formula.to_vec());
             }
-            ([name, "=", ..], [_, _, TokenTree::Group(rows)]) if MATRICES.contains(name) => {
+            // Words may stand before the name.
+            (_, [.., TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Group(rows)])
+                if MATRICES.iter().any(|matrix| name == matrix) =>
+            {
                 for row in split(rows.stream(), ',').into_iter().flatten() {
                     let TokenTree::Group(row) = row else { panic!("a row of {name} that is no list") };
                     found.formulas.extend(split(row.stream(), ','));

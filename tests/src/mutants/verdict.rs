@@ -29,10 +29,12 @@ pub enum Check {
     Mirror,
     /// A name that nothing depends on any more.
     Unused,
-    /// A formula without a value.
+    /// A formula without a value, or a set against a requirement.
     Value,
     /// A matrix that is not symmetric and should be.
     Symmetry,
+    /// Two formulas that are not the same and are said to be.
+    Assertion,
     /// Matrices that are not the published ones.
     Published,
     /// Anything else.
@@ -41,19 +43,20 @@ pub enum Check {
 
 impl Check {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Cycle,
         Self::Units,
         Self::Mirror,
         Self::Unused,
         Self::Value,
         Self::Symmetry,
+        Self::Assertion,
         Self::Published,
         Self::Other,
     ];
 
     /// Parts of their messages; the first that a message contains decides.
-    const MESSAGES: [(&str, Self); 12] = [
+    const MESSAGES: [(&str, Self); 14] = [
         ("in a cycle", Self::Cycle),
         ("is never used", Self::Unused),
         ("expected no `unused`", Self::Unused),
@@ -66,6 +69,8 @@ impl Check {
         (" unit", Self::Units),
         ("this entry of", Self::Units),
         ("a pure number", Self::Units),
+        ("the sides ", Self::Assertion),
+        (" in the set `", Self::Value),
     ];
 
     fn of(message: &str) -> Self {
@@ -83,6 +88,7 @@ impl fmt::Display for Check {
             Self::Unused => "unused",
             Self::Value => "no value",
             Self::Symmetry => "symmetry",
+            Self::Assertion => "assertion",
             Self::Published => "published",
             Self::Other => "other",
         })

@@ -7,6 +7,8 @@ mod critical_speeds;
 mod designs;
 mod eigenvalues;
 #[cfg(feature = "compiler")]
+mod enormous;
+#[cfg(feature = "compiler")]
 mod generation;
 mod modes;
 #[cfg(feature = "compiler")]

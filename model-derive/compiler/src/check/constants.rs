@@ -135,7 +135,24 @@ fn verify_parts(expression: &Expression, report: &mut Report) -> bool {
             _ => verify(part, report),
         }
     }
+    if let Some(together) = together(expression, &constant) {
+        verify(&together, report);
+    }
     false
+}
+
+/// The constant factors or terms as one formula, if there are several: each may be in range, and all of them not.
+fn together(expression: &Expression, constant: &[bool]) -> Option<Expression> {
+    fn chosen<T: Clone>(parts: &[T], constant: &[bool]) -> Option<Vec<T>> {
+        let chosen = parts.iter().zip(constant).filter(|(_, constant)| **constant).map(|(part, _)| part.clone());
+        Some(chosen.collect::<Vec<T>>()).filter(|chosen| chosen.len() > 1)
+    }
+    let kind = match &expression.kind {
+        Kind::Sum(terms) => Kind::Sum(chosen(terms, constant)?),
+        Kind::Product(factors) => Kind::Product(chosen(factors, constant)?),
+        _ => return None,
+    };
+    Some(Expression { kind, region: expression.region })
 }
 
 impl PartialOrd for Constant {
@@ -186,8 +203,15 @@ fn evaluate(
             product
         }
         Kind::Power(base, exponent) => {
-            let power = evaluate(base, names, constants)?.powi(exponent.unsigned_abs() as usize, p, rm);
-            if *exponent < 0 { BigFloat::from_word(1, p).div(&power, p, rm) } else { power }
+            let base = evaluate(base, names, constants)?;
+            let power = base.powi(exponent.unsigned_abs() as usize, p, rm);
+            if *exponent <= 0 && base.is_zero() {
+                astro_float::NAN
+            } else if *exponent < 0 {
+                BigFloat::from_word(1, p).div(&power, p, rm)
+            } else {
+                power
+            }
         }
         Kind::Call(name, argument) => {
             let value = evaluate(argument, names, constants)?;

@@ -1,5 +1,7 @@
 //! The shapes of the matrices.
 
+use std::collections::HashSet;
+
 use super::names::Scope;
 use super::resolve;
 use crate::model::{Expr, Matrices};
@@ -7,9 +9,18 @@ use crate::report::{Region, Report};
 use crate::syntax::{Declaration, MatrixName};
 
 /// The declared matrices, in the order of the equation of motion, and where their entries stand, row by row.
-pub fn matrices(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> (Matrices, Vec<Region>) {
+///
+/// With statements `unread`, those that are missing are probably among them.
+pub fn matrices(
+    declaration: &Declaration,
+    unread: bool,
+    scope: &mut Scope,
+    report: &mut Report,
+) -> (Matrices, Vec<Region>) {
     let n = declaration.coordinates.len();
-    if n == 0 && report.is_empty() {
+    let distinct: HashSet<String> =
+        declaration.coordinates.iter().map(|coordinate| coordinate.name.to_string()).collect();
+    if n == 0 && !unread {
         report.error(&declaration.name, "no coordinates: expected `coordinates { … }` with at least one");
     }
     let mut matrices: Vec<(MatrixName, Vec<Vec<Expr>>, Vec<Region>)> = Vec::new();
@@ -19,8 +30,8 @@ pub fn matrices(declaration: &Declaration, scope: &mut Scope, report: &mut Repor
             report.error(matrix.span, format!("`{name}` is declared twice: expected one of each matrix"));
             continue;
         }
-        // Without coordinates no shape is right, and the one mistake is that there are none.
-        if n > 0 && !declaration.coordinates_unread {
+        // Without coordinates, or with one unread or declared twice, it is not known what shape is right.
+        if n > 0 && n == distinct.len() && !declaration.coordinates_unread {
             check_shape(name, &matrix.rows, matrix.region, n, report);
         }
         let mut resolve = |row: &Vec<_>| row.iter().map(|entry| resolve::expression(entry, scope, report)).collect();
@@ -28,7 +39,7 @@ pub fn matrices(declaration: &Declaration, scope: &mut Scope, report: &mut Repor
         let regions = matrix.rows.iter().flat_map(|(_, row)| row.iter().map(|entry| entry.region)).collect();
         matrices.push((matrix.name, rows, regions));
     }
-    if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && report.is_empty() {
+    if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && !unread {
         report.error(Region::from(&declaration.name), "no mass matrix: expected `M = [[…], …];`");
     }
     matrices.sort_by_key(|(name, ..)| *name);

@@ -48,7 +48,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         .iter()
         .map(|assertion| [&assertion.left, &assertion.right].map(|side| resolve::expression(side, &mut scope, report)))
         .collect();
-    let (matrices, entries) = matrices::matrices(&declaration, &mut scope, report);
+    let (matrices, entries) = matrices::matrices(&declaration, unread, &mut scope, report);
     let used = unused::parameters(&declaration, &resolved, &requirements, &matrices);
     // Without a mass matrix or a row formulas are missing, and what they would use is no mistake.
     let complete = matrices.iter().any(|(name, _)| *name == MatrixName::M)

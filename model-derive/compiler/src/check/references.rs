@@ -14,7 +14,7 @@ pub fn references(declaration: &Declaration, scope: &Scope, dimensions: &[Option
     let mut note = |name: &Ident| match scope.get(name) {
         Some(Meaning::Parameter(_)) => uses.push((Target::Parameter, name.clone())),
         Some(Meaning::Definition(_)) => uses.push((Target::Definition, name.clone())),
-        Some(Meaning::Coordinate | Meaning::Unread) | None => {}
+        Some(Meaning::Coordinate | Meaning::Refused) | None => {}
     };
     let Declaration { definitions, requirements, assertions, matrices, sets, .. } = declaration;
     let formulas = definitions.iter().map(|definition| &definition.value);

@@ -1,9 +1,9 @@
 //! The statements of a declaration.
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Group, TokenStream, TokenTree};
 use syn::Token;
 use syn::ext::IdentExt;
-use syn::parse::ParseStream;
+use syn::parse::{ParseStream, Parser};
 
 use super::declaration::{
     Assertion, Declaration, Definition, Doc, Matrix, MatrixName, ParameterSet, Printed, Published, Requirement,
@@ -11,17 +11,17 @@ use super::declaration::{
 };
 use super::expression::expression;
 use super::number::Decimal;
-use super::parameters::{comparison, coordinate, parameter, value};
-use super::tokens::{docs, expected, name, semicolon, skip_statement, text};
+use super::parameters::{self, comparison, coordinate, parameter, value};
+use super::tokens::{declared, docs, expected, name, semicolon, skip_statement, text};
 use crate::nearest::nearest;
 use crate::report::{Region, Report, error};
 
 /// `/// docs  pub model Name { statements }`
 pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Declaration> {
-    let docs = docs(input, report)?;
+    let docs = docs(input, MODEL, report)?;
     let visibility = visibility(input)?;
     if !input.peek(syn::Ident::peek_any) || input.fork().call(syn::Ident::parse_any)? != "model" {
-        return Err(expected(input, "`model Name { … }`, with `pub` before it if it is public"));
+        return Err(expected(input, MODEL));
     }
     input.call(syn::Ident::parse_any)?;
     let name = name(input, "the name of the model")?;
@@ -45,7 +45,7 @@ pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<D
         matrices: Vec::new(),
         unread: Vec::new(),
     };
-    statements(&content, report, |input, report| statement(input, &mut declaration, report));
+    statements(&content, report, starts, |input, report| statement(input, &mut declaration, report));
     if !input.is_empty() {
         report.push(expected(input, "nothing after the model: one `model!` declares one model"));
         input.parse::<TokenStream>()?;
@@ -53,22 +53,25 @@ pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<D
     Ok(declaration)
 }
 
+const MODEL: &str = "`model Name { … }`, with `pub` before it if it is public";
+
 fn visibility(input: ParseStream<'_>) -> syn::Result<TokenStream> {
     let visibility: syn::Visibility = input.parse()?;
     Ok(quote::quote!(#visibility))
 }
 
-/// Reads statements to the end; one that cannot be read is reported and skipped.
+/// Reads statements to the end; one that cannot be read is reported and skipped, up to where the next one `starts`.
 fn statements(
     input: ParseStream<'_>,
     report: &mut Report,
+    starts: fn(ParseStream<'_>) -> bool,
     mut read: impl FnMut(ParseStream<'_>, &mut Report) -> syn::Result<()>,
 ) {
     while !input.is_empty() {
         let before = input.cursor();
         if let Err(error) = read(input, report) {
             report.push(error);
-            skip_statement(input, input.cursor() != before);
+            skip_statement(input, input.cursor() != before, starts);
         }
     }
 }
@@ -78,9 +81,14 @@ const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, 
                           `K0`, `K2`, with `symmetric` before it if that is to be proved";
 
 fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
-    let docs = docs(input, report)?;
+    let start = input.span();
+    let docs = docs(input, "what it is about", report)?;
+    let is_set = input.cursor().ident().is_some_and(|(word, _)| word == "set");
+    if !docs.is_empty() && !is_set {
+        report.error(start, LOST);
+    }
     if input.peek(Token![let]) {
-        return definition(input, model);
+        return definition(input, model, report);
     }
     if !input.peek(syn::Ident::peek_any) {
         return Err(expected(input, STATEMENTS));
@@ -96,6 +104,17 @@ fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repor
     // Read on as what was meant, so that the names inside are known.
     report.error(&keyword, format!("found `{word}`: expected a statement; did you mean `{meant}`?"));
     statement_after(meant, &keyword, input, docs, model, report)
+}
+
+const LOST: &str = "documentation that would be lost: expected a comment (`// …`), since only the model, its \
+                    parameters, coordinates and sets are documented";
+
+/// Whether a statement starts here.
+fn starts(input: ParseStream<'_>) -> bool {
+    let Some((word, _)) = input.cursor().ident() else { return false };
+    let follows = input.peek2(syn::token::Brace) || input.peek2(syn::LitStr) || input.peek2(syn::Ident);
+    let assigned = input.peek2(Token![=]) && !input.peek2(Token![==]);
+    word == "let" || KEYWORDS.iter().any(|keyword| word == keyword) && (follows || assigned)
 }
 
 /// What may begin a statement, beside `let`.
@@ -118,7 +137,7 @@ fn statement_after(
             }
             semicolon(input, "`;`", "the source")
         }
-        "parameters" => block(input, "the parameters", report, |input, report| {
+        "parameters" => block(input, "the parameters", report, parameters::starts, |input, report| {
             parameter(input, &mut model.parameters, &mut model.unread, report)
         }),
         "coordinates" => coordinates(input, keyword, model, report),
@@ -127,6 +146,9 @@ fn statement_after(
             let Some(bound) = comparison(input)? else {
                 return Err(expected(input, "a comparison such as `> 0`"));
             };
+            if input.peek(Token![<]) || input.peek(Token![>]) {
+                return Err(expected(input, "one comparison: write two requirements for two"));
+            }
             model.requirements.push(Requirement { value, bound });
             semicolon(input, AFTER_FORMULA, "the requirement")
         }
@@ -147,14 +169,28 @@ fn block(
     input: ParseStream<'_>,
     what: &str,
     report: &mut Report,
-    read: impl FnMut(ParseStream<'_>, &mut Report) -> syn::Result<()>,
+    starts: fn(ParseStream<'_>) -> bool,
+    mut read: impl FnMut(ParseStream<'_>, &mut Report) -> syn::Result<()>,
 ) -> syn::Result<()> {
+    let expectation = format!("`{{` and {what}");
+    // `parameters = { … }` and `parameters [ … ]` are read all the same, so that the names inside are known.
+    if (input.peek(Token![=]) || input.peek(Token![:])) && input.peek2(syn::token::Brace) {
+        report.push(expected(input, &expectation));
+        input.parse::<TokenTree>()?;
+    }
     if !input.peek(syn::token::Brace) {
-        return Err(expected(input, &format!("`{{` and {what}")));
+        let error = expected(input, &expectation);
+        let Ok(group) = input.parse::<Group>() else { return Err(error) };
+        report.push(error);
+        return (|content: ParseStream<'_>| {
+            statements(content, report, starts, &mut read);
+            Ok(())
+        })
+        .parse2(group.stream());
     }
     let content;
     syn::braced!(content in input);
-    statements(&content, report, read);
+    statements(&content, report, starts, read);
     Ok(())
 }
 
@@ -168,7 +204,7 @@ fn coordinates(
     if !first {
         report.error(keyword, "a second `coordinates`: expected one, since its order is that of the matrices");
     }
-    block(input, "the coordinates", report, |input, report| {
+    block(input, "the coordinates", report, parameters::starts, |input, report| {
         let coordinate = coordinate(input, report).inspect_err(|_| model.coordinates_unread = true)?;
         if first {
             model.coordinates.push(coordinate);
@@ -177,9 +213,14 @@ fn coordinates(
     })
 }
 
-fn definition(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
+fn definition(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
     input.parse::<Token![let]>()?;
-    let name = name(input, "the name of a definition")?;
+    let what = "the name of a definition";
+    if input.peek(Token![mut]) {
+        report.push(expected(input, &format!("{what}, which never changes")));
+        input.parse::<Token![mut]>()?;
+    }
+    let name = declared(input, what)?;
     let value = || {
         if !input.peek(Token![=]) || input.peek(Token![==]) {
             return Err(expected(input, "`=` and a formula"));
@@ -207,8 +248,13 @@ fn set(input: ParseStream<'_>, docs: Doc, model: &mut Declaration, report: &mut 
     let source = text(input)?;
     let mut values = Vec::new();
     let mut published = Vec::new();
-    block(input, "the values of the set", report, |input, _| {
-        let name = self::name(input, "the name of a parameter")?;
+    let starts = |input: ParseStream<'_>| input.peek(syn::Ident) && input.peek2(Token![=]) && !input.peek2(Token![==]);
+    block(input, "the values of the set", report, starts, |input, report| {
+        let (start, what) = (input.span(), "the name of a parameter");
+        if !self::docs(input, what, report)?.is_empty() {
+            report.error(start, LOST);
+        }
+        let name = declared(input, what)?;
         if let Some(matrix) = MatrixName::from_name(&name.to_string())
             && input.peek(Token![=])
             && input.peek2(syn::token::Bracket)

@@ -6,7 +6,7 @@ use syn::parse::ParseStream;
 
 use super::declaration::{Bound, Coordinate, Direction, Doc, Parameter, Relation, Value};
 use super::expression::expression;
-use super::tokens::{docs, expected, name, semicolon, text};
+use super::tokens::{declared, docs, expected, reserved, semicolon, text};
 use super::unit::{unit, unit_after_value};
 use crate::report::{Region, Report, error};
 
@@ -17,10 +17,18 @@ pub fn parameter(
     unread: &mut Vec<syn::Ident>,
     report: &mut Report,
 ) -> syn::Result<()> {
-    let docs = docs(input, report)?;
-    let name = name(input, "the name of a parameter")?;
+    let what = "the name of a parameter";
+    let docs = docs(input, what, report)?;
+    let name = declared(input, what)?;
     match parameter_after_name(input, docs, &name) {
-        Ok(parameter) => parameters.push(parameter),
+        Ok(parameter) => match reserved(&name.to_string()) {
+            None => parameters.push(parameter),
+            // It could not become a field.
+            Some(what) => {
+                report.error(&name, format!("`{name}` is {what}: expected another name"));
+                unread.push(name);
+            }
+        },
         Err(error) => {
             unread.push(name);
             return Err(error);
@@ -159,8 +167,9 @@ fn interval(input: ParseStream<'_>) -> syn::Result<[Bound; 2]> {
 }
 
 pub fn coordinate(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Coordinate> {
-    let docs = docs(input, report)?;
-    let name = name(input, "the name of a coordinate")?;
+    let what = "the name of a coordinate";
+    let docs = docs(input, what, report)?;
+    let name = declared(input, what)?;
     let label = text(input)?;
     colon(input)?;
     let unit = unit(input)?;
@@ -173,4 +182,10 @@ pub fn coordinate(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Co
     }
     semicolon(input, "`,` or `;`", "the coordinate")?;
     Ok(coordinate)
+}
+
+/// Whether a parameter or a coordinate starts here.
+pub fn starts(input: ParseStream<'_>) -> bool {
+    input.peek(syn::Ident)
+        && (input.peek2(Token![:]) && !input.peek2(Token![::]) || input.peek2(syn::LitStr) && input.peek3(Token![:]))
 }

@@ -59,7 +59,7 @@ impl Analysis<'_> {
         match self.scope.get(name)? {
             Meaning::Parameter(index) => self.dimensions.parameters[index],
             Meaning::Definition(index) => self.definitions[index],
-            Meaning::Coordinate | Meaning::Unread => None,
+            Meaning::Coordinate | Meaning::Refused => None,
         }
     }
 
