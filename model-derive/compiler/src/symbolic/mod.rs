@@ -3,6 +3,7 @@
 mod door;
 mod form;
 mod import;
+mod lock;
 mod optimize;
 
 pub use door::{Failure, enter};
