@@ -18,6 +18,7 @@ impl Failure {
         Self::Input(vec![Problem { place: Place::Nowhere, message: message.into() }])
     }
 
+    /// The exit code that tells a mistake of the user's from a run that failed.
     pub fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),
@@ -44,7 +45,9 @@ impl fmt::Display for Failure {
 /// One thing that is wrong, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
+    /// Where it is.
     pub place: Place,
+    /// What is there, and what was expected.
     pub message: String,
 }
 

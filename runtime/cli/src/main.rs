@@ -2,9 +2,6 @@
 
 mod analysis;
 mod args;
-mod failure;
-mod input;
-mod number;
 mod output;
 mod plot;
 mod speeds;
@@ -14,6 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anstyle::{AnsiColor, Style};
+use carvallo_cli::{failure, input, number};
 use carvallo_models::BICYCLES;
 
 use self::analysis::Analysis;

@@ -6,14 +6,12 @@
 
 use std::any::Any;
 use std::fmt;
-use std::fs::{File, OpenOptions};
-use std::io;
 use std::panic::{self, AssertUnwindSafe};
-use std::path::PathBuf;
 use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 
 use super::form::{Engine, Undefined};
+use super::lock::Lock;
 use super::optimize::Place;
 
 /// Why nothing came out of the door.
@@ -57,7 +55,7 @@ static TURN: Mutex<()> = Mutex::new(());
 pub fn enter<T: Send + 'static>(work: impl FnOnce(&Engine) -> T + Send + 'static) -> Result<T, Failure> {
     quiet_panics();
     let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
-    let _lock = lock_file().map_err(|error| Failure::System(error.to_string()))?;
+    let _lock = Lock::take().map_err(|error| Failure::System(error.to_string()))?;
     let run = move || panic::catch_unwind(AssertUnwindSafe(|| work(&Engine::start())));
     let thread = thread::Builder::new().name(THREAD.into()).stack_size(STACK).spawn(run);
     let thread = thread.map_err(|error| Failure::System(error.to_string()))?;
@@ -84,29 +82,6 @@ fn quiet_panics() {
             }
         }));
     });
-}
-
-/// An exclusive lock that the end of the process gives back even if it is killed.
-fn lock_file() -> io::Result<File> {
-    let mut last = io::Error::other("no folder for a lock file");
-    for folder in lock_folders() {
-        let opened = std::fs::create_dir_all(&folder).and_then(|()| {
-            OpenOptions::new().create(true).truncate(false).write(true).open(folder.join("symbolica.lock"))
-        });
-        match opened {
-            Ok(file) => return file.lock().map(|()| file),
-            Err(error) => last = io::Error::new(error.kind(), format!("{}: {error}", folder.display())),
-        }
-    }
-    Err(last)
-}
-
-/// The user's cache folder, and where there is none to write to, one for temporary files: the permit is a user's, so
-/// every process of the user must come to the same folder.
-fn lock_folders() -> impl Iterator<Item = PathBuf> {
-    let user = std::env::var("USER").or_else(|_| std::env::var("USERNAME")).unwrap_or_else(|_| "anyone".into());
-    let home = std::env::home_dir().map(|home| home.join(".cache").join("carvallo"));
-    home.into_iter().chain([std::env::temp_dir().join(format!("carvallo-{user}"))])
 }
 
 #[cfg(test)]

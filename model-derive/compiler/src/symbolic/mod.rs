@@ -5,6 +5,7 @@ mod door;
 mod form;
 mod identity;
 mod import;
+mod lock;
 mod optimize;
 mod prove;
 

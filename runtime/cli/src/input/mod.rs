@@ -59,6 +59,14 @@ pub fn load(request: &Request) -> Result<Bicycle, Failure> {
     parameters::resolve(document, label, overrides).map_err(Failure::Input)
 }
 
+/// Reads and judges the contents of a file; the ending of its label tells the format, or else what is in it.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn read(label: &str, bytes: Vec<u8>) -> Result<Bicycle, Failure> {
+    parameters::resolve(parse(label, bytes)?, label, Vec::new()).map_err(Failure::Input)
+}
+
 fn unknown(name: &str) -> String {
     if name.contains(['/', '\\', '.']) {
         return format!("there is no file {name}");

@@ -1,0 +1,5 @@
+//! What the command line reads, and what it says of it: the part that strangers' files reach.
+
+pub mod failure;
+pub mod input;
+pub mod number;

@@ -1,0 +1,220 @@
+//! Builds crates that use `model!` all at once, with real cargo processes, an editor's check and rust-analyzer beside
+//! them: none may fail, though Symbolica allows a user one thread.
+//!
+//! ```sh
+//! cargo run -p carvallo-tests --no-default-features --example parallel_builds
+//! ```
+//!
+//! Every round changes a number in every model, and every program must then print what the new model gives. Where there
+//! is no rust-analyzer its column says so. Takes about 3 GB in the folder for temporary files, and gives them back.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Instant;
+
+const CRATES: [usize; 3] = [2, 4, 8];
+const ROUNDS: usize = 20;
+
+/// How the crates stand to each other.
+#[derive(Clone, Copy, PartialEq)]
+enum Mode {
+    /// Members of one workspace, built by one cargo process with a job for each.
+    Together,
+    /// Each with a target folder of its own, built by a cargo process each.
+    Apart,
+}
+
+fn main() -> io::Result<()> {
+    let root = std::env::temp_dir().join(format!("carvallo-parallel-builds-{}", std::process::id()));
+    let warm = root.join("warm");
+    create(&warm, "warm", true)?;
+    write_model(&warm, 1)?;
+    for what in ["build", "check"] {
+        assert!(start(&mut cargo(what, &warm, &warm.join("target")))?.succeeds("warming up"));
+    }
+    let analyzer = Command::new("rust-analyzer").arg("--version").output().is_ok_and(|out| out.status.success());
+
+    println!("| crates | mode | rounds | failed builds | failed checks | failed analyses | seconds |");
+    println!("| --- | --- | --- | --- | --- | --- | --- |");
+    for count in CRATES {
+        for mode in [Mode::Together, Mode::Apart] {
+            let folder = root.join("now");
+            let crates = lay_out(&folder, count, mode, &warm)?;
+            let start = Instant::now();
+            let mut failed = [0; 3];
+            for round in 1..=ROUNDS {
+                for (sum, new) in failed.iter_mut().zip(run(&folder, &crates, mode, analyzer, round)?) {
+                    *sum += new;
+                }
+            }
+            let [builds, checks, analyses] = failed;
+            let mode = if mode == Mode::Together { "one workspace" } else { "a target folder each" };
+            let analyses = if analyzer { analyses.to_string() } else { "not installed".into() };
+            let seconds = start.elapsed().as_secs_f64();
+            println!("| {count} | {mode} | {ROUNDS} | {builds} | {checks} | {analyses} | {seconds:.1} |");
+            fs::remove_dir_all(&folder)?;
+        }
+    }
+    fs::remove_dir_all(root)
+}
+
+/// Creates the crates, with target folders that hold everything but themselves.
+fn lay_out(folder: &Path, count: usize, mode: Mode, warm: &Path) -> io::Result<Vec<PathBuf>> {
+    let crates: Vec<PathBuf> = (0..count).map(|index| folder.join(format!("crate{index}"))).collect();
+    for (index, path) in crates.iter().enumerate() {
+        create(path, &format!("crate{index}"), mode == Mode::Apart)?;
+        if mode == Mode::Apart {
+            copy(&warm.join("target"), &path.join("target"))?;
+        }
+    }
+    if mode == Mode::Together {
+        fs::write(folder.join("Cargo.toml"), "[workspace]\nresolver = \"3\"\nmembers = [\"crate*\"]\n")?;
+        fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))?;
+        copy(&warm.join("target"), &folder.join("target"))?;
+    }
+    for beside in ["check", "analyzer"] {
+        copy(&warm.join("target"), &folder.join(beside))?;
+    }
+    Ok(crates)
+}
+
+/// One round: what failed of the builds, the checks and the analyses.
+fn run(folder: &Path, crates: &[PathBuf], mode: Mode, analyzer: bool, round: usize) -> io::Result<[usize; 3]> {
+    for (index, path) in crates.iter().enumerate() {
+        write_model(path, round * 100 + index)?;
+    }
+    // Beside the builds: all of a workspace, or the first of the crates that stand alone.
+    let beside = if mode == Mode::Together { folder } else { &crates[0] };
+    let mut builds: Vec<Process> = match mode {
+        Mode::Together => {
+            vec![start(cargo("build", folder, &folder.join("target")).arg(format!("-j{}", crates.len())))?]
+        }
+        Mode::Apart => crates
+            .iter()
+            .map(|path| start(&mut cargo("build", path, &path.join("target"))))
+            .collect::<io::Result<_>>()?,
+    };
+    let check = start(&mut cargo("check", beside, &folder.join("check")))?;
+    let analysis = analyzer.then(|| {
+        let mut command = Command::new("rust-analyzer");
+        start(command.args(["diagnostics", "."]).current_dir(beside).env("CARGO_TARGET_DIR", folder.join("analyzer")))
+    });
+    let analysis = analysis.transpose()?;
+
+    let failed = |process: Process, what: &str| usize::from(!process.succeeds(what));
+    let mut failures = [0; 3];
+    failures[0] = builds.drain(..).map(|build| failed(build, "a build")).sum();
+    failures[1] = failed(check, "a check");
+    failures[2] = analysis.map_or(0, |analysis| failed(analysis, "an analysis"));
+    for (index, path) in crates.iter().enumerate() {
+        let target = if mode == Mode::Together { folder.join("target") } else { path.join("target") };
+        let program = target.join("debug").join(format!("crate{index}"));
+        let printed = Command::new(&program).output().map(|out| String::from_utf8_lossy(&out.stdout).trim().to_owned());
+        let expected = expected(round * 100 + index);
+        if !matches!(&printed, Ok(text) if *text == expected) {
+            eprintln!("{} printed {printed:?}: expected {expected}", program.display());
+            failures[0] += 1;
+        }
+    }
+    Ok(failures)
+}
+
+/// A crate with a model in it.
+fn create(path: &Path, name: &str, alone: bool) -> io::Result<()> {
+    fs::create_dir_all(path.join("src"))?;
+    let runtime = workspace().join("runtime");
+    let manifest = format!(
+        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n{}\n[dependencies]\n\
+         carvallo = {{ path = {runtime:?}, features = [\"derive\"] }}\n",
+        if alone { "\n[workspace]\n" } else { "" }
+    );
+    if alone {
+        fs::copy(workspace().join("Cargo.lock"), path.join("Cargo.lock"))?;
+    }
+    fs::write(path.join("Cargo.toml"), manifest)
+}
+
+/// A model whose mass matrix is `number * 2 * 0.5^2`.
+fn write_model(path: &Path, number: usize) -> io::Result<()> {
+    let source = format!(
+        "carvallo::model! {{
+            model Pendulum {{
+                parameters {{ m: kg, > 0; l: m, > 0; k: N*m/rad; }}
+                coordinates {{ theta: rad; }}
+                M = [[{number}*m*l^2]];
+                Kc = [[k*cos(l)^2 + k*sin(l)^2]];
+                set soft {{ m = 2; l = 0.5; k = 5; }}
+            }}
+        }}
+        fn main() {{ println!(\"{{:?}}\", Pendulum::SOFT.matrices().m); }}
+        "
+    );
+    fs::write(path.join("src/main.rs"), source)
+}
+
+/// What the program with that model prints.
+fn expected(number: usize) -> String {
+    format!("[[{:?}]]", number as f64 * 0.5)
+}
+
+fn workspace() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the workspace").to_owned()
+}
+
+fn cargo(what: &str, folder: &Path, target: &Path) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args([what, "--offline"]).current_dir(folder);
+    command.env("CARGO_TARGET_DIR", target).env("CARGO_PROFILE_DEV_DEBUG", "0");
+    command
+}
+
+/// A process whose output goes to a file, so that none waits for a reader.
+struct Process {
+    child: Child,
+    output: PathBuf,
+}
+
+fn start(command: &mut Command) -> io::Result<Process> {
+    static NUMBER: std::sync::atomic::AtomicUsize = std::sync::atomic::AtomicUsize::new(0);
+    let number = NUMBER.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+    let output = std::env::temp_dir().join(format!("carvallo-parallel-builds-{}.{number}", std::process::id()));
+    let file = File::create(&output)?;
+    let child = command.stdin(Stdio::null()).stdout(file.try_clone()?).stderr(file).spawn()?;
+    Ok(Process { child, output })
+}
+
+impl Process {
+    /// Waits for its end; what a failed one said goes to the standard error.
+    fn succeeds(mut self, what: &str) -> bool {
+        let status = self.child.wait();
+        let fine = status.as_ref().is_ok_and(|status| status.success());
+        if !fine {
+            eprintln!("{what} failed: {status:?}\n{}", fs::read_to_string(&self.output).unwrap_or_default());
+        }
+        let _ = fs::remove_file(&self.output);
+        fine
+    }
+}
+
+/// A target folder with its time stamps, which tell cargo that nothing in it is out of date. What was compiled is
+/// linked instead of copied: cargo replaces such files and never writes into them.
+fn copy(from: &Path, to: &Path) -> io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let (source, target) = (entry.path(), to.join(entry.file_name()));
+        if entry.file_type()?.is_dir() {
+            if entry.file_name() != "incremental" {
+                copy(&source, &target)?;
+            }
+        } else if from.ends_with("deps") {
+            fs::hard_link(&source, &target)?;
+        } else {
+            fs::copy(&source, &target)?;
+            File::options().append(true).open(&target)?.set_modified(entry.metadata()?.modified()?)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,52 @@
+//! Parameter files of the command line, in every format: reading one neither panics nor hangs, and gives either
+//! parameters that the model can have or a message.
+//!
+//! Every input is read as each format. In this folder, with libFuzzer's options at the end:
+//!
+//! ```sh
+//! mkdir -p ../../target/fuzz/corpus/parameters ../../target/fuzz/seeds
+//! for file in ../../generated/bicycles/*.toml; do
+//!     seed=../../target/fuzz/seeds/$(basename "$file")
+//!     cargo run --quiet --manifest-path ../../Cargo.toml -- analyze "$file" --speeds 0:1:1 --format json > "$seed.json"
+//!     sed 's/ = /: /; /^\[/d' "$file" > "$seed.yml"
+//!     sed '/^\[/d; s/"\(pi.*\)"/\1/' "$file" > "$seed.txt"
+//! done
+//! RUSTC_BOOTSTRAP=1 cargo run --bin parameters -- ../../target/fuzz/corpus/parameters ../../target/fuzz/seeds \
+//!     ../../generated/bicycles -dict=parameters.dict -timeout=10 -max_total_time=3600 -print_final_stats=1
+//! ```
+
+#![no_main]
+
+mod inside;
+
+use carvallo::Model as _;
+use carvallo_cli::input::{self, Bicycle};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|data: &[u8]| {
+    for label in ["a.toml", "a.yml", "a.json", "a.txt"] {
+        match input::read(label, data.to_vec()) {
+            Ok(bicycle) => judge(&bicycle),
+            Err(failure) => {
+                let message = failure.to_string();
+                assert!(message.contains(label), "a message that does not say where: {message}");
+                inside::look_for(&message, &String::from_utf8_lossy(data));
+            }
+        }
+    }
+});
+
+fn judge(bicycle: &Bicycle) {
+    let info = bicycle.info();
+    assert_eq!(bicycle.parameters.len(), info.parameters.len());
+    for (given, info) in bicycle.parameters.iter().zip(info.parameters) {
+        let value = given.value;
+        assert!(value.is_finite() && info.domain.contains(value), "{} = {value} of {}", info.name, given.written);
+    }
+    let values = bicycle.model.to_array();
+    assert!(values.iter().zip(&bicycle.parameters).all(|(value, given)| value.to_bits() == given.value.to_bits()));
+    assert!(bicycle.model.validate().is_ok());
+    let warnings = input::warnings(info, &values);
+    let notes = warnings.iter().chain(&bicycle.notes);
+    assert!(notes.clone().all(|text| !text.contains("NaN") && !text.contains("inf ")), "{notes:?}");
+}
