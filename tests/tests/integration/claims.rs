@@ -157,6 +157,13 @@ fn what_nobody_excludes_is_required_once_and_before_what_depends_on_it() {
     }
 }
 
+#[test]
+fn a_root_of_what_is_always_negative_is_a_mistake() {
+    let found = mistakes("M = [[sqrt(-1 - c^2), 0], [0, 1]];");
+    assert_eq!(found, ["the square root of a negative number here: expected one of a number >= 0"]);
+    assert_eq!(requirements("M = [[sqrt(1 - c^2), 0], [0, 1]];"), ["1 - c^2: >= 0"]);
+}
+
 carvallo::model! {
     /// A mass on a lever between two springs.
     model Lever {
