@@ -46,6 +46,27 @@ fn claims_that_hold_are_proved() {
 }
 
 #[test]
+fn what_is_nearly_an_identity_is_refuted() {
+    for claim in [
+        "sin(t + s) == sin(t)*cos(s) - cos(t)*sin(s)",
+        "cos(t + s) == cos(t)*cos(s) + sin(t)*sin(s)",
+        "cos(2*t) == 2*cos(t)^2",
+        "sin(-t) == sin(t)",
+        "sin(3*t) == 3*sin(t) + 4*sin(t)^3",
+        "sin(t + pi) == sin(t)",
+        "cos(t - pi/2) == -sin(t)",
+        "tan(pi/2 + t) == 1/tan(t)",
+        "sin(t/2)*cos(t/2) == sin(t)",
+        "sqrt(a)^3 == a",
+        "sqrt(a + b) == sqrt(a) + sqrt(b)",
+        "0.1 + 0.2 == 0.300000000001",
+    ] {
+        let found = mistakes(&format!("assert {claim};"));
+        assert!(found.len() == 1 && found[0].starts_with("the sides differ: "), "{claim}: {found:?}");
+    }
+}
+
+#[test]
 fn every_wrong_claim_is_refuted_with_values_for_which_it_is_wrong() {
     let found = mistakes("assert c*a == c; assert a + b == b + a; symmetric M = [[a, c], [2*c, b]]; assert a == 2*a;");
     assert_eq!(found.len(), 3, "{found:?}");
