@@ -185,6 +185,18 @@ fn a_root_of_what_is_always_negative_is_a_mistake() {
     assert_eq!(requirements("M = [[sqrt(1 - c^2), 0], [0, 1]];"), ["1 - c^2: >= 0"]);
 }
 
+#[test]
+fn a_divisor_that_is_always_zero_is_a_mistake_however_deep_it_hides() {
+    for statements in [
+        "let d = sin(t)^2 + cos(t)^2 - 1; M = [[c/d, 0], [0, 1]];",
+        "let d = a - b; let e = d*(a + b); let f = e - a^2 + b^2; M = [[1, 0], [c/(f*a), 1]];",
+        "require c/(sin(2*t) - 2*sin(t)*cos(t)) > 0;",
+    ] {
+        let expected = "a division by zero here: expected divisors that are not zero for all parameters";
+        assert_eq!(mistakes(statements), [expected], "{statements}");
+    }
+}
+
 carvallo::model! {
     /// A mass on a lever between two springs.
     model Lever {
