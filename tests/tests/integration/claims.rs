@@ -61,6 +61,27 @@ fn claims_that_hold_are_proved() {
 }
 
 #[test]
+fn what_is_nearly_an_identity_is_refuted() {
+    for claim in [
+        "sin(t + s) == sin(t)*cos(s) - cos(t)*sin(s)",
+        "cos(t + s) == cos(t)*cos(s) + sin(t)*sin(s)",
+        "cos(2*t) == 2*cos(t)^2",
+        "sin(-t) == sin(t)",
+        "sin(3*t) == 3*sin(t) + 4*sin(t)^3",
+        "sin(t + pi) == sin(t)",
+        "cos(t - pi/2) == -sin(t)",
+        "tan(pi/2 + t) == 1/tan(t)",
+        "sin(t/2)*cos(t/2) == sin(t)",
+        "sqrt(a)^3 == a",
+        "sqrt(a + b) == sqrt(a) + sqrt(b)",
+        "0.1 + 0.2 == 0.300000000001",
+    ] {
+        let found = mistakes(&format!("assert {claim};"));
+        assert!(found.len() == 1 && found[0].starts_with("the sides differ: "), "{claim}: {found:?}");
+    }
+}
+
+#[test]
 fn every_wrong_claim_is_refuted_with_values_for_which_it_is_wrong() {
     let found = mistakes("assert c*a == c; assert a + b == b + a; symmetric M = [[a, c], [2*c, b]]; assert a == 2*a;");
     assert_eq!(found.len(), 3, "{found:?}");
@@ -169,6 +190,25 @@ fn what_nobody_excludes_is_required_once_and_before_what_depends_on_it() {
     ];
     for (statements, expected) in cases {
         assert_eq!(requirements(statements), expected, "{statements}");
+    }
+}
+
+#[test]
+fn a_root_of_what_is_always_negative_is_a_mistake() {
+    let found = mistakes("M = [[sqrt(-1 - c^2), 0], [0, 1]];");
+    assert_eq!(found, ["the square root of a negative number here: expected one of a number >= 0"]);
+    assert_eq!(requirements("M = [[sqrt(1 - c^2), 0], [0, 1]];"), ["1 - c^2: >= 0"]);
+}
+
+#[test]
+fn a_divisor_that_is_always_zero_is_a_mistake_however_deep_it_hides() {
+    for statements in [
+        "let d = sin(t)^2 + cos(t)^2 - 1; M = [[c/d, 0], [0, 1]];",
+        "let d = a - b; let e = d*(a + b); let f = e - a^2 + b^2; M = [[1, 0], [c/(f*a), 1]];",
+        "require c/(sin(2*t) - 2*sin(t)*cos(t)) > 0;",
+    ] {
+        let expected = "a division by zero here: expected divisors that are not zero for all parameters";
+        assert_eq!(mistakes(statements), [expected], "{statements}");
     }
 }
 

@@ -11,7 +11,7 @@ use super::ranges::{Constants, Ranges};
 use super::resolve;
 use crate::equations::Equations;
 use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
-use crate::report::Report;
+use crate::report::{Region, Report};
 use crate::symbolic::{self, Depth, Proof, Sign};
 use crate::syntax::{Decimal, Declaration, Expression, Kind};
 
@@ -29,21 +29,29 @@ pub struct Checked<'a> {
 #[derive(Clone, Debug)]
 struct Need {
     formula: Expression,
+    /// Where it divides or is under a root.
+    region: Region,
     /// Other values than zero, or for a root those that are not negative.
     domain: Domain,
+}
+
+impl Need {
+    fn of(formula: &Expression, domain: Domain) -> Self {
+        Self { formula: formula.clone(), region: formula.region, domain }
+    }
 }
 
 /// The requirements that formulas need to have a value, and that the domains and other requirements do not imply; each
 /// has a value itself if those before it hold.
 pub fn requirements(checked: &Checked<'_>, scope: &mut Scope, report: &mut Report) -> Vec<Requirement> {
     let mut search = Search::new(checked, scope, report);
-    let Checked { declaration, definitions, requirements, matrices, .. } = *checked;
+    let Checked { declaration, requirements, matrices, .. } = *checked;
     let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
     let conditions = requirements.iter().map(|requirement| requirement.value.clone()).collect();
     let written = declaration.matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
-    search.settle(Origin::Matrices, search.used(definitions, entries), written);
+    search.settle(Origin::Matrices, search.equations(entries).origins, written);
     let written = declaration.requirements.iter().map(|requirement| &requirement.value);
-    search.settle(Origin::Requirements, search.used(definitions, conditions), written);
+    search.settle(Origin::Requirements, search.equations(conditions).origins, written);
     search.found
 }
 
@@ -77,11 +85,6 @@ impl<'a> Search<'a> {
         Self { checked, scope, report, new, sources, ranges, found: Vec::new() }
     }
 
-    /// The positions of the definitions that formulas use.
-    fn used(&self, definitions: &[(Ident, Expr)], formulas: Vec<Expr>) -> Vec<usize> {
-        Equations::of_formulas(self.checked.domains.len(), definitions, formulas).origins
-    }
-
     /// Takes up what formulas and the definitions that they use need.
     fn settle(&mut self, origin: Origin, definitions: Vec<usize>, formulas: impl Iterator<Item = &'a Expression>) {
         let mut needs = Vec::new();
@@ -89,25 +92,27 @@ impl<'a> Search<'a> {
         definitions.into_iter().chain(formulas).for_each(|formula| collect(formula, &mut needs));
         let mut visited = HashSet::new();
         let parts: Vec<Need> = needs.into_iter().flat_map(|need| self.parts(need, &mut visited)).collect();
-        for Need { formula, domain } in parts {
+        for Need { formula, region, domain } in parts {
             let value = resolve::expression(&formula, self.scope, self.report).renumbered(&self.new);
-            if self.is_met(&value, domain) {
+            let values = self.ranges.of(&value);
+            if meets(values, domain) {
                 continue;
             }
-            if !domain.nonzero && self.ranges.of(&value).is_negative() {
-                self.report.error(formula.region, symbolic::Undefined::RootOfNegative);
-                continue;
+            if domain.nonzero && self.is_zero(&value) {
+                self.report.error(region, symbolic::Undefined::DivisionByZero);
+            } else if !domain.nonzero && values.is_negative() {
+                self.report.error(region, symbolic::Undefined::RootOfNegative);
+            } else if !self.is_implied(&value, domain) {
+                self.ranges.add_fact(&value, domain.into());
+                self.found.push(Requirement { text: resolve::text(&formula), region, value, domain, origin });
             }
-            self.ranges.add_fact(&value, domain.into());
-            let (text, region) = (resolve::text(&formula), formula.region);
-            self.found.push(Requirement { text, region, value, domain, origin });
         }
     }
 
     /// The same need of the parts that decide: a product is not zero if no factor is. Definitions are opened, since
     /// what a user of the model sees are the parameters; each once.
     fn parts(&self, need: Need, visited: &mut HashSet<(usize, bool)>) -> Vec<Need> {
-        let Need { formula, domain } = need;
+        let Need { formula, region, domain } = need;
         let nonzero = domain.nonzero;
         let mut parts = Vec::new();
         let mut open = vec![&formula];
@@ -117,7 +122,7 @@ impl<'a> Search<'a> {
                 Kind::Name(name) => match self.checked.definitions.iter().position(|(known, _)| known == name) {
                     Some(index) if visited.insert((index, nonzero)) => open.push(self.sources[index]),
                     Some(_) => {}
-                    None => parts.push(Need { formula: formula.clone(), domain }),
+                    None => parts.push(Need { formula: formula.clone(), region, domain }),
                 },
                 Kind::Product(factors) if nonzero => {
                     open.extend(factors.iter().rev().filter(|factor| !factor.inverse).map(|factor| &factor.value));
@@ -126,37 +131,40 @@ impl<'a> Search<'a> {
                 Kind::Power(base, _) if nonzero => open.push(base),
                 Kind::Call(function, argument) if nonzero && function == "sqrt" => open.push(argument),
                 Kind::Sum(terms) if nonzero && terms.len() == 1 => open.push(&terms[0].value),
-                _ => parts.push(Need { formula: formula.clone(), domain }),
+                _ => parts.push(Need { formula: formula.clone(), region, domain }),
             }
         }
         parts
     }
 
-    /// Whether a formula has no values outside a domain: by what is known of the values, or since it is a multiple of
-    /// one that is bounded. What is zero for all parameters is left to the engine to report.
-    fn is_met(&self, value: &Expr, domain: Domain) -> bool {
-        let meets = |values: Interval| if domain.nonzero { values.excludes_zero() } else { values.is_nonnegative() };
-        if meets(self.ranges.of(value)) {
-            return true;
-        }
-        let equations = |outputs| Equations::of_formulas(self.checked.domains.len(), self.checked.definitions, outputs);
-        if domain.nonzero {
-            let zero = Expr::Number(Decimal { digits: "0".into(), exponent: 0 });
-            let proofs = symbolic::proofs(vec![equations(vec![value.clone(), zero])], Depth::Formulas);
-            if proofs.is_ok_and(|proofs| matches!(proofs[..], [Proof::Found | Proof::Undefined(..)])) {
-                return true;
-            }
-        }
+    /// Whether a formula is proved to be zero for all parameters.
+    fn is_zero(&self, value: &Expr) -> bool {
+        let zero = Expr::Number(Decimal { digits: "0".into(), exponent: 0 });
+        let proofs = symbolic::proofs(vec![self.equations(vec![value.clone(), zero])], Depth::Formulas);
+        proofs.is_ok_and(|proofs| proofs.contains(&Proof::Found))
+    }
+
+    /// Whether a formula is a multiple of one that a requirement bounds, and so has no values outside a domain.
+    fn is_implied(&self, value: &Expr, domain: Domain) -> bool {
         let known = || self.checked.requirements.iter().chain(&self.found);
         let outputs = [value].into_iter().chain(known().map(|known| &known.value)).cloned().collect();
         // A failure of the engine is reported where it compiles the model.
-        let signs = symbolic::multiples(equations(outputs)).unwrap_or_default();
+        let signs = symbolic::multiples(self.equations(outputs)).unwrap_or_default();
         known().zip(signs).any(|(known, sign)| match sign {
-            Some(Sign::Positive) => meets(known.domain.into()),
-            Some(Sign::Negative) => meets(-Interval::from(known.domain)),
+            Some(Sign::Positive) => meets(known.domain.into(), domain),
+            Some(Sign::Negative) => meets(-Interval::from(known.domain), domain),
             None => false,
         })
     }
+
+    fn equations(&self, outputs: Vec<Expr>) -> Equations {
+        Equations::of_formulas(self.checked.domains.len(), self.checked.definitions, outputs)
+    }
+}
+
+/// Whether values are inside the domain of a need.
+fn meets(values: Interval, domain: Domain) -> bool {
+    if domain.nonzero { values.excludes_zero() } else { values.is_nonnegative() }
 }
 
 /// Notes what a formula needs, the inner parts first.
@@ -168,23 +176,23 @@ fn collect(formula: &Expression, needs: &mut Vec<Need>) {
             for factor in factors {
                 collect(&factor.value, needs);
                 if factor.inverse {
-                    needs.push(Need { formula: factor.value.clone(), domain: Domain::NONZERO });
+                    needs.push(Need::of(&factor.value, Domain::NONZERO));
                 }
             }
         }
         Kind::Power(base, exponent) => {
             collect(base, needs);
             if *exponent < 0 {
-                needs.push(Need { formula: (**base).clone(), domain: Domain::NONZERO });
+                needs.push(Need::of(base, Domain::NONZERO));
             }
         }
         Kind::Call(function, argument) => {
             collect(argument, needs);
             if function == "tan" {
                 let kind = Kind::Call(Ident::new("cos", function.span()), argument.clone());
-                needs.push(Need { formula: Expression { kind, region: formula.region }, domain: Domain::NONZERO });
+                needs.push(Need::of(&Expression { kind, region: formula.region }, Domain::NONZERO));
             } else if function == "sqrt" {
-                needs.push(Need { formula: (**argument).clone(), domain: Domain::NONNEGATIVE });
+                needs.push(Need::of(argument, Domain::NONNEGATIVE));
             }
         }
     }
