@@ -12,9 +12,9 @@ use super::Mutant;
 pub enum Verdict {
     /// It does not compile, and this check says so.
     Caught(Check),
-    /// Its matrices are those of the original.
+    /// Its matrices and requirements are those of the original.
     Equivalent,
-    /// It compiles, and its matrices are wrong.
+    /// It compiles, and they are others.
     Survived,
 }
 
@@ -135,7 +135,8 @@ impl Original {
         self.designs.iter().zip(&self.values).all(|(design, expected)| {
             values(model, design).iter().zip(expected).all(|(found, expected)| {
                 let largest = expected.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
-                found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= SAME * largest)
+                found.len() == expected.len()
+                    && found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= SAME * largest)
             })
         })
     }

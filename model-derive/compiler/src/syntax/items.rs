@@ -90,6 +90,9 @@ fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repor
     if input.peek(Token![let]) {
         return definition(input, model, report);
     }
+    if input.peek(Token![;]) {
+        return Err(expected(input, "a statement: one that ends in braces has no `;` behind it"));
+    }
     if !input.peek(syn::Ident::peek_any) {
         return Err(expected(input, STATEMENTS));
     }

@@ -4,10 +4,9 @@ carvallo::model! {
             m: kg, > 0;
             l: m, > 0;
         }
-        ;
         coordinates {
             theta: rad;
-        }
+        };
         M = [[m*l^2]];
     }
 }
