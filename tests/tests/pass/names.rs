@@ -23,8 +23,9 @@ carvallo::model! {
             e: 1; i: 1; I: 1; E: 1; Pi: 1; Gamma: 1; x_: 1; x__: 1; x0: 1; x1: 1; zeta: 1; log: 1; exp: 1; inf: 1; nan: 1;
         }
         coordinates { q: rad; }
-        M = [[e + 2*i + 3*I + 4*E + 5*Pi + 6*Gamma + 7*x_ + 8*x__ + 9*x0 + 10*x1 + 11*zeta + 12*log + 13*exp + 14*inf
-              + 15*nan]];
+        let sum = e + 2*i + 3*I + 4*E + 5*Pi + 6*Gamma + 7*x_ + 8*x__ + 9*x0 + 10*x1 + 11*zeta + 12*log + 13*exp
+            + 14*inf + 15*nan;
+        M = [[sum*1 [kg*m^2]]];
     }
 }
 
@@ -39,7 +40,7 @@ carvallo::model! {
         let C0 = union*macro_rules*matrices*coefficients*values*self_*M*K0;
         require set > 0;
         coordinates { v: rad; }
-        M = [[info*C0]];
+        M = [[info*C0*1 [kg*m^2]]];
         set Words {
             parameters = 2; source = 1; set = 1; require = 1; model = 1; gravity = 1; unused = 1; union = 1;
             macro_rules = 1; matrices = 1; coefficients = 1; values = 1; self_ = 1; M = 1; K0 = 3;
