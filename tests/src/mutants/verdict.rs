@@ -169,9 +169,9 @@ mod tests {
     use super::*;
 
     const DECLARATION: &str = "model X {
-        parameters { a: m; b: m; e: m, unused; }
+        parameters { a: kg; b: kg; e: kg, unused; }
         let c = 1*a;
-        coordinates { q: rad; }
+        coordinates { q: m; }
         M = [[c + b]];
     }";
 
@@ -186,9 +186,9 @@ mod tests {
 
     #[test]
     fn what_changes_nothing_is_equivalent() {
-        // `1*a` as `1/a` is another formula; without the 1 it is the same, and without the a nothing uses that.
-        assert_eq!(verdicts(Kind::ProductOrQuotient), [(Verdict::Survived, 1)]);
-        let expected = [(Verdict::Caught(Check::Unused), 1), (Verdict::Equivalent, 1)];
+        // `1*a` as `1/a` is in another unit; without the 1 it is the same, and without the a it is a pure number.
+        assert_eq!(verdicts(Kind::ProductOrQuotient), [(Verdict::Caught(Check::Units), 1)]);
+        let expected = [(Verdict::Caught(Check::Units), 1), (Verdict::Equivalent, 1)];
         assert_eq!(verdicts(Kind::Factor), expected);
     }
 

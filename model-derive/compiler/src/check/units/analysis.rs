@@ -66,10 +66,16 @@ impl Analysis<'_> {
     /// All terms of a sum are in one unit and mirror alike; those that differ from most of them are reported.
     fn sum(&self, terms: &[Term], report: &mut Report) -> Option<Dimension> {
         let found: Vec<_> = terms.iter().map(|term| self.dimension(&term.value, report)).collect();
-        let count = |one: Dimension| found.iter().flatten().filter(|other| self.alike(one, **other)).count();
-        // The last of the maxima in the reverse order is the first in the sum's own.
-        let known = found.iter().enumerate().rev().filter_map(|(index, dimension)| Some((index, (*dimension)?)));
-        let (usual, dimension) = known.max_by_key(|(_, dimension)| count(*dimension))?;
+        // What most terms have, the first of equally many: with its first term, and how many there are.
+        let mut kinds: Vec<(Dimension, usize, usize)> = Vec::new();
+        for (index, found) in found.iter().enumerate() {
+            let Some(found) = *found else { continue };
+            match kinds.iter_mut().find(|(kind, ..)| self.alike(*kind, found)) {
+                Some((.., count)) => *count += 1,
+                None => kinds.push((found, index, 1)),
+            }
+        }
+        let (dimension, usual, _) = kinds.into_iter().rev().max_by_key(|(.., count)| *count)?;
         let mut right = true;
         for (index, term) in terms.iter().enumerate() {
             let Some(other) = found[index].filter(|other| !self.alike(*other, dimension)) else { continue };
