@@ -11,7 +11,7 @@ carvallo::model! {
             phi: rad;
         }
 
-        symmetric M = [[m*l^2, m*l], [m*l^2, m]];
+        symmetric M = [[m*l^2, m*l^2/2], [m*l^2, m*l^2]];
         K0 = [[m*l, 0], [0, 0]];
     }
 }

@@ -13,7 +13,7 @@ carvallo::model! {
             phi: rad;
         }
 
-        symmetric M = [[m*l^2, s], [l*m, m]];
+        symmetric M = [[m*l^2, s*l], [l^2*m, m*l^2]];
         symmetric K0 = [[0, s], [-s, 0]];
     }
 }

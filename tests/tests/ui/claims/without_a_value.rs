@@ -6,7 +6,7 @@ carvallo::model! {
             g: N/kg, >= 0, gravity;
         }
 
-        assert m == l/(m - m);
+        assert m == m^2/(m - m);
 
         coordinates {
             theta: rad;

@@ -7,7 +7,7 @@ carvallo::model! {
         }
 
         let I = m*l^2;
-        assert I/m == l;
+        assert I/m == 2*l^2;
 
         coordinates {
             theta: rad;

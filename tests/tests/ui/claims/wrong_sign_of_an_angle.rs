@@ -13,7 +13,7 @@ carvallo::model! {
             theta: rad;
         }
 
-        M = [[x]];
+        M = [[x*l*1 [kg]]];
     }
 }
 

@@ -13,7 +13,7 @@ carvallo::model! {
         }
 
         M = [[m*l^2]];
-        K0 = [[m/d]];
+        K0 = [[m*l^2/d]];
 
         set bob {
             m = 1;

@@ -6,7 +6,7 @@ carvallo::model! {
             g: N/kg, >= 0, gravity;
         }
 
-        require m - l/2 != 0;
+        require m - l/2*1 [kg/m] != 0;
 
         coordinates {
             theta: rad;

@@ -11,7 +11,7 @@ carvallo::model! {
         }
 
         M = [[m*l^2]];
-        K0 = [[m*sqrt(l - 3)]];
+        K0 = [[m*l*sqrt(l/1 [m] - 3)]];
 
         set bob {
             m = 1;

@@ -11,7 +11,7 @@ carvallo::model! {
         }
 
         M = [[m*l^2]];
-        K0 = [[m/(l - 2)]];
+        K0 = [[m*l^2/(l - 2 [m])]];
 
         set bob {
             m = 1;

@@ -6,7 +6,7 @@ carvallo::model! {
     model Rod {
         parameters { l: m, > 0; }
         coordinates { phi: rad; }
-        M = [[1/(l - l)]];
+        M = [[1 [kg*m^3]/(l - l)]];
         set short { l = 1; }
     }
 }

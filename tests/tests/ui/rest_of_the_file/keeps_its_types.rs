@@ -13,7 +13,7 @@ carvallo::model! {
         let inertia = m*L^2;
         coordinates { phi: rad; delta: rad; }
         M = [[inertia, 0], [0, inertia]];
-        K0 = [[l, 0], [0, l]];
+        K0 = [[l*m, 0], [0, l*m]];
         set short { l = 1; m = 2; g = 9.81; }
     }
 }

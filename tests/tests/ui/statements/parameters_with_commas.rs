@@ -7,7 +7,7 @@ carvallo::model! {
         coordinates {
             theta: rad;
         }
-        M = [[1]];
+        M = [[1 [kg*m^2]]];
     }
 }
 

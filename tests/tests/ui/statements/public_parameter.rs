@@ -7,7 +7,7 @@ carvallo::model! {
         coordinates {
             theta: rad;
         }
-        M = [[l]];
+        M = [[l^2*1 [kg]]];
     }
 }
 

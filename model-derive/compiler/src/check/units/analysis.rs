@@ -53,13 +53,11 @@ impl Analysis<'_> {
     }
 
     fn of_name(&self, name: &proc_macro2::Ident) -> Option<Dimension> {
-        if name == "pi" {
-            return Some(Dimension::NUMBER);
-        }
-        match self.scope.get(name)? {
-            Meaning::Parameter(index) => self.dimensions.parameters[index],
-            Meaning::Definition(index) => self.definitions[index],
-            Meaning::Coordinate | Meaning::Refused => None,
+        match self.scope.get(name) {
+            Some(Meaning::Parameter(index)) => self.dimensions.parameters[index],
+            Some(Meaning::Definition(index)) => self.definitions[index],
+            Some(Meaning::Coordinate | Meaning::Refused) => None,
+            None => (name == "pi").then_some(Dimension::NUMBER),
         }
     }
 
