@@ -68,10 +68,18 @@ pub mod names {
 
     #[macro_export]
     #[doc(hidden)]
-    macro_rules! vec { () => { compile_error!("not this one") } }
+    macro_rules! vec {
+        () => {
+            compile_error!("not this one")
+        };
+    }
     #[macro_export]
     #[doc(hidden)]
-    macro_rules! panic { () => { compile_error!("not this one") } }
+    macro_rules! panic {
+        () => {
+            compile_error!("not this one")
+        };
+    }
 }
 
 mod models {
