@@ -3,6 +3,8 @@
 mod bicycles;
 mod critical_speeds;
 mod designs;
+#[cfg(feature = "compiler")]
+mod determinism;
 mod eigenvalues;
 #[cfg(feature = "compiler")]
 mod generation;
