@@ -111,9 +111,9 @@ fn statement_after(
             }
             semicolon(input, "`;`", "the source")
         }
-        "parameters" => block(input, "the parameters", report, |input, report| {
-            parameter(input, &mut model.parameters, &mut model.unread, report)
-        }),
+        "parameters" => {
+            block(input, "the parameters", report, |input, report| parameter(input, &mut model.parameters, report))
+        }
         "coordinates" => coordinates(input, keyword, model, report),
         "require" => {
             let value = expression(input)?;
@@ -155,17 +155,14 @@ fn coordinates(
     model: &mut Declaration,
     report: &mut Report,
 ) -> syn::Result<()> {
-    let first = model.coordinates.is_empty();
-    if !first {
+    let mut second = Vec::new();
+    let coordinates = if model.coordinates.is_empty() {
+        &mut model.coordinates
+    } else {
         report.error(keyword, "a second `coordinates`: expected one, since its order is that of the matrices");
-    }
-    block(input, "the coordinates", report, |input, report| {
-        let coordinate = coordinate(input, report)?;
-        if first {
-            model.coordinates.push(coordinate);
-        }
-        Ok(())
-    })
+        &mut second
+    };
+    block(input, "the coordinates", report, |input, report| coordinate(input, coordinates, report))
 }
 
 fn definition(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {

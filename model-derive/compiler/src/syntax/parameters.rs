@@ -3,37 +3,31 @@
 use syn::Token;
 use syn::parse::ParseStream;
 
-use super::declaration::{Bound, Coordinate, Doc, Parameter, Relation};
+use super::declaration::{Bound, Coordinate, Parameter, Relation};
 use super::expression::{Expression, expression};
 use super::tokens::{docs, expected, name, semicolon, text};
 use super::unit::unit;
 use crate::report::{Region, Report, error};
 
 /// `lam "λ": rad, in (-pi/2, pi/2);`
-pub fn parameter(
-    input: ParseStream<'_>,
-    parameters: &mut Vec<Parameter>,
-    unread: &mut Vec<syn::Ident>,
-    report: &mut Report,
-) -> syn::Result<()> {
+///
+/// One that cannot be read to its end is there all the same: what uses it is no further mistake.
+pub fn parameter(input: ParseStream<'_>, parameters: &mut Vec<Parameter>, report: &mut Report) -> syn::Result<()> {
     let docs = docs(input, report)?;
     let name = name(input, "the name of a parameter")?;
-    match parameter_after_name(input, docs, &name) {
-        Ok(parameter) => parameters.push(parameter),
-        Err(error) => {
-            unread.push(name);
-            return Err(error);
-        }
-    }
-    Ok(())
+    let unit = PURE_NUMBER.to_string();
+    parameters.push(Parameter { docs, name, symbol: None, unit, bounds: Vec::new(), gravity: None, unused: None });
+    let Some(parameter) = parameters.last_mut() else { return Ok(()) };
+    after_name(input, parameter)
 }
 
-fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) -> syn::Result<Parameter> {
-    let symbol = text(input)?;
+/// The unit of what has none that could be read.
+const PURE_NUMBER: &str = "1";
+
+fn after_name(input: ParseStream<'_>, parameter: &mut Parameter) -> syn::Result<()> {
+    parameter.symbol = text(input)?;
     colon(input)?;
-    let unit = unit(input)?;
-    let mut parameter =
-        Parameter { docs, name: name.clone(), symbol, unit, bounds: Vec::new(), gravity: None, unused: None };
+    parameter.unit = unit(input)?;
     while input.parse::<Option<Token![,]>>()?.is_some() {
         if let Some(bound) = comparison(input)? {
             parameter.bounds.push(bound);
@@ -50,8 +44,7 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
             return Err(expected(input, AFTER_UNIT));
         }
     }
-    semicolon(input, "`,` or `;`", "the parameter")?;
-    Ok(parameter)
+    semicolon(input, "`,` or `;`", "the parameter")
 }
 
 const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `in (a, b)`, `in [a, b]`), `gravity` or `unused`";
@@ -108,12 +101,14 @@ fn interval(input: ParseStream<'_>) -> syn::Result<[Bound; 2]> {
     Ok([bound(relations[0], low), bound(relations[1], high)])
 }
 
-pub fn coordinate(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Coordinate> {
+/// `phi "lean": rad;`, there all the same if it cannot be read to its end.
+pub fn coordinate(input: ParseStream<'_>, coordinates: &mut Vec<Coordinate>, report: &mut Report) -> syn::Result<()> {
     let docs = docs(input, report)?;
     let name = name(input, "the name of a coordinate")?;
-    let label = text(input)?;
+    coordinates.push(Coordinate { docs, name, label: None, unit: PURE_NUMBER.to_string() });
+    let Some(coordinate) = coordinates.last_mut() else { return Ok(()) };
+    coordinate.label = text(input)?;
     colon(input)?;
-    let unit = unit(input)?;
-    semicolon(input, "`;`", "the coordinate")?;
-    Ok(Coordinate { docs, name, label, unit })
+    coordinate.unit = unit(input)?;
+    semicolon(input, "`;`", "the coordinate")
 }
