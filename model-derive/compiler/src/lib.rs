@@ -4,8 +4,8 @@
 //! tokens ─ syntax ─ check ─▶ Model ─▶ Equations ─ symbolic ─▶ Program ─ passes ─▶ Program ─ emit ─▶ tokens
 //! ```
 //!
-//! Data flows one way, and each stage has its own type. [`expand`] runs all of it; the macro and the ahead-of-time
-//! binary call it alike.
+//! Data flows one way, and each stage has its own type. [`expand`] runs all of it for the ahead-of-time binary, and
+//! [`declare`] for the macro.
 
 mod check;
 mod emit;
