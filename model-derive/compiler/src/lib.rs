@@ -5,8 +5,8 @@
 //! ```
 //!
 //! Data flows one way, and each stage has its own type. What a declaration claims of itself is proved in `check`, which
-//! asks the symbolic engine and is told what it found. [`expand`] runs all of it; the macro and the ahead-of-time
-//! binary call it alike.
+//! asks the symbolic engine and is told what it found. [`expand`] runs all of it for the ahead-of-time binary, and
+//! [`declare`] for the macro.
 
 mod check;
 mod emit;

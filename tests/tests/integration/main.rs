@@ -5,6 +5,8 @@ mod bicycles;
 mod claims;
 mod critical_speeds;
 mod designs;
+#[cfg(feature = "compiler")]
+mod determinism;
 mod eigenvalues;
 #[cfg(feature = "compiler")]
 mod enormous;

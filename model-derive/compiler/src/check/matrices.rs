@@ -30,8 +30,8 @@ pub fn matrices(
             report.error(matrix.span, format!("`{name}` is declared twice: expected one of each matrix"));
             continue;
         }
-        // Without coordinates, or with one unread or declared twice, it is not known what shape is right.
-        if n > 0 && n == distinct.len() && !declaration.coordinates_unread {
+        // Without coordinates, or with one declared twice, it is not known what shape is right.
+        if n > 0 && n == distinct.len() {
             check_shape(name, &matrix.rows, matrix.region, n, report);
         }
         let mut resolve = |row: &Vec<_>| row.iter().map(|entry| resolve::expression(entry, scope, report)).collect();

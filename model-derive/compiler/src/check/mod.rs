@@ -21,7 +21,7 @@ use self::claims::Claim;
 use self::counterexample::Space;
 use crate::model::{Coordinate, Domain, Expr, Matrices, Model, Origin, Parameter, Requirement};
 use crate::report::Report;
-use crate::syntax::{Assertion, Declaration, MatrixName};
+use crate::syntax::{Assertion, Declaration, MatrixName, Unit};
 
 /// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
 pub fn check(declaration: Declaration, report: &mut Report) -> Model {
@@ -108,7 +108,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         symbol: parameter.symbol.unwrap_or_else(|| parameter.name.to_string()),
         name: parameter.name,
         docs: parameter.docs,
-        unit: parameter.unit.text,
+        unit: unit_text(parameter.unit),
         domain: domain.to_model(),
         used: used || gravity == Some(index),
     });
@@ -129,7 +129,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
                 label: coordinate.label.unwrap_or_else(|| coordinate.name.to_string()),
                 name: coordinate.name.to_string(),
                 docs: coordinate.docs,
-                unit: coordinate.unit.text,
+                unit: unit_text(coordinate.unit),
             })
             .collect(),
         matrices,
@@ -149,4 +149,9 @@ fn gravity(declaration: &Declaration, report: &mut Report) -> Option<usize> {
         found.get_or_insert(index);
     }
     found
+}
+
+/// The unit as it was written; with one that could not be read nothing is compiled.
+fn unit_text(unit: Option<Unit>) -> String {
+    unit.map_or("1".into(), |unit| unit.text)
 }

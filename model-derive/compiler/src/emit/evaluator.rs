@@ -87,7 +87,7 @@ fn matrices_body(model: &Model, names: &Names, program: &Program, fields: &[Iden
     let matrices = &names.matrices;
     let n = model.coordinates.len();
     let body = Body::new(program, model, names);
-    let statements = &body.statements;
+    let statements = body.statements();
     let rows = (0..fields.len()).map(|matrix| {
         let rows = (0..n).map(|row| {
             let first = (matrix * n + row) * n;
@@ -97,14 +97,15 @@ fn matrices_body(model: &Model, names: &Names, program: &Program, fields: &[Iden
         quote! { [#(#rows),*] }
     });
     quote! {
-        #(#statements)*
+        #statements
         #matrices { #(#fields: #rows,)* }
     }
 }
 
 /// A program as statements, and each value as an expression.
 pub struct Body {
-    pub statements: Vec<TokenStream>,
+    /// Variables, one or a pair, and what is bound to them.
+    bindings: Vec<(Vec<Ident>, TokenStream)>,
     pub values: Vec<TokenStream>,
     /// How deep each value's expression nests; zero for names and numbers.
     depths: Vec<usize>,
@@ -112,6 +113,9 @@ pub struct Body {
 
 /// Values that are used once and have no name nest into the expression that uses them, up to this depth.
 const MAX_DEPTH: usize = 6;
+
+/// A program of more variables than this declares so many of them at once.
+const MAX_SCOPES: usize = 250;
 
 impl Body {
     pub fn new(program: &Program, model: &Model, names: &Names) -> Self {
@@ -129,7 +133,7 @@ impl Body {
         let runtime = &names.runtime;
         let variable = names.values(program, model);
         let pairs = pairs(program);
-        let mut body = Self { statements: Vec::new(), values: Vec::new(), depths: Vec::new() };
+        let mut body = Self { bindings: Vec::new(), values: Vec::new(), depths: Vec::new() };
         for (value, instruction) in program.instructions.iter().enumerate() {
             if let Instruction::Sin(angle) | Instruction::Cos(angle) = instruction
                 && let Some(&(sine, cosine)) = pairs.get(angle)
@@ -139,7 +143,7 @@ impl Body {
                 if value == sine.min(cosine) {
                     let (s, c) = (variable(sine), variable(cosine));
                     let angle = &body.values[*angle];
-                    body.statements.push(quote! { let (#s, #c) = #runtime::Scalar::sin_cos(#angle); });
+                    body.bindings.push((vec![s, c], quote!(#runtime::Scalar::sin_cos(#angle))));
                 }
                 body.push(quote!(#name), 0);
                 continue;
@@ -150,11 +154,35 @@ impl Body {
                 body.push(expression, depth);
             } else {
                 let name = variable(value);
-                body.statements.push(quote! { let #name = #expression; });
                 body.push(quote!(#name), 0);
+                body.bindings.push((vec![name], expression));
             }
         }
         body
+    }
+
+    /// The bindings as statements.
+    ///
+    /// Each `let` opens a scope inside the one before it, and thousands of them exhaust the stack of the compiler where
+    /// it writes debug information. So long programs declare their variables in groups, and assign to them.
+    pub fn statements(&self) -> TokenStream {
+        let pattern = |names: &[Ident]| if let [name] = names { quote!(#name) } else { quote!((#(#names),*)) };
+        if self.bindings.len() <= MAX_SCOPES {
+            let bindings = self.bindings.iter().map(|(names, expression)| {
+                let pattern = pattern(names);
+                quote! { let #pattern = #expression; }
+            });
+            return bindings.collect();
+        }
+        let groups = self.bindings.chunks(MAX_SCOPES).map(|group| {
+            let names = group.iter().flat_map(|(names, _)| names);
+            let assignments = group.iter().map(|(names, expression)| {
+                let pattern = pattern(names);
+                quote! { #pattern = #expression; }
+            });
+            quote! { let (#(#names,)*); #(#assignments)* }
+        });
+        groups.collect()
     }
 
     fn push(&mut self, expression: TokenStream, depth: usize) {

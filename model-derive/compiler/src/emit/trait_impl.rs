@@ -86,7 +86,7 @@ pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> Tok
 fn validate_requirements(model: &Model, names: &Names, info: &Ident, program: &Program) -> TokenStream {
     let runtime = &names.runtime;
     let body = Body::new(program, model, names);
-    let statements = &body.statements;
+    let statements = body.statements();
     let checks = model.requirements.iter().zip(&program.outputs).map(|(requirement, value)| {
         let value = &body.values[*value];
         let subject = &requirement.text;
@@ -95,5 +95,5 @@ fn validate_requirements(model: &Model, names: &Names, info: &Ident, program: &P
             #info.require(#subject, #runtime::Scalar::to_f64(#value), "", #domain)?;
         }
     });
-    quote! { #(#statements)* #(#checks)* }
+    quote! { #statements #(#checks)* }
 }

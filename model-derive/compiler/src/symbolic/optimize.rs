@@ -1,6 +1,8 @@
 //! The search for the cheapest program among equivalent ones.
 
-use symbolica::atom::{Atom, AtomCore, AtomView};
+use std::collections::HashSet;
+
+use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::evaluate::OptimizationSettings;
 
 use super::door::{Failure, enter};
@@ -33,8 +35,9 @@ pub enum Place {
     Output(usize),
 }
 
-/// Trying quotients one by one takes a time that grows with the square of the number of definitions; in models with
-/// more of them than this it is left out.
+/// In models with more definitions than this one program is built, and nothing is tried: of models with hundreds of
+/// definitions the programs that are compared here differ by less than a hundredth, each takes as long as the first,
+/// and trying quotients one by one takes a time that grows with the square of the number of definitions.
 const MAX_TRIED: usize = 100;
 
 fn cheapest(engine: &Engine, equations: &Equations) -> Result<Program, (Place, Undefined)> {
@@ -49,8 +52,9 @@ fn cheapest(engine: &Engine, equations: &Equations) -> Result<Program, (Place, U
     let none = vec![false; equations.definitions.len()];
     let used_once: Vec<bool> = uses(equations).iter().map(|uses| *uses == 1).collect();
     let starts = [(&none, false), (&none, true), (&used_once, false), (&used_once, true)];
+    let starts = if none.len() > MAX_TRIED { &starts[3..] } else { &starts[..] };
     let mut programs = Vec::new();
-    for (inline, simplest) in starts {
+    for &(inline, simplest) in starts {
         programs.push((run(inline, simplest)?, inline.clone(), simplest));
     }
     // The first of several equally cheap ones, so that the choice is the same on every run.
@@ -74,6 +78,14 @@ fn cheapest(engine: &Engine, equations: &Equations) -> Result<Program, (Place, U
     }
     Ok(best)
 }
+
+/// Longer formulas keep their names: a chain of thousands of definitions, each used once, would nest into one formula
+/// that exhausts the stack.
+const MAX_INLINED: usize = 250;
+
+/// The engine looks for common parts in all formulas that it is given together, in a time that grows with a power of 1.5
+/// of their number; so it gets them in blocks. Parts that several blocks compute alike are found by the passes.
+const BLOCK: usize = 250;
 
 fn is_quotient(expr: &Expr) -> bool {
     matches!(expr, Expr::Product(factors) if factors.iter().any(|(inverse, _)| *inverse))
@@ -109,7 +121,7 @@ impl System {
         let mut values = Vec::new();
         for (index, expr) in equations.definitions.iter().enumerate() {
             let form = engine.form(expr, &values).map_err(|why| (Place::Definition(equations.origins[index]), why))?;
-            let keep = !inline[index] && !form.is_trivial();
+            let keep = !form.is_trivial() && (!inline[index] || form.operations() > MAX_INLINED);
             values.push(if keep { names[index].clone() } else { form.clone() });
             kept.push(keep.then_some(form));
         }
@@ -132,13 +144,12 @@ impl System {
         let kept: Vec<(usize, &Form)> =
             self.kept.iter().enumerate().filter_map(|(index, form)| Some((index, form.as_ref()?))).collect();
         let symbols = (0..parameters).map(|index| engine.parameter(index)).chain([engine.pi()]);
-        let symbols: Vec<Atom> =
-            symbols.chain(kept.iter().map(|(index, _)| self.names[*index].clone())).map(|form| form.0).collect();
+        let symbols: Vec<Symbol> = symbols
+            .chain(kept.iter().map(|(index, _)| self.names[*index].clone()))
+            .filter_map(|form| form.0.as_view().get_symbol())
+            .collect();
         let formulas: Vec<AtomView<'_>> =
             kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(|form| form.0.as_view()).collect();
-        let settings = OptimizationSettings::new().cores(1).direct_translation(false);
-        let evaluator = Atom::evaluator_multiple(&formulas, &symbols).optimization_settings(settings).build();
-        let exported = evaluator.unwrap_or_else(|error| panic!("{error}")).export_instructions();
 
         // The definitions enter as inputs whose values come out of the same program: open ends that are then tied.
         let mut program = Program::new(parameters);
@@ -149,7 +160,17 @@ impl System {
             .map(|(index, _)| (equations.origins[*index], program.push(Instruction::Constant(0.0))))
             .collect();
         inputs.extend(open.iter().map(|(_, value)| value));
-        let results = append(&mut program, &exported, &inputs);
+        let mut results = Vec::with_capacity(formulas.len());
+        for block in formulas.chunks(BLOCK) {
+            let used: HashSet<Symbol> = block.iter().flat_map(|formula| formula.get_all_symbols(false)).collect();
+            let used: Vec<usize> = (0..symbols.len()).filter(|index| used.contains(&symbols[*index])).collect();
+            let arguments: Vec<Atom> = used.iter().map(|index| symbols[*index].to_atom()).collect();
+            let inputs: Vec<Value> = used.iter().map(|index| inputs[*index]).collect();
+            let settings = OptimizationSettings::new().cores(1).direct_translation(false);
+            let evaluator = Atom::evaluator_multiple(block, &arguments).optimization_settings(settings).build();
+            let exported = evaluator.unwrap_or_else(|error| panic!("{error}")).export_instructions();
+            results.extend(append(&mut program, &exported, &inputs));
+        }
         let (definitions, outputs) = results.split_at(kept.len());
         program.outputs = outputs.to_vec();
         passes::tie(program, &open, definitions)

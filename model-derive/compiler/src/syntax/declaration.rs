@@ -23,8 +23,6 @@ pub struct Declaration {
     pub assertions: Vec<Assertion>,
     pub sets: Vec<ParameterSet>,
     pub coordinates: Vec<Coordinate>,
-    /// Whether a coordinate could not be read, so that their number is not known.
-    pub coordinates_unread: bool,
     pub matrices: Vec<Matrix>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,
@@ -36,7 +34,8 @@ pub struct Parameter {
     pub docs: Doc,
     pub name: Ident,
     pub symbol: Option<String>,
-    pub unit: Unit,
+    /// Nothing if it could not be read.
+    pub unit: Option<Unit>,
     pub bounds: Vec<Bound>,
     pub direction: Option<Direction>,
     /// The span of the word `gravity`, for the parameter that is the gravitational field strength.
@@ -147,7 +146,8 @@ pub struct Coordinate {
     pub docs: Doc,
     pub name: Ident,
     pub label: Option<String>,
-    pub unit: Unit,
+    /// Nothing if it could not be read.
+    pub unit: Option<Unit>,
     pub direction: Option<Direction>,
 }
 

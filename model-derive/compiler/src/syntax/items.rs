@@ -41,7 +41,6 @@ pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<D
         assertions: Vec::new(),
         sets: Vec::new(),
         coordinates: Vec::new(),
-        coordinates_unread: false,
         matrices: Vec::new(),
         unread: Vec::new(),
     };
@@ -203,17 +202,14 @@ fn coordinates(
     model: &mut Declaration,
     report: &mut Report,
 ) -> syn::Result<()> {
-    let first = model.coordinates.is_empty();
-    if !first {
+    let mut second = Vec::new();
+    let coordinates = if model.coordinates.is_empty() {
+        &mut model.coordinates
+    } else {
         report.error(keyword, "a second `coordinates`: expected one, since its order is that of the matrices");
-    }
-    block(input, "the coordinates", report, parameters::starts, |input, report| {
-        let coordinate = coordinate(input, report).inspect_err(|_| model.coordinates_unread = true)?;
-        if first {
-            model.coordinates.push(coordinate);
-        }
-        Ok(())
-    })
+        &mut second
+    };
+    block(input, "the coordinates", report, parameters::starts, |input, report| coordinate(input, coordinates, report))
 }
 
 fn definition(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {

@@ -9,8 +9,8 @@ mod tokens;
 mod unit;
 
 pub use declaration::{
-    Assertion, Bound, Declaration, Direction, Matrix, MatrixName, ParameterSet, Printed, Published, Relation,
-    Requirement, Value,
+    Assertion, Bound, Coordinate, Declaration, Direction, Matrix, MatrixName, ParameterSet, Printed, Published,
+    Relation, Requirement, Value,
 };
 pub use expression::{Expression, Factor, Kind, Term, constant};
 pub use number::Decimal;

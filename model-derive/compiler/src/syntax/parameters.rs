@@ -4,13 +4,15 @@ use proc_macro2::Span;
 use syn::Token;
 use syn::parse::ParseStream;
 
-use super::declaration::{Bound, Coordinate, Direction, Doc, Parameter, Relation, Value};
+use super::declaration::{Bound, Coordinate, Direction, Parameter, Relation, Value};
 use super::expression::expression;
 use super::tokens::{declared, docs, expected, reserved, semicolon, text};
 use super::unit::{unit, unit_after_value};
 use crate::report::{Region, Report, error};
 
 /// `lam "λ": rad, in (-pi/2, pi/2);`
+///
+/// One that cannot be read to its end is there all the same: what uses it is no further mistake.
 pub fn parameter(
     input: ParseStream<'_>,
     parameters: &mut Vec<Parameter>,
@@ -20,30 +22,26 @@ pub fn parameter(
     let what = "the name of a parameter";
     let docs = docs(input, what, report)?;
     let name = declared(input, what)?;
-    match parameter_after_name(input, docs, &name) {
-        Ok(parameter) => match reserved(&name.to_string()) {
-            None => parameters.push(parameter),
-            // It could not become a field.
-            Some(what) => {
-                report.error(&name, format!("`{name}` is {what}: expected another name"));
-                unread.push(name);
-            }
-        },
-        Err(error) => {
-            unread.push(name);
-            return Err(error);
+    let reserved = reserved(&name.to_string());
+    let bounds = Vec::new();
+    let mut parameter =
+        Parameter { docs, name, symbol: None, unit: None, bounds, direction: None, gravity: None, unused: None };
+    let read = after_name(input, &mut parameter);
+    match reserved {
+        None => parameters.push(parameter),
+        // It could not become a field.
+        Some(what) => {
+            report.error(&parameter.name, format!("`{}` is {what}: expected another name", parameter.name));
+            unread.push(parameter.name);
         }
     }
-    Ok(())
+    read
 }
 
-fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) -> syn::Result<Parameter> {
-    let symbol = text(input)?;
+fn after_name(input: ParseStream<'_>, parameter: &mut Parameter) -> syn::Result<()> {
+    parameter.symbol = text(input)?;
     colon(input)?;
-    let unit = unit(input)?;
-    let name = name.clone();
-    let mut parameter =
-        Parameter { docs, name, symbol, unit, bounds: Vec::new(), direction: None, gravity: None, unused: None };
+    parameter.unit = Some(unit(input)?);
     while input.parse::<Option<Token![,]>>()?.is_some() {
         if let Some(bound) = comparison(input)? {
             parameter.bounds.push(bound);
@@ -63,8 +61,7 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
         }
     }
     let plain = parameter.bounds.is_empty() && parameter.direction.is_none();
-    semicolon(input, if plain { "`*`, `/`, `,` or `;`" } else { "`,` or `;`" }, "the parameter")?;
-    Ok(parameter)
+    semicolon(input, if plain { "`*`, `/`, `,` or `;`" } else { "`,` or `;`" }, "the parameter")
 }
 
 const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `!= 0`, `in (a, b)`, `in [a, b]`), a direction (`along x`, `about y`), \
@@ -166,22 +163,23 @@ fn interval(input: ParseStream<'_>) -> syn::Result<[Bound; 2]> {
     Ok([bound(relations[0], low), bound(relations[1], high)])
 }
 
-pub fn coordinate(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Coordinate> {
+/// `phi "lean": rad, about x;`, there all the same if it cannot be read to its end.
+pub fn coordinate(input: ParseStream<'_>, coordinates: &mut Vec<Coordinate>, report: &mut Report) -> syn::Result<()> {
     let what = "the name of a coordinate";
     let docs = docs(input, what, report)?;
     let name = declared(input, what)?;
-    let label = text(input)?;
+    coordinates.push(Coordinate { docs, name, label: None, unit: None, direction: None });
+    let Some(coordinate) = coordinates.last_mut() else { return Ok(()) };
+    coordinate.label = text(input)?;
     colon(input)?;
-    let unit = unit(input)?;
-    let mut coordinate = Coordinate { docs, name, label, unit, direction: None };
+    coordinate.unit = Some(unit(input)?);
     while input.parse::<Option<Token![,]>>()?.is_some() {
         let Some((span, direction)) = direction(input)? else {
             return Err(expected(input, "a direction (`along y`, `about x`)"));
         };
         once(&mut coordinate.direction, direction, span)?;
     }
-    semicolon(input, "`,` or `;`", "the coordinate")?;
-    Ok(coordinate)
+    semicolon(input, "`,` or `;`", "the coordinate")
 }
 
 /// Whether a parameter or a coordinate starts here.

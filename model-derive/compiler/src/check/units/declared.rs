@@ -66,13 +66,14 @@ impl Dimensions {
     pub fn new(declaration: &Declaration, report: &mut Report) -> Self {
         let parameters = declaration.parameters.iter();
         let parameters: Vec<_> =
-            parameters.map(|p| coherent(&p.unit, report).map(|unit| unit.directed(p.direction))).collect();
+            parameters.map(|p| coherent(p.unit.as_ref()?, report).map(|unit| unit.directed(p.direction))).collect();
         let coordinates = declaration.coordinates.iter().map(|coordinate| {
-            let dimension = coherent(&coordinate.unit, report)?;
+            let unit = coordinate.unit.as_ref()?;
+            let dimension = coherent(unit, report)?;
             if !dimension.is_number() && !dimension.same_unit(Dimension::new([0, 1, 0])) {
                 let message =
                     format!("a coordinate {}: expected an angle (`rad`) or a length (`m`)", dimension.place());
-                report.error(coordinate.unit.region, message);
+                report.error(unit.region, message);
                 return None;
             }
             Some(dimension.directed(coordinate.direction))

@@ -16,7 +16,7 @@ use self::analysis::{Analysis, short};
 use super::constants::Constant;
 use super::names::Scope;
 use crate::report::Report;
-use crate::syntax::{Declaration, Direction, Matrix, MatrixName, Requirement};
+use crate::syntax::{Coordinate, Declaration, Direction, Matrix, MatrixName, Requirement};
 
 /// Reports formulas whose units or mirrors do not fit, and returns the dimensions of the definitions, as far as they are
 /// known; `order` puts each definition after those that it uses.
@@ -47,10 +47,11 @@ pub fn check(
 
 fn gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Report) {
     for (parameter, dimension) in declaration.parameters.iter().zip(&dimensions.parameters) {
-        let Some(dimension) = dimension.filter(|_| parameter.gravity.is_some()) else { continue };
+        let unit = parameter.unit.as_ref().filter(|_| parameter.gravity.is_some());
+        let Some((dimension, unit)) = dimension.zip(unit) else { continue };
         if !dimension.same_unit(Dimension::new([0, 1, -2])) {
             let message = format!("`{}`, the gravity, is {}: expected `N/kg`", parameter.name, dimension.place());
-            report.error(parameter.unit.region, message);
+            report.error(unit.region, message);
         }
     }
 }
@@ -92,9 +93,9 @@ fn check_matrix(analysis: &Analysis<'_>, matrix: &Matrix, report: &mut Report) {
                     "this entry of `{name}` is {}: expected {expected}, as its row is `{}` in {} and its column `{}` in {}",
                     found.place(),
                     row.name,
-                    row.unit.text,
+                    unit_text(row),
                     column.name,
-                    column.unit.text,
+                    unit_text(column),
                 );
                 report.error(entry.region, message);
             } else if analysis.dimensions.mirrored && found != expected {
@@ -109,6 +110,10 @@ fn check_matrix(analysis: &Analysis<'_>, matrix: &Matrix, report: &mut Report) {
             }
         }
     }
+}
+
+fn unit_text(coordinate: &Coordinate) -> &str {
+    coordinate.unit.as_ref().map_or("", |unit| &unit.text)
 }
 
 /// What an entry is in: the energy, by the coordinates, with the factor of the matrix taken out of it.

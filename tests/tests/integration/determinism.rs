@@ -1,0 +1,58 @@
+//! The same declaration gives the same bytes: run after run, among other models, and wherever it lies.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::PathBuf;
+
+use carvallo_compiler::files::regenerate;
+use carvallo_compiler::{Driver, expand};
+use quote::quote;
+
+const SMALL: &str = "model Small { parameters { a: m, > 0; b: kg, > 0; lam: rad; } let c = a*b + b/a; \
+                     require a + b > 0; coordinates { x: m; y: rad; } \
+                     M = [[c, b*sin(lam)], [b*sin(lam), c^2]]; K0 = [[a*cos(lam), 0], [0, c/b]]; }";
+
+fn expanded(declaration: &str, driver: &Driver) -> String {
+    expand(declaration.parse().expect("tokens"), driver).expect("the model compiles").to_string()
+}
+
+fn drivers() -> [Driver; 2] {
+    [Driver::Macro { runtime: quote!(::carvallo) }, Driver::File]
+}
+
+#[test]
+fn fifty_runs_among_other_models_give_the_same_code() {
+    let first = drivers().map(|driver| expanded(SMALL, &driver));
+    for run in 0..50 {
+        // Each of the others has more names than the ones before it.
+        let mut other = String::from("model Other { parameters { a: m; lam: rad; } let d0 = a*sin(lam);");
+        (1..=2 * run).for_each(|index| write!(other, "let d{index} = d{}*a + lam;", index - 1).expect("a string"));
+        write!(other, "coordinates {{ x: m; }} M = [[d{}]]; }}", 2 * run).expect("a string");
+        assert!(!expanded(&other, &Driver::File).is_empty());
+        assert_eq!(drivers().map(|driver| expanded(SMALL, &driver)), first, "run {run}");
+    }
+}
+
+#[test]
+fn the_folder_does_not_matter() {
+    let source = include_str!("../../../generated/models/whipple.rs");
+    let written = ["a", "another folder"].map(|name| {
+        let folder: PathBuf = std::env::temp_dir().join(format!("carvallo-{}-{name}", std::process::id()));
+        fs::create_dir_all(folder.join("models")).expect("a folder for the test");
+        fs::write(folder.join("models/whipple.rs"), source).expect("a file can be written");
+        regenerate(&folder, false).expect("the model compiles");
+        let files =
+            ["mod.rs", "whipple.rs"].map(|file| fs::read(folder.join("src/models").join(file)).expect("a file"));
+        fs::remove_dir_all(&folder).expect("the folder can be removed");
+        files
+    });
+    assert_eq!(written[0], written[1]);
+}
+
+#[test]
+fn a_chain_of_thousands_of_definitions_compiles() {
+    let mut chain = String::from("model Chain { parameters { p: 1; q: 1; } coordinates { x: 1; } let d0 = p*q;");
+    (1..4_000).for_each(|index| write!(chain, "let d{index} = sin(d{})*p + q;", index - 1).expect("a string"));
+    chain.push_str("M = [[d3999]]; }");
+    assert_eq!(expanded(&chain, &Driver::File).matches(":: sin (").count(), 3_999);
+}
