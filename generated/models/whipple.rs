@@ -9,16 +9,16 @@ carvallo::model! {
 
         parameters {
             /// Wheel base.
-            w: m, > 0;
+            w: m, > 0, along x;
             /// Trail: positive when the front contact is behind the point where the steer axis meets the ground.
-            c: m;
+            c: m, along x;
             /// Steer axis tilt: 90 degrees minus the head angle.
-            lam "λ": rad, in (-pi/2, pi/2);
+            lam "λ": rad, in (-pi/2, pi/2), about y;
             /// Gravitational field strength.
             g: N/kg, >= 0, gravity;
 
             /// Radius of the rear wheel.
-            rR: m, > 0;
+            rR: m, > 0, along z;
             /// Mass of the rear wheel.
             mR: kg, >= 0;
             /// Radial moment of inertia of the rear wheel; by symmetry also about the vertical.
@@ -27,9 +27,9 @@ carvallo::model! {
             IRyy: kg*m^2, >= 0;
 
             /// Centre of mass of the rear frame and rider, forward of the rear contact.
-            xB: m;
+            xB: m, along x;
             /// Centre of mass of the rear frame and rider, downward.
-            zB: m;
+            zB: m, along z;
             /// Mass of the rear frame and rider.
             mB: kg, >= 0;
             /// Moment of inertia of the rear frame and rider about its centre of mass, in roll.
@@ -39,12 +39,12 @@ carvallo::model! {
             /// Moment of inertia of the rear frame and rider about its centre of mass, in yaw.
             IBzz: kg*m^2, >= 0;
             /// Product of inertia of the rear frame and rider about its centre of mass.
-            IBxz: kg*m^2;
+            IBxz: kg*m^2, along x*z;
 
             /// Centre of mass of the front frame, forward of the rear contact.
-            xH: m;
+            xH: m, along x;
             /// Centre of mass of the front frame, downward.
-            zH: m;
+            zH: m, along z;
             /// Mass of the front frame.
             mH: kg, >= 0;
             /// Moment of inertia of the front frame about its centre of mass, in roll.
@@ -54,10 +54,10 @@ carvallo::model! {
             /// Moment of inertia of the front frame about its centre of mass, in yaw.
             IHzz: kg*m^2, >= 0;
             /// Product of inertia of the front frame about its centre of mass.
-            IHxz: kg*m^2;
+            IHxz: kg*m^2, along x*z;
 
             /// Radius of the front wheel.
-            rF: m, > 0;
+            rF: m, > 0, along z;
             /// Mass of the front wheel.
             mF: kg, >= 0;
             /// Radial moment of inertia of the front wheel; by symmetry also about the vertical.
@@ -99,12 +99,12 @@ carvallo::model! {
 
         coordinates {
             /// Lean of the rear frame, positive to the right.
-            phi "lean": rad;
+            phi "lean": rad, about x;
             /// Steer of the front frame relative to the rear frame, positive to the right.
-            delta "steer": rad;
+            delta "steer": rad, about z;
         }
 
-        M = [
+        symmetric M = [
             [ITxx, IAlx + mu*ITxz],
             [IAlx + mu*ITxz, IAll + 2*mu*IAlz + mu^2*ITzz],
         ];
@@ -112,7 +112,7 @@ carvallo::model! {
             [0, mu*ST + SF*cos(lam) + (ITxz/w)*cos(lam) - mu*mT*zT],
             [-(mu*ST + SF*cos(lam)), (IAlz/w)*cos(lam) + mu*(SA + (ITzz/w)*cos(lam))],
         ];
-        K0 = [
+        symmetric K0 = [
             [mT*zT, -SA],
             [-SA, -SA*sin(lam)],
         ];
@@ -127,6 +127,12 @@ carvallo::model! {
             xB = 0.3; zB = -0.9; mB = 85; IBxx = 9.2; IByy = 11; IBzz = 2.8; IBxz = 2.4;
             xH = 0.9; zH = -0.7; mH = 4; IHxx = 0.05892; IHyy = 0.06; IHzz = 0.00708; IHxz = -0.00756;
             rF = 0.35; mF = 3; IFxx = 0.1405; IFyy = 0.28;
+
+            // As they are printed: the formulas must give every digit.
+            M = [[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]];
+            C1 = [[0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]];
+            K0 = [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]];
+            K2 = [[0, 76.59734589573222], [0, 2.65431523794604]];
         }
 
         set benchmark_2005 "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005" {
@@ -135,6 +141,11 @@ carvallo::model! {
             xB = 0.3; zB = -0.9; mB = 85; IBxx = 9.2; IByy = 11; IBzz = 2.8; IBxz = 2.4;
             xH = 0.9; zH = -0.7; mH = 4; IHxx = 0.0546; IHyy = 0.06; IHzz = 0.0114; IHxz = -0.0162;
             rF = 0.35; mF = 3; IFxx = 0.14; IFyy = 0.28;
+
+            // Printed with gravity in it, K0 is not among them.
+            M = [[80.8121, 2.32343142623549], [2.32343142623549, 0.30126570934256]];
+            C1 = [[0, 33.77386947593010], [-0.84823447825693, 1.70696539792387]];
+            K2 = [[0, 76.40620875965657], [0, 2.67560553633218]];
         }
     }
 }

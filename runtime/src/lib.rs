@@ -20,6 +20,8 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 
 mod coefficients;
+#[cfg(feature = "derive")]
+mod declare;
 mod eigenvalues;
 mod error;
 mod info;
@@ -40,5 +42,7 @@ pub use scalar::Scalar;
 pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};
 pub use system::{StateSpace, System};
 
+/// The other half of [`model!`].
 #[cfg(feature = "derive")]
-pub use carvallo_derive::model;
+#[doc(hidden)]
+pub use carvallo_derive::model as __model;

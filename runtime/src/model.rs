@@ -63,6 +63,9 @@ impl fmt::Display for ParameterError {
         if !matches!(*unit, "" | "1") {
             write!(f, " {unit}")?;
         }
+        if *required == Domain::NONZERO && value.is_finite() {
+            return f.write_str("; it must not be 0");
+        }
         f.write_str("; it must be ")?;
         if !value.is_finite() && *required != Domain::FINITE {
             f.write_str("finite and ")?;

@@ -1,6 +1,6 @@
 // @generated from generated/models/whipple.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 1289cdd8c1e5b6e0
+// Hash of the source: 6882017f2fd1fc00
 
 /// The Whipple-Carvallo bicycle: the linearized equations of lean and steer about upright straight running.
 ///
@@ -299,11 +299,11 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleMatrices<T = ::core::primitive::f64> {
-    /// Mass matrix M, the coefficient of q''.
+    /// Mass matrix M, the coefficient of q''. Symmetric, proved.
     pub m: [[T; 2]; 2],
     /// Damping C1, a coefficient of v q'.
     pub c1: [[T; 2]; 2],
-    /// Stiffness K0, a coefficient of g q.
+    /// Stiffness K0, a coefficient of g q. Symmetric, proved.
     pub k0: [[T; 2]; 2],
     /// Stiffness K2, a coefficient of v^2 q.
     pub k2: [[T; 2]; 2],
@@ -394,6 +394,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Open(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -405,6 +406,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Unbounded,
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -416,6 +418,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Open(-1.5707963267948966),
                     upper: ::carvallo::Bound::Open(1.5707963267948966),
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -427,6 +430,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -438,6 +442,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Open(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -449,6 +454,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -460,6 +466,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -471,6 +478,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -482,6 +490,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Unbounded,
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -493,6 +502,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Unbounded,
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -504,6 +514,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -515,6 +526,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -526,6 +538,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: false,
             },
@@ -537,6 +550,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -548,6 +562,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Unbounded,
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -559,6 +574,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Unbounded,
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -570,6 +586,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Unbounded,
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -581,6 +598,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -592,6 +610,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -603,6 +622,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: false,
             },
@@ -614,6 +634,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -625,6 +646,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Unbounded,
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -636,6 +658,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Open(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -647,6 +670,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -658,6 +682,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -669,6 +694,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 domain: ::carvallo::Domain {
                     lower: ::carvallo::Bound::Closed(0.0),
                     upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
                 },
                 used: true,
             },
@@ -851,6 +877,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
             ::carvallo::Domain {
                 lower: ::carvallo::Bound::Open(0.0),
                 upper: ::carvallo::Bound::Unbounded,
+                nonzero: false,
             },
         )?;
         info.require(
@@ -860,6 +887,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
             ::carvallo::Domain {
                 lower: ::carvallo::Bound::Open(0.0),
                 upper: ::carvallo::Bound::Unbounded,
+                nonzero: false,
             },
         )?;
         ::core::result::Result::Ok(())

@@ -1,5 +1,7 @@
 //! What is left of a model for the symbolic stage: formulas in the parameters alone.
 
+use proc_macro2::Ident;
+
 use crate::model::{Expr, Model};
 
 /// Formulas to be evaluated together, as one program.
@@ -18,20 +20,28 @@ pub struct Equations {
 impl Equations {
     /// The entries of the declared matrices, row by row.
     pub fn of_matrices(model: &Model) -> Self {
-        Self::of(model, model.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect())
+        Self::of_formulas(
+            model.parameters.len(),
+            &model.definitions,
+            model.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect(),
+        )
     }
 
     /// The left-hand sides of the requirements.
     pub fn of_requirements(model: &Model) -> Self {
-        Self::of(model, model.requirements.iter().map(|requirement| requirement.value.clone()).collect())
+        Self::of_formulas(
+            model.parameters.len(),
+            &model.definitions,
+            model.requirements.iter().map(|requirement| requirement.value.clone()).collect(),
+        )
     }
 
-    /// With the definitions that the outputs depend on, and no others.
-    fn of(model: &Model, outputs: Vec<Expr>) -> Self {
-        let mut needed = vec![false; model.definitions.len()];
+    /// Any formulas, with the definitions that they depend on, and no others.
+    pub fn of_formulas(parameters: usize, definitions: &[(Ident, Expr)], outputs: Vec<Expr>) -> Self {
+        let mut needed = vec![false; definitions.len()];
         outputs.iter().for_each(|output| mark(output, &mut needed));
         // Each definition uses only earlier ones, so one way back finds them all.
-        for (index, (_, expr)) in model.definitions.iter().enumerate().rev() {
+        for (index, (_, expr)) in definitions.iter().enumerate().rev() {
             if needed[index] {
                 mark(expr, &mut needed);
             }
@@ -42,8 +52,8 @@ impl Equations {
             new[*origin] = position;
         }
         Self {
-            parameters: model.parameters.len(),
-            definitions: origins.iter().map(|origin| model.definitions[*origin].1.renumbered(&new)).collect(),
+            parameters,
+            definitions: origins.iter().map(|origin| definitions[*origin].1.renumbered(&new)).collect(),
             origins,
             outputs: outputs.iter().map(|output| output.renumbered(&new)).collect(),
         }

@@ -4,7 +4,8 @@
 //! tokens ─ syntax ─ check ─▶ Model ─▶ Equations ─ symbolic ─▶ Program ─ passes ─▶ Program ─ emit ─▶ tokens
 //! ```
 //!
-//! Data flows one way, and each stage has its own type. [`expand`] runs all of it; the macro and the ahead-of-time
+//! Data flows one way, and each stage has its own type. What a declaration claims of itself is proved in `check`, which
+//! asks the symbolic engine and is told what it found. [`expand`] runs all of it; the macro and the ahead-of-time
 //! binary call it alike.
 
 mod check;
@@ -19,7 +20,7 @@ mod report;
 pub mod symbolic;
 mod syntax;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream, TokenTree};
 
 pub use crate::emit::Driver;
 pub use crate::equations::Equations;
@@ -38,20 +39,44 @@ pub struct Compiled {
     pub requirements: Program,
 }
 
+/// Checks a declaration, and makes no programs of it.
+///
+/// # Errors
+/// All mistakes of the declaration, each at its span.
+pub fn check(declaration: TokenStream) -> syn::Result<Model> {
+    read(declaration).map_err(|(error, _)| error)
+}
+
+/// As [`check`], but beside the error there is what is known of the model.
+fn read(declaration: TokenStream) -> Result<Model, (syn::Error, Option<Box<Model>>)> {
+    let mut report = Report::default();
+    let model = syntax::parse(declaration, &mut report).map(|declaration| check::check(declaration, &mut report));
+    match (report.finish(), model) {
+        (Ok(()), Some(model)) => Ok(model),
+        (Ok(()), None) => unreachable!("a declaration without a model is reported"),
+        (Err(error), model) => Err((error, model.map(Box::new))),
+    }
+}
+
 /// Compiles a declaration.
 ///
 /// # Errors
-/// All mistakes of the declaration, each at its span; or the failure of the symbolic engine at the model's name.
+/// As [`check`]; or the failure of the symbolic engine, at the formula without a value or at the model's name.
 pub fn compile(declaration: TokenStream) -> syn::Result<Compiled> {
-    let mut report = Report::default();
-    let model = syntax::parse(declaration, &mut report).map(|declaration| check::check(declaration, &mut report));
-    report.finish()?;
-    let Some(model) = model else { unreachable!("a declaration without a model is reported") };
+    compile_or_model(declaration).map_err(|(error, _)| error)
+}
 
+/// As [`compile`], but beside the error there is what is known of the model.
+fn compile_or_model(declaration: TokenStream) -> Result<Compiled, (syn::Error, Option<Box<Model>>)> {
+    let model = read(declaration)?;
     let equations = vec![Equations::of_matrices(&model), Equations::of_requirements(&model)];
-    let programs = symbolic::compile(equations).map_err(|failure| report::error(region(&model, &failure), failure))?;
-    let [matrices, requirements] = programs.try_into().unwrap_or_else(|_| unreachable!("a program for each"));
-    Ok(Compiled { model, matrices, requirements })
+    match symbolic::compile(equations) {
+        Ok(programs) => {
+            let [matrices, requirements] = programs.try_into().unwrap_or_else(|_| unreachable!("a program for each"));
+            Ok(Compiled { model, matrices, requirements })
+        }
+        Err(failure) => Err((report::error(region(&model, &failure), failure), Some(Box::new(model)))),
+    }
 }
 
 /// Where in the declaration a failure belongs.
@@ -69,7 +94,24 @@ fn region(model: &Model, failure: &symbolic::Failure) -> Region {
 ///
 /// # Errors
 /// As [`compile`].
-pub fn expand(declaration: TokenStream, driver: Driver) -> syn::Result<TokenStream> {
+pub fn expand(declaration: TokenStream, driver: &Driver) -> syn::Result<TokenStream> {
     let Compiled { model, matrices, requirements } = compile(declaration)?;
     Ok(emit::emit(&model, &matrices, &requirements, driver))
+}
+
+/// What the macro leaves in the place of a declaration, before which stands in parentheses the path of the runtime:
+/// its Rust, or its mistakes, and beside them the types that the rest of the file uses.
+pub fn declare(input: TokenStream) -> TokenStream {
+    let mut tokens = input.into_iter();
+    let Some(TokenTree::Group(runtime)) = tokens.next() else {
+        return report::error(Span::call_site(), "expected a call by `carvallo::model!`").into_compile_error();
+    };
+    let driver = Driver::Macro { runtime: runtime.stream() };
+    match compile_or_model(tokens.collect()) {
+        Ok(Compiled { model, matrices, requirements }) => emit::emit(&model, &matrices, &requirements, &driver),
+        Err((error, model)) => {
+            let outline = model.map(|model| emit::outline(*model, &driver));
+            error.into_compile_error().into_iter().chain(outline.into_iter().flatten()).collect()
+        }
+    }
 }

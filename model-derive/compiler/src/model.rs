@@ -1,6 +1,6 @@
 //! The checked model: every name resolved, every shape and domain right.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 
 use crate::report::Region;
 use crate::syntax::{Decimal, MatrixName};
@@ -22,7 +22,7 @@ pub struct Model {
     pub gravity: Option<usize>,
     /// With their names, in an order in which each uses only earlier ones.
     pub definitions: Vec<(Ident, Expr)>,
-    /// Conditions on several parameters.
+    /// Conditions on several parameters: those that the formulas need to have a value, then those that are written.
     pub requirements: Vec<Requirement>,
     /// Named parameter sets.
     pub sets: Vec<ParameterSet>,
@@ -32,6 +32,30 @@ pub struct Model {
     pub matrices: Matrices,
     /// Where the entries of the matrices stand, in the same order, row by row.
     pub entries: Vec<Region>,
+    /// The matrices that are proved to be symmetric.
+    pub symmetric: Vec<MatrixName>,
+    /// The names in the declaration, for editors.
+    pub references: References,
+}
+
+/// What editors need to know of the names in a declaration.
+#[derive(Debug)]
+pub struct References {
+    /// The definitions in declared order, each with its formula as it was written.
+    pub definitions: Vec<(Ident, String)>,
+    /// Every use of a name in a formula or a parameter set.
+    pub uses: Vec<(Target, Ident)>,
+    /// The names of the declared matrices, where they are declared.
+    pub matrices: Vec<(MatrixName, Span)>,
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A parameter.
+    Parameter,
+    /// A definition.
+    Definition,
 }
 
 /// Matrices by name, each as rows of formulas.
@@ -91,15 +115,30 @@ pub struct Requirement {
     pub value: Expr,
     /// The values that are allowed.
     pub domain: Domain,
+    /// Who asks for it.
+    pub origin: Origin,
 }
 
-/// Finite values between two bounds.
+/// Who asks for a requirement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The declaration.
+    Declared,
+    /// The matrices, which have no value without it.
+    Matrices,
+    /// A requirement of the declaration, which has no value without it.
+    Requirements,
+}
+
+/// Finite values between two bounds, with or without zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {
     /// The lower end.
     pub lower: Bound,
     /// The upper end.
     pub upper: Bound,
+    /// Whether zero is left out.
+    pub nonzero: bool,
 }
 
 /// One end of a domain.
@@ -185,8 +224,7 @@ impl Expr {
     pub fn evaluate(&self, parameters: &[f64], definitions: &[f64]) -> f64 {
         let value = |part: &Self| part.evaluate(parameters, definitions);
         match self {
-            // Digits and a power of ten are always read.
-            Self::Number(number) => number.to_string().parse().unwrap_or(f64::NAN),
+            Self::Number(number) => number.to_f64(),
             Self::Pi => std::f64::consts::PI,
             Self::Parameter(index) => parameters[*index],
             Self::Definition(index) => definitions[*index],
@@ -214,6 +252,11 @@ impl Expr {
 }
 
 impl Domain {
+    /// Any finite value but zero.
+    pub const NONZERO: Self = Self { lower: Bound::Unbounded, upper: Bound::Unbounded, nonzero: true };
+    /// What a square root takes.
+    pub const NONNEGATIVE: Self = Self { lower: Bound::Closed(0.0), upper: Bound::Unbounded, nonzero: false };
+
     /// Whether `value` is finite and inside.
     pub fn contains(&self, value: f64) -> bool {
         let above = match self.lower {
@@ -226,7 +269,7 @@ impl Domain {
             Bound::Open(bound) => value < bound,
             Bound::Closed(bound) => value <= bound,
         };
-        value.is_finite() && above && below
+        value.is_finite() && above && below && !(self.nonzero && value == 0.0)
     }
 }
 
@@ -244,9 +287,11 @@ impl std::fmt::Display for Domain {
             Bound::Closed(bound) => Some(format!("<= {bound}")),
         };
         match (lower, upper) {
-            (None, None) => f.write_str("any finite value"),
-            (Some(one), None) | (None, Some(one)) => f.write_str(&one),
-            (Some(low), Some(high)) => write!(f, "{low} and {high}"),
+            (None, None) if self.nonzero => return f.write_str("not 0"),
+            (None, None) => return f.write_str("any finite value"),
+            (Some(one), None) | (None, Some(one)) => f.write_str(&one)?,
+            (Some(low), Some(high)) => write!(f, "{low} and {high}")?,
         }
+        if self.nonzero { f.write_str(" and not 0") } else { Ok(()) }
     }
 }

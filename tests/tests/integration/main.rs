@@ -1,12 +1,18 @@
 //! Integration tests: results of generated code and of the runtime against facts from outside of both.
 
 mod bicycles;
+#[cfg(feature = "compiler")]
+mod claims;
 mod critical_speeds;
 mod designs;
 mod eigenvalues;
 #[cfg(feature = "compiler")]
+mod enormous;
+#[cfg(feature = "compiler")]
 mod generation;
 mod modes;
+#[cfg(feature = "compiler")]
+mod mutants;
 mod operations;
 mod published;
 #[cfg(feature = "compiler")]

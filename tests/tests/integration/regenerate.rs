@@ -92,3 +92,26 @@ fn mistakes_of_a_source_are_shown_where_they_are() {
                     | fn main() {}\n  | ^^\n";
     assert_eq!(folder.check(), expected);
 }
+
+#[test]
+fn what_cannot_be_split_into_tokens_is_shown_where_it_is() {
+    let folder = Folder::new("tokens");
+    let cases = [
+        (
+            SOURCE.replace("[[m*l^2/3]]", "[[m*l²/3]]"),
+            "5:18",
+            "found `²`: expected names, numbers, texts and signs of Rust",
+        ),
+        (SOURCE.replace("rad; }", "rad; ]"), "4:35", "`]` closes nothing: expected the other half of what is open"),
+        (SOURCE.replace("rad; }", "rad;"), "1:18", "`{` is never closed: expected its other half"),
+        (format!("{SOURCE}}}"), "8:1", "`}` closes nothing: expected the other half of what is open"),
+        (format!("{SOURCE}/* open"), "8:1", "a comment without an end: expected `*/`"),
+        (SOURCE.replace("rad;", "\"rad;"), "4:30", "a text without an end: expected `\"`"),
+    ];
+    for (source, place, message) in cases {
+        folder.write("models/rod.rs", &source);
+        let found = folder.check();
+        let expected = format!("generated/models/rod.rs:{place}: error: {message}\n");
+        assert!(found.starts_with(&expected), "{found}instead of\n{expected}");
+    }
+}

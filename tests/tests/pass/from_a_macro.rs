@@ -12,9 +12,9 @@ macro_rules! rod {
     };
 }
 
-rod!(Rod, m * l + m);
+rod!(Rod, m * l ^ 2 + m * l ^ 2 / 2);
 
 fn main() {
-    // 2 (m l + m), not 2 m l + m.
-    assert_eq!(Rod { l: 2.0, m: 3.0 }.matrices().m, [[18.0]]);
+    // 2 (m l^2 + m l^2 / 2), not 2 m l^2 + m l^2 / 2.
+    assert_eq!(Rod { l: 2.0, m: 3.0 }.matrices().m, [[36.0]]);
 }

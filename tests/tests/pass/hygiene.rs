@@ -35,18 +35,18 @@ mod model {
         /// A model with a type parameter's name.
         pub model T2 {
             parameters {
-                e: m, > 0;
-                I: m, > 0;
+                e: 1, > 0;
+                I: 1, > 0;
                 Gamma: rad;
                 x_: rad;
-                t5: kg, > 0;
+                t5: 1, > 0;
             }
             let E = sin(Gamma)*cos(Gamma) + sqrt(e)*tan(x_)/t5;
             let d0 = E + I;
             require e + I > 0;
             coordinates { T: rad; f64: m; }
-            M = [[d0, E], [E, 2]];
-            C1 = [[0, e], [0.5, 0]];
+            M = [[d0*1 [kg*m^2], E*1 [kg*m]], [E*1 [kg*m], 2 [kg]]];
+            C1 = [[0, e*1 [kg]], [0.5 [kg], 0]];
             set ok { e = 1; I = 2; Gamma = 0; x_ = 0; t5 = 1; }
         }
     }
@@ -55,7 +55,7 @@ mod model {
 mod called_like_a_type_parameter {
     ::carvallo::model! {
         model T {
-            parameters { t: m, > 0; }
+            parameters { t: kg, > 0; }
             coordinates { q: m; }
             M = [[t]];
         }

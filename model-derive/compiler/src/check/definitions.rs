@@ -6,7 +6,7 @@ use super::names::Scope;
 use super::resolve;
 use crate::model::Expr;
 use crate::report::Report;
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, Expression};
 
 /// The definitions, resolved, and their order.
 #[derive(Debug)]
@@ -14,7 +14,9 @@ pub struct Resolved {
     /// By position in the declaration.
     pub definitions: Vec<Expr>,
     /// Positions in the declaration, each after those that it uses.
-    order: Vec<usize>,
+    pub order: Vec<usize>,
+    /// Whether some definition depends on itself, so that there is no such order.
+    pub cyclic: bool,
 }
 
 impl Resolved {
@@ -23,6 +25,11 @@ impl Resolved {
         let new = self.new_positions();
         let entry = |old: &usize| (declaration.definitions[*old].name.clone(), self.definitions[*old].renumbered(&new));
         self.order.iter().map(entry).collect()
+    }
+
+    /// The formulas of the definitions as they are written, in their order.
+    pub fn sources<'a>(&self, declaration: &'a Declaration) -> Vec<&'a Expression> {
+        self.order.iter().map(|old| &declaration.definitions[*old].value).collect()
     }
 
     /// For each position in the declaration the one in the order.
@@ -62,6 +69,7 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
     let uses: Vec<Vec<usize>> = definitions.iter().map(uses).collect();
     let mut state = vec![State::New; definitions.len()];
     let mut order = Vec::new();
+    let mut cyclic = false;
     for start in 0..definitions.len() {
         // Depth first with a stack of our own: a chain of thousands of definitions must not exhaust the thread's.
         let mut stack = vec![(start, 0)];
@@ -82,6 +90,7 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
                 State::New => stack.push((used, 0)),
                 State::Done => {}
                 State::Open => {
+                    cyclic = true;
                     let path = stack.iter().map(|(node, _)| *node).skip_while(|node| *node != used);
                     let names: Vec<String> =
                         path.chain([used]).map(|node| format!("`{}`", declaration.definitions[node].name)).collect();
@@ -92,5 +101,5 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
             }
         }
     }
-    Resolved { definitions, order }
+    Resolved { definitions, order, cyclic }
 }

@@ -1,6 +1,7 @@
 //! The values that parameters may take.
 
 use super::constants::Constant;
+use super::units::Dimension;
 use crate::model;
 use crate::report::{Region, Report};
 use crate::syntax::{Bound, Relation};
@@ -10,13 +11,14 @@ use crate::syntax::{Bound, Relation};
 pub struct Domain {
     lower: Option<(Constant, f64, bool)>,
     upper: Option<(Constant, f64, bool)>,
+    nonzero: bool,
 }
 
-/// The domain that the bounds of a parameter make.
-pub fn domain(bounds: &[Bound], report: &mut Report) -> Domain {
+/// The domain that the bounds of a quantity of dimension `own` make.
+pub fn domain(bounds: &[Bound], own: Option<Dimension>, report: &mut Report) -> Domain {
     let mut domain = Domain::default();
     for bound in bounds {
-        let constant = match Constant::evaluate(&bound.value) {
+        let constant = match Constant::in_unit(&bound.value, own) {
             Ok(constant) => constant,
             Err(error) => {
                 report.push(error);
@@ -26,11 +28,21 @@ pub fn domain(bounds: &[Bound], report: &mut Report) -> Domain {
         let value = match constant.to_f64() {
             Ok(value) => value,
             Err(message) => {
-                report.error(bound.value.region, message);
+                report.error(bound.value.region(), message);
                 continue;
             }
         };
         let (side, end, included) = match bound.relation {
+            Relation::NotEqual => {
+                if value != 0.0 {
+                    report.error(
+                        bound.region,
+                        format!("found `!= {value}`: expected `!= 0`, the one value to leave out"),
+                    );
+                }
+                domain.nonzero = true;
+                continue;
+            }
             Relation::Greater => (&mut domain.lower, "lower", false),
             Relation::GreaterEqual => (&mut domain.lower, "lower", true),
             Relation::Less => (&mut domain.upper, "upper", false),
@@ -41,11 +53,12 @@ pub fn domain(bounds: &[Bound], report: &mut Report) -> Domain {
         }
     }
     if let (Some((low, _, low_in)), Some((high, _, high_in))) = (&domain.lower, &domain.upper)
-        && !(low < high || low == high && *low_in && *high_in)
+        && !(low < high || low == high && *low_in && *high_in && !(domain.nonzero && low.is_zero()))
     {
         let region = bounds.iter().map(|bound| bound.region).reduce(Region::to);
         if let Some(region) = region {
-            report.error(region, "an empty domain: expected a lower bound below the upper one");
+            let other = if domain.nonzero { ", or other values than 0" } else { "" };
+            report.error(region, format!("an empty domain: expected a lower bound below the upper one{other}"));
         }
         return Domain::default();
     }
@@ -57,7 +70,7 @@ impl Domain {
     pub fn contains(&self, value: &Constant) -> bool {
         let above = self.lower.as_ref().is_none_or(|(low, _, included)| value > low || *included && value == low);
         let below = self.upper.as_ref().is_none_or(|(high, _, included)| value < high || *included && value == high);
-        above && below
+        above && below && !(self.nonzero && value.is_zero())
     }
 
     /// In the numbers of the generated code.
@@ -67,6 +80,6 @@ impl Domain {
             Some((_, value, true)) => model::Bound::Closed(*value),
             Some((_, value, false)) => model::Bound::Open(*value),
         };
-        model::Domain { lower: bound(&self.lower), upper: bound(&self.upper) }
+        model::Domain { lower: bound(&self.lower), upper: bound(&self.upper), nonzero: self.nonzero }
     }
 }

@@ -1,15 +1,26 @@
 //! The shapes of the matrices.
 
+use std::collections::HashSet;
+
 use super::names::Scope;
 use super::resolve;
 use crate::model::{Expr, Matrices};
 use crate::report::{Region, Report};
-use crate::syntax::{Declaration, Matrix, MatrixName};
+use crate::syntax::{Declaration, MatrixName};
 
 /// The declared matrices, in the order of the equation of motion, and where their entries stand, row by row.
-pub fn matrices(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> (Matrices, Vec<Region>) {
+///
+/// With statements `unread`, those that are missing are probably among them.
+pub fn matrices(
+    declaration: &Declaration,
+    unread: bool,
+    scope: &mut Scope,
+    report: &mut Report,
+) -> (Matrices, Vec<Region>) {
     let n = declaration.coordinates.len();
-    if n == 0 && report.is_empty() {
+    let distinct: HashSet<String> =
+        declaration.coordinates.iter().map(|coordinate| coordinate.name.to_string()).collect();
+    if n == 0 && !unread {
         report.error(&declaration.name, "no coordinates: expected `coordinates { … }` with at least one");
     }
     let mut matrices: Vec<(MatrixName, Vec<Vec<Expr>>, Vec<Region>)> = Vec::new();
@@ -19,16 +30,16 @@ pub fn matrices(declaration: &Declaration, scope: &mut Scope, report: &mut Repor
             report.error(matrix.span, format!("`{name}` is declared twice: expected one of each matrix"));
             continue;
         }
-        // Without coordinates no shape is right, and the one mistake is that there are none.
-        if n > 0 {
-            check_shape(matrix, n, report);
+        // Without coordinates, or with one unread or declared twice, it is not known what shape is right.
+        if n > 0 && n == distinct.len() && !declaration.coordinates_unread {
+            check_shape(name, &matrix.rows, matrix.region, n, report);
         }
         let mut resolve = |row: &Vec<_>| row.iter().map(|entry| resolve::expression(entry, scope, report)).collect();
         let rows = matrix.rows.iter().map(|(_, row)| resolve(row)).collect();
         let regions = matrix.rows.iter().flat_map(|(_, row)| row.iter().map(|entry| entry.region)).collect();
         matrices.push((matrix.name, rows, regions));
     }
-    if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && report.is_empty() {
+    if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && !unread {
         report.error(Region::from(&declaration.name), "no mass matrix: expected `M = [[…], …];`");
     }
     matrices.sort_by_key(|(name, ..)| *name);
@@ -36,19 +47,19 @@ pub fn matrices(declaration: &Declaration, scope: &mut Scope, report: &mut Repor
     (matrices.into_iter().map(|(name, rows, _)| (name, rows)).collect(), regions)
 }
 
-fn check_shape(matrix: &Matrix, n: usize, report: &mut Report) {
-    let name = matrix.name.name();
+/// Whether rows are n x n; reports those that are not.
+pub fn check_shape<T>(name: &str, rows: &[(Region, Vec<T>)], region: Region, n: usize, report: &mut Report) -> bool {
     let shape = format!("expected {n} x {n}, a row and a column for each coordinate");
-    if matrix.rows.len() != n {
-        let found = count(matrix.rows.len(), "row");
-        report.error(matrix.region, format!("`{name}` has {found}: {shape}"));
+    if rows.len() != n {
+        let found = count(rows.len(), "row");
+        report.error(region, format!("`{name}` has {found}: {shape}"));
     }
-    for (region, row) in &matrix.rows {
-        if row.len() != n {
-            let found = count(row.len(), "entry");
-            report.error(*region, format!("a row of `{name}` has {found}: {shape}"));
-        }
+    let wrong = || rows.iter().filter(|(_, row)| row.len() != n);
+    for (region, row) in wrong() {
+        let found = count(row.len(), "entry");
+        report.error(*region, format!("a row of `{name}` has {found}: {shape}"));
     }
+    rows.len() == n && wrong().next().is_none()
 }
 
 fn count(number: usize, what: &str) -> String {

@@ -1,17 +1,27 @@
 //! The syntax tree to a [`Model`]: the last stage that reports the user's mistakes.
 
+mod claims;
 mod constants;
+mod counterexample;
 mod definitions;
+mod divisors;
 mod domains;
+mod intervals;
 mod matrices;
 mod names;
+mod published;
+mod ranges;
+mod references;
 mod resolve;
 mod sets;
+mod units;
 mod unused;
 
-use crate::model::{Coordinate, Model, Parameter, Requirement};
+use self::claims::Claim;
+use self::counterexample::Space;
+use crate::model::{Coordinate, Domain, Expr, Matrices, Model, Origin, Parameter, Requirement};
 use crate::report::Report;
-use crate::syntax::{Declaration, MatrixName};
+use crate::syntax::{Assertion, Declaration, MatrixName};
 
 /// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
 pub fn check(declaration: Declaration, report: &mut Report) -> Model {
@@ -20,6 +30,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         report.error(&declaration.name, "no parameters: expected `parameters { … }` with at least one");
     }
     let mut scope = names::Scope::new(&declaration, report);
+    let dimensions = units::Dimensions::new(&declaration, report);
     let resolved = definitions::resolve(&declaration, &mut scope, report);
     let requirements: Vec<Requirement> = declaration
         .requirements
@@ -28,41 +39,76 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
             text: resolve::text(&requirement.value),
             region: requirement.value.region,
             value: resolve::expression(&requirement.value, &mut scope, report),
-            domain: domains::domain(std::slice::from_ref(&requirement.bound), report).to_model(),
+            domain: domains::domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
+            origin: Origin::Declared,
         })
         .collect();
-    let (matrices, entries) = matrices::matrices(&declaration, &mut scope, report);
+    let assertions: Vec<[Expr; 2]> = declaration
+        .assertions
+        .iter()
+        .map(|assertion| [&assertion.left, &assertion.right].map(|side| resolve::expression(side, &mut scope, report)))
+        .collect();
+    let (matrices, entries) = matrices::matrices(&declaration, unread, &mut scope, report);
     let used = unused::parameters(&declaration, &resolved, &requirements, &matrices);
     // Without a mass matrix or a row formulas are missing, and what they would use is no mistake.
     let complete = matrices.iter().any(|(name, _)| *name == MatrixName::M)
         && matrices.iter().all(|(_, rows)| !rows.is_empty() && rows.iter().all(|row| !row.is_empty()));
     if !unread && complete {
-        unused::report(&declaration, &resolved, &requirements, &matrices, &scope, report);
+        unused::report(&declaration, &resolved, &requirements, &assertions, &matrices, &scope, report);
     }
 
+    // Of definitions in a cycle the first mistake is the cycle.
+    let order = if resolved.cyclic { &[] } else { &resolved.order[..] };
+    let defined = units::check(&declaration, &dimensions, &scope, order, report);
+
     let new = resolved.new_positions();
-    let requirements: Vec<Requirement> = requirements
+    let mut requirements: Vec<Requirement> = requirements
         .into_iter()
         .map(|requirement| Requirement { value: requirement.value.renumbered(&new), ..requirement })
         .collect();
-    let matrices = matrices
+    let matrices: Matrices = matrices
         .into_iter()
         .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().map(|e| e.renumbered(&new)).collect()).collect()))
         .collect();
 
-    let domains: Vec<_> = declaration.parameters.iter().map(|p| domains::domain(&p.bounds, report)).collect();
-    let sets = sets::sets(&declaration, &domains, report);
+    let own = declaration.parameters.iter().zip(&dimensions.parameters);
+    let domains: Vec<_> = own.map(|(parameter, own)| domains::domain(&parameter.bounds, *own, report)).collect();
+    let parameters = sets::Parameters { domains: &domains, dimensions: &dimensions.parameters };
+    let sets = sets::sets(&declaration, &parameters, report);
     let gravity = gravity(&declaration, report);
     let definitions = resolved.in_order(&declaration);
+    let symmetric = claims::symmetric(&declaration);
+    let references = references::references(&declaration, &scope, &defined);
     if report.is_empty() {
+        let domains: Vec<Domain> = domains.iter().map(|domain| domain.to_model()).collect();
+        let checked = divisors::Checked {
+            declaration: &declaration,
+            resolved: &resolved,
+            domains: &domains,
+            definitions: &definitions,
+            requirements: &requirements,
+            matrices: &matrices,
+        };
+        // Whatever is needed for a requirement to have a value comes before it.
+        let needed = divisors::requirements(&checked, &mut scope, report);
+        requirements = needed.into_iter().chain(requirements).collect();
         sets::check_requirements(&sets, &definitions, &requirements, report);
+        let mut claims = claims::mirrored(&symmetric, &matrices, &entries);
+        claims.extend(declaration.assertions.iter().zip(&assertions).map(|(Assertion { left, right }, [a, b])| {
+            let sides = [(a.renumbered(&new), left.region), (b.renumbered(&new), right.region)];
+            Claim::asserted([left, right].map(resolve::text), sides)
+        }));
+        let names: Vec<String> = declaration.parameters.iter().map(|parameter| parameter.name.to_string()).collect();
+        let space = Space { domains: &domains, requirements: &requirements, sets: &sets };
+        claims::check(&claims, &names, &definitions, &space, report);
+        published::check(&declaration, &dimensions, &resolved.order, report);
     }
     let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();
     let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {
         symbol: parameter.symbol.unwrap_or_else(|| parameter.name.to_string()),
         name: parameter.name,
         docs: parameter.docs,
-        unit: parameter.unit,
+        unit: parameter.unit.text,
         domain: domain.to_model(),
         used: used || gravity == Some(index),
     });
@@ -83,11 +129,13 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
                 label: coordinate.label.unwrap_or_else(|| coordinate.name.to_string()),
                 name: coordinate.name.to_string(),
                 docs: coordinate.docs,
-                unit: coordinate.unit,
+                unit: coordinate.unit.text,
             })
             .collect(),
         matrices,
         entries,
+        symmetric,
+        references,
     }
 }
 

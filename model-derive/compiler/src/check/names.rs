@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use crate::model::Function;
 use crate::nearest::nearest;
 use crate::report::Report;
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, reserved};
 
 /// What a name in a formula stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,8 +16,8 @@ pub enum Meaning {
     /// A position in the declaration.
     Definition(usize),
     Coordinate,
-    /// Its statement could not be read.
-    Unread,
+    /// Its statement could not be read, or it cannot be a name: what is reported already.
+    Refused,
 }
 
 /// All names of a declaration.
@@ -43,16 +43,21 @@ impl Scope {
             scope.declare(&coordinate.name, Meaning::Coordinate, report);
         }
         for name in &declaration.unread {
-            scope.names.entry(name.to_string()).or_insert(Meaning::Unread);
+            scope.names.entry(name.to_string()).or_insert(Meaning::Refused);
         }
         scope
     }
 
     fn declare(&mut self, name: &Ident, meaning: Meaning, report: &mut Report) {
         let text = name.to_string();
-        if text == "pi" || Function::from_name(&text).is_some() {
-            let what = if text == "pi" { "the number π" } else { "a function" };
-            report.error(name, format!("`{text}` is the name of {what}: expected another name"));
+        let refused = match text.as_str() {
+            "pi" => Some("the name of the number π"),
+            name if Function::from_name(name).is_some() => Some("the name of a function"),
+            name => reserved(name),
+        };
+        if let Some(what) = refused {
+            report.error(name, format!("`{text}` is {what}: expected another name"));
+            self.names.entry(text.clone()).or_insert(Meaning::Refused);
             self.excused.insert(text);
         } else if self.names.contains_key(&text) {
             report.error(name, format!("`{text}` is declared twice: expected one declaration of each name"));

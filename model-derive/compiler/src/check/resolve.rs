@@ -2,10 +2,11 @@
 
 use super::constants;
 use super::names::{Meaning, Scope};
+use super::units::Quantity;
 use crate::model::{Expr, Function};
 use crate::nearest::nearest;
 use crate::report::Report;
-use crate::syntax::{Expression, Kind};
+use crate::syntax::{Expression, Kind, reserved};
 
 /// Resolves a formula; definitions are numbered as they are declared.
 pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Expr {
@@ -17,6 +18,16 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
     let mut inner = |value: &Expression| resolve(value, scope, report);
     match &expression.kind {
         Kind::Number(number) => Expr::Number(number.clone()),
+        Kind::Quantity(number, unit) => {
+            let number = Expression { kind: Kind::Number(number.clone()), region: expression.region };
+            match Quantity::new(unit) {
+                Ok(quantity) => inner(&quantity.formula(number)),
+                Err(error) => {
+                    report.push(error);
+                    Expr::Pi
+                }
+            }
+        }
         Kind::Sum(terms) => Expr::Sum(terms.iter().map(|term| (term.negative, inner(&term.value))).collect()),
         Kind::Product(factors) => Expr::Product(factors.iter().map(|f| (f.inverse, inner(&f.value))).collect()),
         Kind::Power(base, exponent) => Expr::Power(Box::new(inner(base)), *exponent),
@@ -24,6 +35,11 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
             let argument = inner(argument);
             match Function::from_name(&name.to_string()) {
                 Some(function) => Expr::Call(function, Box::new(argument)),
+                None if scope.get(name).is_some() => {
+                    report.error(name, format!("`{name}` is no function: expected an operator before the parentheses"));
+                    scope.excused.insert(name.to_string());
+                    argument
+                }
                 None => {
                     report.error(name, unknown_function(&name.to_string(), &FORMULA_FUNCTIONS));
                     argument
@@ -34,7 +50,7 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
         Kind::Name(name) => match scope.get(name) {
             Some(Meaning::Parameter(index)) => Expr::Parameter(index),
             Some(Meaning::Definition(index)) => Expr::Definition(index),
-            Some(Meaning::Unread) => Expr::Pi,
+            Some(Meaning::Refused) => Expr::Pi,
             Some(Meaning::Coordinate) => {
                 let message = format!(
                     "`{name}` is a coordinate: the matrices are its coefficients; expected parameters and definitions"
@@ -46,10 +62,13 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
                 let message = match Function::from_name(&name.to_string()) {
                     Some(_) => format!("`{name}` is a function: expected its argument in parentheses"),
                     None if name == "v" => SPEED.to_string(),
-                    None => {
-                        let hint = scope.suggestion(name);
-                        format!("unknown name `{name}`: expected a parameter or a definition{hint}")
-                    }
+                    None => match reserved(&name.to_string()) {
+                        Some(what) => format!("`{name}`, {what}, is not supported in formulas: expected a formula"),
+                        None => {
+                            let hint = scope.suggestion(name);
+                            format!("unknown name `{name}`: expected a parameter or a definition{hint}")
+                        }
+                    },
                 };
                 report.error(name, message);
                 // Any value will do: with a mistake reported nothing is compiled.
@@ -74,6 +93,7 @@ pub fn unknown_function(name: &str, known: &[&'static str]) -> String {
 pub fn text(expression: &Expression) -> String {
     match &expression.kind {
         Kind::Number(number) => number.to_string(),
+        Kind::Quantity(number, unit) => format!("{number} [{}]", unit.text),
         Kind::Name(name) => name.to_string(),
         Kind::Sum(terms) => {
             let mut text = String::new();

@@ -6,12 +6,20 @@ use proc_macro2::Ident;
 
 use super::constants::Constant;
 use super::domains::Domain;
-use crate::model::{Expr, ParameterSet, Requirement};
+use super::units::Dimension;
+use crate::model::{Expr, Origin, ParameterSet, Requirement};
 use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{self, Declaration};
 
-pub fn sets(declaration: &Declaration, domains: &[Domain], report: &mut Report) -> Vec<ParameterSet> {
+/// What is declared of the parameters, by their position.
+#[derive(Debug)]
+pub struct Parameters<'a> {
+    pub domains: &'a [Domain],
+    pub dimensions: &'a [Option<Dimension>],
+}
+
+pub fn sets(declaration: &Declaration, parameters: &Parameters<'_>, report: &mut Report) -> Vec<ParameterSet> {
     let mut constants: Vec<String> = Vec::new();
     let mut sets = Vec::new();
     for set in &declaration.sets {
@@ -27,7 +35,7 @@ pub fn sets(declaration: &Declaration, domains: &[Domain], report: &mut Report) 
             name: set.name.clone(),
             docs: set.docs.clone(),
             source: set.source.clone().unwrap_or_default(),
-            values: values(declaration, set, domains, report),
+            values: values(declaration, set, parameters, report),
         });
     }
     sets
@@ -48,8 +56,13 @@ pub fn check_requirements(
         for requirement in requirements {
             let value = requirement.value.evaluate(&set.values, &values);
             if !requirement.domain.contains(value) {
-                let Requirement { text, domain, .. } = requirement;
-                let message = format!("`{text}` is {value} in the set `{}`: expected {domain}", set.name);
+                let Requirement { text, domain, origin, .. } = requirement;
+                let why = match (origin, domain.nonzero) {
+                    (Origin::Declared, _) => "",
+                    (_, true) => ", and a formula divides by it",
+                    (_, false) => ", and a formula takes its root",
+                };
+                let message = format!("`{text}` is {value} in the set `{}`{why}: expected {domain}", set.name);
                 report.error(&set.name, message);
             }
         }
@@ -57,7 +70,13 @@ pub fn check_requirements(
 }
 
 /// The values in declared order of the parameters.
-fn values(declaration: &Declaration, set: &syntax::ParameterSet, domains: &[Domain], report: &mut Report) -> Vec<f64> {
+fn values(
+    declaration: &Declaration,
+    set: &syntax::ParameterSet,
+    parameters: &Parameters<'_>,
+    report: &mut Report,
+) -> Vec<f64> {
+    let Parameters { domains, dimensions } = parameters;
     let mut given: HashMap<String, f64> = HashMap::new();
     let known = || declaration.parameters.iter().map(|p| p.name.to_string());
     for entry in &set.values {
@@ -70,15 +89,16 @@ fn values(declaration: &Declaration, set: &syntax::ParameterSet, domains: &[Doma
                 format!("unknown parameter `{name}`: expected a parameter of the model{}", hint.unwrap_or_default());
             report.error(&entry.name, message);
         }
-        let Some(expression) = &entry.value else {
+        let Some(written) = &entry.value else {
             given.entry(name).or_insert(0.0);
             continue;
         };
-        let value = Constant::evaluate(expression).and_then(|constant| {
-            let value = constant.to_f64().map_err(|message| crate::report::error(expression.region, message))?;
+        let own = parameter.and_then(|index| dimensions[index]);
+        let value = Constant::in_unit(written, own).and_then(|constant| {
+            let value = constant.to_f64().map_err(|message| crate::report::error(written.region(), message))?;
             match parameter {
                 Some(index) if !domains[index].contains(&constant) => Err(crate::report::error(
-                    expression.region,
+                    written.region(),
                     format!("`{name}` is {value} in the set `{}`: expected {}", set.name, domains[index].to_model()),
                 )),
                 _ => Ok(value),

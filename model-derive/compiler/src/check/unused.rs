@@ -27,15 +27,18 @@ pub fn report(
     declaration: &Declaration,
     resolved: &Resolved,
     requirements: &[Requirement],
+    assertions: &[[Expr; 2]],
     matrices: &Matrices,
     scope: &Scope,
     report: &mut Report,
 ) {
     let roots = || entries(matrices).chain(requirements.iter().map(|r| &r.value));
-    let reached = reached(resolved, roots());
-    for (definition, reached) in declaration.definitions.iter().zip(reached) {
+    let used = reached(resolved, roots());
+    // A definition may serve claims alone. A parameter may not: no value of it would change anything.
+    let claimed = reached(resolved, assertions.iter().flatten());
+    for (index, definition) in declaration.definitions.iter().enumerate() {
         let name = definition.name.to_string();
-        if !reached && !scope.excused.contains(&name) {
+        if !used[index] && !claimed[index] && !scope.excused.contains(&name) {
             report.error(
                 &definition.name,
                 format!("`{name}` is never used: expected a matrix or a requirement that depends on it"),
@@ -44,16 +47,24 @@ pub fn report(
     }
     // What only an unused definition mentions needs no second error.
     let mut mentioned = vec![false; declaration.parameters.len()];
-    mark(roots().chain(&resolved.definitions), &mut mentioned);
-    for (parameter, mentioned) in declaration.parameters.iter().zip(mentioned) {
+    let mut in_claims = mentioned.clone();
+    let (used, claimed) = (&used, &claimed);
+    let definitions = |for_claims: bool| {
+        let all = resolved.definitions.iter().enumerate();
+        all.filter(move |(index, _)| (!used[*index] && claimed[*index]) == for_claims).map(|(_, expr)| expr)
+    };
+    mark(roots().chain(definitions(false)), &mut mentioned);
+    mark(assertions.iter().flatten().chain(definitions(true)), &mut in_claims);
+    for (index, parameter) in declaration.parameters.iter().enumerate() {
         let name = parameter.name.to_string();
-        match (parameter.unused, mentioned) {
+        match (parameter.unused, mentioned[index]) {
             (Some(span), true) => {
                 report.error(span, format!("`{name}` is used: expected no `unused` here"));
             }
             (None, false) if parameter.gravity.is_none() && !scope.excused.contains(&name) => {
+                let found = if in_claims[index] { "used in assertions only" } else { "never used" };
                 let message = format!(
-                    "`{name}` is never used: expected a formula that depends on it, or the word `unused` after its unit"
+                    "`{name}` is {found}: expected a formula that depends on it, or the word `unused` after its unit"
                 );
                 report.error(&parameter.name, message);
             }

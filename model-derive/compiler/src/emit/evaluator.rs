@@ -1,39 +1,42 @@
 //! The struct of the matrices, and the straight-line function that computes them.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use std::collections::HashMap;
 
-use super::{Names, allow, docs, number};
-use crate::model::Model;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::names::Names;
+use super::{allow, docs, number};
+use crate::model::{Model, Origin, Requirement};
 use crate::program::{Counts, Instruction, Program, Value};
+use crate::syntax::MatrixName;
 
-pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
-    let Names { model: name, matrices, scalar, .. } = names;
+pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStream {
+    let Names { runtime, model: name, matrices, scalar, .. } = names;
     let visibility = &model.visibility;
     let n = model.coordinates.len();
     let allow = allow();
-    let fields: Vec<Ident> = model.matrices.iter().map(|(matrix, _)| format_ident!("{}", matrix.field())).collect();
-    let field_docs = model.matrices.iter().map(|(matrix, _)| docs(matrix.docs()));
+    let fields: Vec<Ident> = model.matrices.iter().map(|(matrix, _)| field(*matrix, model)).collect();
+    let field_docs = model.matrices.iter().map(|(matrix, _)| {
+        let proved = if model.symmetric.contains(matrix) { " Symmetric, proved." } else { "" };
+        docs(&format!("{}{proved}", matrix.docs()))
+    });
     let struct_docs = docs(&format!(
         "The coefficient matrices of [`{name}`], each {n} x {n} and row by row, in SI units.\n\n\
          Matrices that the model does not declare are zero and left out.",
     ));
     let size = proc_macro2::Literal::usize_unsuffixed(n);
+    let counts = program.map(|program| format!("\n{}", Counts::of(program))).unwrap_or_default();
     let function_docs = docs(&format!(
-        "The coefficient matrices, from one straight-line program:\n{}.\n\n\
-         The parameters are not validated.",
-        Counts::of(program),
+        "The coefficient matrices, from one straight-line program:{counts}.\n\n\
+         The parameters are not validated.{}",
+        needs(model),
     ));
-    let body = Body::new(program, model, names);
-    let statements = &body.statements;
-    let rows = (0..model.matrices.len()).map(|matrix| {
-        let rows = (0..n).map(|row| {
-            let first = (matrix * n + row) * n;
-            let entries = program.outputs[first..first + n].iter().map(|value| &body.values[*value]);
-            quote! { [#(#entries),*] }
-        });
-        quote! { [#(#rows),*] }
-    });
+    let body = match program {
+        Some(program) => matrices_body(model, names, program, &fields),
+        // Beside a mistake in the declaration: nothing ever runs it.
+        None => quote!(loop {}),
+    };
     quote! {
         #struct_docs
         #allow
@@ -43,15 +46,59 @@ pub fn emit(model: &Model, names: &Names, program: &Program) -> TokenStream {
         }
 
         #allow
-        impl<#scalar: ::carvallo::Scalar> #name<#scalar> {
+        impl<#scalar: #runtime::Scalar> #name<#scalar> {
             #function_docs
             #[inline]
             #[must_use]
             pub fn matrices(&self) -> #matrices<#scalar> {
-                #(#statements)*
-                #matrices { #(#fields: #rows,)* }
+                #body
             }
         }
+    }
+}
+
+/// What the matrices divide by and take the root of, where the domains alone do not make sure that it can be done.
+fn needs(model: &Model) -> String {
+    let needs = model.requirements.iter().filter(|requirement| requirement.origin == Origin::Matrices);
+    let lines: Vec<String> = needs
+        .map(|Requirement { text, domain, .. }| match domain.nonzero {
+            true => format!("- divides by `{text}`, which the declared domains do not keep from zero"),
+            false => {
+                format!("- takes the root of `{text}`, which the declared domains do not keep from being negative")
+            }
+        })
+        .collect();
+    if lines.is_empty() {
+        return String::new();
+    }
+    format!(
+        " Beside what is outside the domains, `validate` refuses what has no value here, for it\n{}.",
+        lines.join(";\n")
+    )
+}
+
+/// The field of a matrix, at the span of its declaration.
+fn field(matrix: MatrixName, model: &Model) -> Ident {
+    let declared = model.references.matrices.iter().find(|(name, _)| *name == matrix);
+    Ident::new(matrix.field(), declared.map_or(Span::call_site(), |(_, span)| *span))
+}
+
+fn matrices_body(model: &Model, names: &Names, program: &Program, fields: &[Ident]) -> TokenStream {
+    let matrices = &names.matrices;
+    let n = model.coordinates.len();
+    let body = Body::new(program, model, names);
+    let statements = &body.statements;
+    let rows = (0..fields.len()).map(|matrix| {
+        let rows = (0..n).map(|row| {
+            let first = (matrix * n + row) * n;
+            let entries = program.outputs[first..first + n].iter().map(|value| &body.values[*value]);
+            quote! { [#(#entries),*] }
+        });
+        quote! { [#(#rows),*] }
+    });
+    quote! {
+        #(#statements)*
+        #matrices { #(#fields: #rows,)* }
     }
 }
 
@@ -75,38 +122,34 @@ impl Body {
                 uses[*a] += 1;
             }
         }
+        let mut named = vec![false; program.instructions.len()];
+        for value in program.labels.iter().map(|(value, _)| value).chain(&program.outputs) {
+            named[*value] = true;
+        }
+        let runtime = &names.runtime;
+        let variable = names.values(program, model);
+        let pairs = pairs(program);
         let mut body = Self { statements: Vec::new(), values: Vec::new(), depths: Vec::new() };
-        // Sine and cosine of one angle come from one call.
-        let partner = |wanted: Instruction| program.instructions.iter().position(|i| *i == wanted);
-        let mut paired: Vec<Option<Ident>> = vec![None; program.instructions.len()];
         for (value, instruction) in program.instructions.iter().enumerate() {
-            if let Some(name) = &paired[value] {
+            if let Instruction::Sin(angle) | Instruction::Cos(angle) = instruction
+                && let Some(&(sine, cosine)) = pairs.get(angle)
+            {
+                let name = variable(value);
+                // The first of the two stands for both.
+                if value == sine.min(cosine) {
+                    let (s, c) = (variable(sine), variable(cosine));
+                    let angle = &body.values[*angle];
+                    body.statements.push(quote! { let (#s, #c) = #runtime::Scalar::sin_cos(#angle); });
+                }
                 body.push(quote!(#name), 0);
                 continue;
             }
-            let other = match *instruction {
-                Instruction::Sin(angle) => partner(Instruction::Cos(angle)).map(|cosine| (angle, value, cosine)),
-                Instruction::Cos(angle) => partner(Instruction::Sin(angle)).map(|sine| (angle, sine, value)),
-                _ => None,
-            };
-            if let Some((angle, sine, cosine)) = other {
-                let [s, c] = [sine, cosine].map(|value| names.local(program, model, value));
-                let angle = &body.values[angle];
-                body.statements.push(quote! { let (#s, #c) = ::carvallo::Scalar::sin_cos(#angle); });
-                let this = if value == sine { &s } else { &c };
-                body.push(quote!(#this), 0);
-                paired[sine] = Some(s);
-                paired[cosine] = Some(c);
-                continue;
-            }
-            let expression = body.expression(*instruction, model, &names.scalar);
+            let expression = body.expression(*instruction, model, names);
             let depth = instruction.operands().map(|value| body.depths[value] + 1).max().unwrap_or(0);
-            let named =
-                program.labels.iter().any(|(labelled, _)| *labelled == value) || program.outputs.contains(&value);
-            if depth == 0 || uses[value] == 1 && !named && depth < MAX_DEPTH {
+            if depth == 0 || uses[value] == 1 && !named[value] && depth < MAX_DEPTH {
                 body.push(expression, depth);
             } else {
-                let name = names.local(program, model, value);
+                let name = variable(value);
                 body.statements.push(quote! { let #name = #expression; });
                 body.push(quote!(#name), 0);
             }
@@ -125,7 +168,8 @@ impl Body {
         if self.depths[value] == 0 { quote!(#expression) } else { quote!((#expression)) }
     }
 
-    fn expression(&self, instruction: Instruction, model: &Model, scalar: &Ident) -> TokenStream {
+    fn expression(&self, instruction: Instruction, model: &Model, names: &Names) -> TokenStream {
+        let Names { runtime, scalar, .. } = names;
         let at = |value| self.operand(value);
         let binary = |a, sign: TokenStream, b| {
             let (a, b) = (at(a), at(b));
@@ -133,7 +177,7 @@ impl Body {
         };
         let call = |function: TokenStream, argument: Value| {
             let argument = &self.values[argument];
-            quote!(::carvallo::Scalar::#function(#argument))
+            quote!(#runtime::Scalar::#function(#argument))
         };
         match instruction {
             Instruction::Parameter(index) => {
@@ -142,7 +186,7 @@ impl Body {
             }
             Instruction::Constant(value) => {
                 let value = number(value);
-                quote!(<#scalar as ::carvallo::Scalar>::from_f64(#value))
+                quote!(<#scalar as #runtime::Scalar>::from_f64(#value))
             }
             Instruction::Add(a, b) => binary(a, quote!(+), b),
             Instruction::Sub(a, b) => binary(a, quote!(-), b),
@@ -155,7 +199,7 @@ impl Body {
             }
             Instruction::Reciprocal(a) => {
                 let a = at(a);
-                quote!(<#scalar as ::carvallo::Scalar>::from_f64(1.0) / #a)
+                quote!(<#scalar as #runtime::Scalar>::from_f64(1.0) / #a)
             }
             Instruction::Sqrt(a) => call(quote!(sqrt), a),
             Instruction::Sin(a) => call(quote!(sin), a),
@@ -164,4 +208,18 @@ impl Body {
             Instruction::Power(..) => unreachable!("the pass `powers` leaves none"),
         }
     }
+}
+
+/// For each angle of which sine and cosine are both wanted, the values that they are: they come from one call.
+fn pairs(program: &Program) -> HashMap<Value, (Value, Value)> {
+    let instructions = || program.instructions.iter().enumerate();
+    let sines: HashMap<Value, Value> = instructions()
+        .filter_map(|(value, i)| if let Instruction::Sin(angle) = i { Some((*angle, value)) } else { None })
+        .collect();
+    instructions()
+        .filter_map(|(value, instruction)| match instruction {
+            Instruction::Cos(angle) => Some((*angle, (*sines.get(angle)?, value))),
+            _ => None,
+        })
+        .collect()
 }

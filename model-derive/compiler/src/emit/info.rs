@@ -3,31 +3,33 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::names::Names;
 use super::number;
 use crate::model::{Bound, Domain, Model};
 
-pub fn emit(model: &Model) -> TokenStream {
+pub fn emit(model: &Model, names: &Names) -> TokenStream {
+    let runtime = &names.runtime;
     let Model { docs, source, .. } = model;
     let name = model.name.to_string();
     let parameters = model.parameters.iter().map(|parameter| {
         let name = parameter.name.to_string();
         let crate::model::Parameter { symbol, docs, unit, used, .. } = parameter;
-        let domain = domain(parameter.domain);
+        let domain = domain(parameter.domain, names);
         quote! {
-            ::carvallo::ParameterInfo {
+            #runtime::ParameterInfo {
                 name: #name, symbol: #symbol, docs: #docs, unit: #unit, domain: #domain, used: #used,
             }
         }
     });
     let coordinates = model.coordinates.iter().map(|coordinate| {
         let crate::model::Coordinate { name, label, docs, unit } = coordinate;
-        quote! { ::carvallo::CoordinateInfo { name: #name, label: #label, docs: #docs, unit: #unit } }
+        quote! { #runtime::CoordinateInfo { name: #name, label: #label, docs: #docs, unit: #unit } }
     });
     let sets = model.sets.iter().map(|set| {
         let name = set.name.to_string();
         let crate::model::ParameterSet { docs, source, .. } = set;
         let values = set.values.iter().map(|value| number(*value));
-        quote! { ::carvallo::SetInfo { name: #name, docs: #docs, source: #source, values: &[#(#values),*] } }
+        quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: &[#(#values),*] } }
     });
     let gravity = match model.gravity {
         Some(index) => {
@@ -37,7 +39,7 @@ pub fn emit(model: &Model) -> TokenStream {
         None => quote!(::core::option::Option::None),
     };
     quote! {
-        &::carvallo::ModelInfo {
+        &#runtime::ModelInfo {
             name: #name,
             docs: #docs,
             source: #source,
@@ -49,18 +51,19 @@ pub fn emit(model: &Model) -> TokenStream {
     }
 }
 
-pub fn domain(domain: Domain) -> TokenStream {
+pub fn domain(domain: Domain, names: &Names) -> TokenStream {
+    let runtime = &names.runtime;
     let bound = |bound| match bound {
-        Bound::Unbounded => quote!(::carvallo::Bound::Unbounded),
+        Bound::Unbounded => quote!(#runtime::Bound::Unbounded),
         Bound::Open(value) => {
             let value = number(value);
-            quote!(::carvallo::Bound::Open(#value))
+            quote!(#runtime::Bound::Open(#value))
         }
         Bound::Closed(value) => {
             let value = number(value);
-            quote!(::carvallo::Bound::Closed(#value))
+            quote!(#runtime::Bound::Closed(#value))
         }
     };
-    let (lower, upper) = (bound(domain.lower), bound(domain.upper));
-    quote!(::carvallo::Domain { lower: #lower, upper: #upper })
+    let (lower, upper, nonzero) = (bound(domain.lower), bound(domain.upper), domain.nonzero);
+    quote!(#runtime::Domain { lower: #lower, upper: #upper, nonzero: #nonzero })
 }

@@ -2,64 +2,58 @@
 
 mod evaluator;
 mod info;
+mod names;
+mod outline;
+mod references;
 mod structure;
 mod trait_impl;
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
+use self::names::Names;
 use crate::model::Model;
-use crate::program::{Program, Value};
+use crate::program::Program;
 
 /// The Rust of a model: one struct of its parameters, one of its matrices, and what they can do.
-pub fn emit(model: &Model, matrices: &Program, requirements: &Program, driver: Driver) -> TokenStream {
-    let names = Names::new(model, driver);
-    let structure = structure::emit(model, &names);
-    let evaluator = evaluator::emit(model, &names, matrices);
-    let trait_impl = trait_impl::emit(model, &names, requirements);
-    quote! { #structure #evaluator #trait_impl }
+pub fn emit(model: &Model, matrices: &Program, requirements: &Program, driver: &Driver) -> TokenStream {
+    emit_with(model, Some(matrices), Some(requirements), driver)
 }
 
 /// For whom the code is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub enum Driver {
     /// The macro: the code lands among a user's items, one of which could have the name of a definition and be a
     /// constant, which a `let` cannot shadow. So local variables are only numbered.
-    Macro,
+    Macro {
+        /// How the user's crate gets at the runtime, such as `$crate`.
+        runtime: TokenStream,
+    },
     /// A file of its own, for people to read: local variables that are definitions have their names.
     File,
 }
 
-/// The names that the parts share.
-struct Names {
-    driver: Driver,
-    model: Ident,
-    matrices: Ident,
-    /// The type parameter; another letter for a model that is called `T` itself.
-    scalar: Ident,
+/// What can be had of a model with mistakes, so that the rest of a file still has its types: all but the programs.
+pub fn outline(model: Model, driver: &Driver) -> TokenStream {
+    let model = outline::sound(model);
+    // Nothing could be generic in the type of the parameters.
+    if model.parameters.is_empty() { TokenStream::new() } else { emit_with(&model, None, None, driver) }
 }
 
-impl Names {
-    fn new(model: &Model, driver: Driver) -> Self {
-        let name = model.name.clone();
-        Self {
-            driver,
-            matrices: format_ident!("{name}Matrices", span = name.span()),
-            scalar: if name == "T" { format_ident!("S") } else { format_ident!("T") },
-            model: name,
-        }
-    }
-
-    /// The local variable that holds a value.
-    fn local(&self, program: &Program, model: &Model, value: Value) -> Ident {
-        let taken = |name: &str| model.definitions.iter().any(|(definition, _)| definition == name);
-        let label = program.labels.iter().find(|(labelled, _)| *labelled == value);
-        match (self.driver, label) {
-            (Driver::File, Some((_, definition))) => model.definitions[*definition].0.clone(),
-            (Driver::File, None) if taken(&format!("t{value}")) => format_ident!("t{value}_"),
-            _ => format_ident!("t{value}"),
-        }
-    }
+fn emit_with(
+    model: &Model,
+    matrices: Option<&Program>,
+    requirements: Option<&Program>,
+    driver: &Driver,
+) -> TokenStream {
+    let names = Names::new(model, driver);
+    let structure = structure::emit(model, &names);
+    // Without coordinates, which is a mistake, there is no size of the matrices.
+    let sized = !model.coordinates.is_empty();
+    let evaluator = sized.then(|| evaluator::emit(model, &names, matrices));
+    let trait_impl = sized.then(|| trait_impl::emit(model, &names, requirements));
+    let references = names.among_items.then(|| references::emit(model, &names));
+    quote! { #structure #evaluator #trait_impl #references }
 }
 
 /// What generated items are allowed: names as in the formulas, and parts that a crate does not use.

@@ -3,11 +3,12 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::{Names, allow, docs, number, or};
+use super::names::Names;
+use super::{allow, docs, number, or};
 use crate::model::{Model, Parameter};
 
 pub fn emit(model: &Model, names: &Names) -> TokenStream {
-    let Names { model: name, scalar, .. } = names;
+    let Names { runtime, model: name, scalar, other, .. } = names;
     let Model { visibility, parameters, .. } = model;
     let allow = allow();
     let struct_docs = docs(&model_docs(model));
@@ -15,6 +16,7 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
     let fields: Vec<_> = parameters.iter().map(|parameter| &parameter.name).collect();
     let sets = sets(model);
     let count = Literal::usize_unsuffixed(parameters.len());
+    let values = names.variable("values");
     let positions: Vec<_> = (0..parameters.len()).map(Literal::usize_unsuffixed).collect();
     let sets = (!model.sets.is_empty()).then(|| quote! { #allow impl #name<::core::primitive::f64> { #sets } });
     quote! {
@@ -28,11 +30,11 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
         #sets
 
         #allow
-        impl<#scalar: ::carvallo::Scalar> #name<#scalar> {
+        impl<#scalar: #runtime::Scalar> #name<#scalar> {
             /// The parameters from an array in declared order.
             #[must_use]
-            pub const fn from_array(values: [#scalar; #count]) -> Self {
-                Self { #(#fields: values[#positions],)* }
+            pub const fn from_array(#values: [#scalar; #count]) -> Self {
+                Self { #(#fields: #values[#positions],)* }
             }
 
             /// The parameters as an array in declared order.
@@ -43,8 +45,8 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
 
             /// The same parameters in another number type, each rounded to the nearest.
             #[must_use]
-            pub fn cast<U: ::carvallo::Scalar>(&self) -> #name<U> {
-                #name { #(#fields: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.#fields)),)* }
+            pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> {
+                #name { #(#fields: #runtime::Scalar::from_f64(#runtime::Scalar::to_f64(self.#fields)),)* }
             }
         }
     }

@@ -1,27 +1,30 @@
 //! The implementation of the runtime's trait.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::evaluator::Body;
-use super::{Names, allow, info};
+use super::names::Names;
+use super::{allow, info};
 use crate::model::Model;
 use crate::program::Program;
 use crate::syntax::MatrixName;
 
-pub fn emit(model: &Model, names: &Names, requirements: &Program) -> TokenStream {
-    let Names { model: name, scalar, .. } = names;
+pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> TokenStream {
+    let Names { runtime, model: name, scalar, .. } = names;
     let allow = allow();
     let n = Literal::usize_unsuffixed(model.coordinates.len());
     let count = Literal::usize_unsuffixed(model.parameters.len());
     let text = model.name.to_string();
     let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
     let positions: Vec<_> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
-    let info = info::emit(model);
+    let description = info::emit(model, names);
+    let [values, info, matrices] = ["values", "info", "matrices"].map(|name| names.variable(name));
+    let length = names.length(&values);
     let length_check = quote! {
-        if values.len() != #count {
+        if #length != #count {
             return ::core::result::Result::Err(
-                ::carvallo::LengthError { model: #text, expected: #count, found: values.len() },
+                #runtime::LengthError { model: #text, expected: #count, found: #length },
             );
         }
     };
@@ -32,45 +35,45 @@ pub fn emit(model: &Model, names: &Names, requirements: &Program) -> TokenStream
         }
         None => quote!(::core::option::Option::None),
     };
-    let requirements = validate_requirements(model, names, requirements);
-    let zero = quote!([[<#scalar as ::carvallo::Scalar>::from_f64(0.0); #n]; #n]);
+    let requirements = requirements.map(|program| validate_requirements(model, names, &info, program));
+    let zero = quote!([[<#scalar as #runtime::Scalar>::from_f64(0.0); #n]; #n]);
     let rows = MatrixName::ALL.map(|matrix| {
         let field = format_ident!("{}", matrix.field());
         if model.matrices.iter().any(|(declared, _)| *declared == matrix) {
-            quote!(matrices.#field)
+            quote!(#matrices.#field)
         } else {
             zero.clone()
         }
     });
     quote! {
         #allow
-        impl<#scalar: ::carvallo::Scalar> ::carvallo::Model<#n> for #name<#scalar> {
+        impl<#scalar: #runtime::Scalar> #runtime::Model<#n> for #name<#scalar> {
             type Scalar = #scalar;
 
-            const INFO: &'static ::carvallo::ModelInfo = #info;
+            const INFO: &'static #runtime::ModelInfo = #description;
 
-            fn from_slice(values: &[#scalar]) -> ::core::result::Result<Self, ::carvallo::LengthError> {
+            fn from_slice(#values: &[#scalar]) -> ::core::result::Result<Self, #runtime::LengthError> {
                 #length_check
-                ::core::result::Result::Ok(Self { #(#fields: values[#positions],)* })
+                ::core::result::Result::Ok(Self { #(#fields: #values[#positions],)* })
             }
 
-            fn write_to(&self, values: &mut [#scalar]) -> ::core::result::Result<(), ::carvallo::LengthError> {
+            fn write_to(&self, #values: &mut [#scalar]) -> ::core::result::Result<(), #runtime::LengthError> {
                 #length_check
-                values.copy_from_slice(&self.to_array());
+                #values.copy_from_slice(&self.to_array());
                 ::core::result::Result::Ok(())
             }
 
-            fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
-                let info = <Self as ::carvallo::Model<#n>>::INFO;
-                info.validate(&[#(::carvallo::Scalar::to_f64(self.#fields)),*])?;
+            fn validate(&self) -> ::core::result::Result<(), #runtime::ParameterError> {
+                let #info = <Self as #runtime::Model<#n>>::INFO;
+                #info.validate(&[#(#runtime::Scalar::to_f64(self.#fields)),*])?;
                 #requirements
                 ::core::result::Result::Ok(())
             }
 
             #[inline]
-            fn coefficients(&self) -> ::carvallo::Coefficients<#scalar, #n> {
-                let matrices = self.matrices();
-                ::carvallo::Coefficients::from_rows([#(#rows),*])
+            fn coefficients(&self) -> #runtime::Coefficients<#scalar, #n> {
+                let #matrices = self.matrices();
+                #runtime::Coefficients::from_rows([#(#rows),*])
             }
 
             fn gravity(&self) -> ::core::option::Option<#scalar> {
@@ -80,15 +83,16 @@ pub fn emit(model: &Model, names: &Names, requirements: &Program) -> TokenStream
     }
 }
 
-fn validate_requirements(model: &Model, names: &Names, program: &Program) -> TokenStream {
+fn validate_requirements(model: &Model, names: &Names, info: &Ident, program: &Program) -> TokenStream {
+    let runtime = &names.runtime;
     let body = Body::new(program, model, names);
     let statements = &body.statements;
     let checks = model.requirements.iter().zip(&program.outputs).map(|(requirement, value)| {
         let value = &body.values[*value];
         let subject = &requirement.text;
-        let domain = info::domain(requirement.domain);
+        let domain = info::domain(requirement.domain, names);
         quote! {
-            info.require(#subject, ::carvallo::Scalar::to_f64(#value), "", #domain)?;
+            #info.require(#subject, #runtime::Scalar::to_f64(#value), "", #domain)?;
         }
     });
     quote! { #(#statements)* #(#checks)* }

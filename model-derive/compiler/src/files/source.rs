@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::hash::Hasher as _;
 use std::path::Path;
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 
 /// Compiles the source in `path` to the text of a Rust file.
 ///
@@ -13,7 +13,7 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 pub fn compile(path: &Path, shown: &str) -> Result<String, String> {
     let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
     let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
-    let rust = crate::expand(tokens, crate::Driver::File).map_err(|error| render(&error, shown, &text))?;
+    let rust = crate::expand(tokens, &crate::Driver::File).map_err(|error| render(&error, shown, &text))?;
     let file = syn::parse2(rust).map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
     Ok(format!("{}\n{}", header(shown, &text), prettyplease::unparse(&file)))
 }
@@ -37,7 +37,8 @@ fn hash(text: &str) -> u64 {
 
 /// What stands between the braces of `carvallo::model! { … }`.
 fn declaration(text: &str) -> syn::Result<TokenStream> {
-    let tokens: Vec<TokenTree> = text.parse::<TokenStream>()?.into_iter().collect();
+    let tokens = text.parse::<TokenStream>().map_err(|error| unreadable(error.span(), text))?;
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let start: String = tokens.iter().take(5).map(ToString::to_string).collect();
     match &tokens[..] {
         [.., TokenTree::Group(group)]
@@ -46,10 +47,28 @@ fn declaration(text: &str) -> syn::Result<TokenStream> {
             Ok(group.stream())
         }
         _ => {
-            let span = tokens.first().map_or_else(proc_macro2::Span::call_site, TokenTree::span);
+            let span = tokens.first().map_or_else(Span::call_site, TokenTree::span);
             Err(syn::Error::new(span, "expected one `carvallo::model! { … }` and nothing else"))
         }
     }
+}
+
+/// What is wrong at a place where a text cannot be split into tokens.
+fn unreadable(span: Span, text: &str) -> syn::Error {
+    let line = text.lines().nth(span.start().line.saturating_sub(1)).unwrap_or_default();
+    let mut rest = line.chars().skip(span.start().column);
+    let message = match (rest.next(), rest.next()) {
+        (Some(open @ ('(' | '[' | '{')), _) => format!("`{open}` is never closed: expected its other half"),
+        (Some(close @ (')' | ']' | '}')), _) => {
+            format!("`{close}` closes nothing: expected the other half of what is open")
+        }
+        (Some('"'), _) => "a text without an end: expected `\"`".into(),
+        (Some('/'), Some('*')) => "a comment without an end: expected `*/`".into(),
+        (found, _) => {
+            format!("found `{}`: expected names, numbers, texts and signs of Rust", found.unwrap_or_default())
+        }
+    };
+    syn::Error::new(span, message)
 }
 
 fn render(error: &syn::Error, shown: &str, text: &str) -> String {

@@ -4,10 +4,9 @@ use std::fmt;
 use std::sync::atomic::Ordering;
 
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
-use symbolica::domains::integer::Z;
-use symbolica::domains::rational::{Q, Rational};
+use symbolica::domains::rational::Rational;
 use symbolica::symbol;
-use symbolica::transcendental::{TranscendentalFunctions, sec, tan};
+use symbolica::transcendental::TranscendentalFunctions;
 
 use crate::model::{Expr, Function};
 use crate::syntax::Decimal;
@@ -57,7 +56,7 @@ impl Engine {
 
     /// The number π, as a symbol: the engine's own would become a floating-point number on export.
     pub(super) fn pi(&self) -> Form {
-        Form(symbol_at(0).to_atom())
+        Form(pi())
     }
 
     /// The parameter at a position.
@@ -111,6 +110,10 @@ impl Engine {
     }
 }
 
+pub(super) fn pi() -> Atom {
+    symbol_at(0).to_atom()
+}
+
 fn parameter(index: usize) -> Symbol {
     symbol_at(index + 1)
 }
@@ -152,37 +155,6 @@ impl Form {
         Self(&self.0 - &other.0)
     }
 
-    /// Whether the formula is zero for all values of the parameters, exactly.
-    ///
-    /// `true` is a proof: over the rational functions of the parameters, of square roots, and of sines and cosines
-    /// under sin² + cos² = 1. Formulas that are zero only by an addition theorem are not recognized.
-    pub fn is_zero(&self) -> bool {
-        let plain = self.0.expand().replace_map_bottom_up(|view, _, out| {
-            let [tangent, secant] = [tan(), sec()].map(|function| call_of(view, function));
-            if let Some(argument) = tangent {
-                **out = argument.sin() / argument.cos();
-            } else if let Some(argument) = secant {
-                **out = argument.cos().pow(-1);
-            } else if let Some((base, whole, rest)) = fractional_power(view) {
-                **out = base.pow(whole) * base.pow(Atom::num(rest));
-            }
-        });
-        let quotient = plain.to_rational_polynomial::<_, _, u16>(&Q, &Z, None);
-        let numerator = quotient.numerator.to_expression().expand();
-        let reduced = numerator.replace_map_bottom_up(|view, _, out| {
-            let AtomView::Pow(power) = view else { return };
-            let (base, exponent) = power.get_base_exp();
-            let exponent = i64::try_from(exponent).unwrap_or(0);
-            if let Some(argument) = call_of(base, Symbol::COS)
-                && exponent >= 2
-            {
-                let sine = Atom::num(1) - argument.sin().pow(2);
-                **out = sine.pow(exponent / 2) * argument.cos().pow(exponent % 2);
-            }
-        });
-        reduced.expand().is_zero()
-    }
-
     /// The one of several equivalent forms that takes the fewest operations.
     ///
     /// Long formulas stay as they are: rewriting them could take longer than anyone waits.
@@ -211,23 +183,6 @@ impl Form {
 
 /// Formulas with more operations than this are not rewritten.
 const MAX_REWRITTEN: usize = 50;
-
-/// The argument, if `view` is a call of `function`.
-fn call_of(view: AtomView<'_>, function: Symbol) -> Option<Atom> {
-    let AtomView::Fun(call) = view else { return None };
-    let argument = call.iter().next().filter(|_| call.get_symbol() == function)?;
-    Some(argument.to_owned())
-}
-
-/// Base, whole part and fraction of a power that is not a whole one.
-fn fractional_power(view: AtomView<'_>) -> Option<(Atom, i64, Rational)> {
-    let AtomView::Pow(power) = view else { return None };
-    let (base, exponent) = power.get_base_exp();
-    let exponent = Rational::try_from(exponent).ok().filter(|exponent| !exponent.is_integer())?;
-    let whole = exponent.floor().to_i64()?;
-    let rest = exponent - Rational::from(whole);
-    Some((base.to_owned(), whole, rest))
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,11 +1,16 @@
 //! Equations to a [`Program`](crate::program::Program). This folder is the one door to Symbolica: nothing outside it names Symbolica.
 
+mod angles;
 mod door;
 mod form;
+mod identity;
 mod import;
 mod lock;
 mod optimize;
+mod prove;
 
 pub use door::{Failure, enter};
 pub use form::{Engine, Form, Undefined};
+pub use identity::Sign;
 pub use optimize::{Place, compile};
+pub use prove::{Depth, Proof, multiples, proofs};

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 
 use super::expression::Expression;
+use super::unit::Unit;
 use crate::report::Region;
 
 /// Documentation lines, joined.
@@ -19,8 +20,11 @@ pub struct Declaration {
     pub parameters: Vec<Parameter>,
     pub definitions: Vec<Definition>,
     pub requirements: Vec<Requirement>,
+    pub assertions: Vec<Assertion>,
     pub sets: Vec<ParameterSet>,
     pub coordinates: Vec<Coordinate>,
+    /// Whether a coordinate could not be read, so that their number is not known.
+    pub coordinates_unread: bool,
     pub matrices: Vec<Matrix>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,
@@ -32,19 +36,42 @@ pub struct Parameter {
     pub docs: Doc,
     pub name: Ident,
     pub symbol: Option<String>,
-    pub unit: String,
+    pub unit: Unit,
     pub bounds: Vec<Bound>,
+    pub direction: Option<Direction>,
     /// The span of the word `gravity`, for the parameter that is the gravitational field strength.
     pub gravity: Option<Span>,
     /// The span of the word `unused`, for a parameter that no matrix depends on.
     pub unused: Option<Span>,
 }
 
+/// `along x`, `along x*z`, `about y`: how a quantity lies in the axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// A component of a vector, or of a tensor: for each axis whether it occurs an odd number of times.
+    Along([bool; 3]),
+    /// An angle about an axis, x, y or z.
+    About(usize),
+}
+
+/// A constant, in the unit that is written behind it or in that of what it belongs to.
+#[derive(Clone, Debug)]
+pub struct Value {
+    pub number: Expression,
+    pub unit: Option<Unit>,
+}
+
+impl Value {
+    pub fn region(&self) -> Region {
+        self.unit.as_ref().map_or(self.number.region, |unit| self.number.region.to(unit.region))
+    }
+}
+
 /// One end of a domain: `> 0`.
 #[derive(Debug)]
 pub struct Bound {
     pub relation: Relation,
-    pub value: Expression,
+    pub value: Value,
     pub region: Region,
 }
 
@@ -54,6 +81,7 @@ pub enum Relation {
     GreaterEqual,
     Less,
     LessEqual,
+    NotEqual,
 }
 
 /// `let mT = mR + mB;`
@@ -70,6 +98,13 @@ pub struct Requirement {
     pub bound: Bound,
 }
 
+/// `assert mu*w == c*cos(lam);`
+#[derive(Debug)]
+pub struct Assertion {
+    pub left: Expression,
+    pub right: Expression,
+}
+
 /// `set benchmark "source" { w = 1.02; }`
 #[derive(Debug)]
 pub struct ParameterSet {
@@ -77,6 +112,8 @@ pub struct ParameterSet {
     pub name: Ident,
     pub source: Option<String>,
     pub values: Vec<SetValue>,
+    /// Matrices that the source of the set publishes for it.
+    pub published: Vec<Published>,
 }
 
 /// `w = 1.02;`
@@ -84,7 +121,24 @@ pub struct ParameterSet {
 pub struct SetValue {
     pub name: Ident,
     /// Nothing if it could not be read.
-    pub value: Option<Expression>,
+    pub value: Option<Value>,
+}
+
+/// `M = [[80.81722, 2.31941332208709], …];` in a set: results as they were printed.
+#[derive(Debug)]
+pub struct Published {
+    pub name: MatrixName,
+    pub span: Span,
+    /// The rows, each with its region.
+    pub rows: Vec<(Region, Vec<Printed>)>,
+    pub region: Region,
+}
+
+/// A printed number, with all its digits.
+#[derive(Clone, Debug)]
+pub struct Printed {
+    pub text: String,
+    pub region: Region,
 }
 
 /// `phi "lean": rad;`
@@ -93,13 +147,16 @@ pub struct Coordinate {
     pub docs: Doc,
     pub name: Ident,
     pub label: Option<String>,
-    pub unit: String,
+    pub unit: Unit,
+    pub direction: Option<Direction>,
 }
 
 /// `M = [[a, b], [b, c]];`
 #[derive(Debug)]
 pub struct Matrix {
     pub name: MatrixName,
+    /// Whether the word `symmetric` stands before it.
+    pub symmetric: bool,
     pub span: Span,
     /// The rows, each with its region.
     pub rows: Vec<(Region, Vec<Expression>)>,

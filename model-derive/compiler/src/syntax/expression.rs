@@ -6,7 +6,8 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 
 use super::number::Decimal;
-use super::tokens::{expected, signed_integer};
+use super::tokens::{expected, operator, signed_integer};
+use super::unit::{Unit, unit};
 use crate::report::{Region, error};
 
 /// A formula with the stretch of source that it comes from.
@@ -16,10 +17,25 @@ pub struct Expression {
     pub region: Region,
 }
 
+impl Expression {
+    /// Calls `visit` with every name that is used as a value.
+    pub fn names(&self, visit: &mut impl FnMut(&Ident)) {
+        match &self.kind {
+            Kind::Number(_) | Kind::Quantity(..) => {}
+            Kind::Name(name) => visit(name),
+            Kind::Sum(terms) => terms.iter().for_each(|term| term.value.names(visit)),
+            Kind::Product(factors) => factors.iter().for_each(|factor| factor.value.names(visit)),
+            Kind::Power(inner, _) | Kind::Call(_, inner) => inner.names(visit),
+        }
+    }
+}
+
 /// What a formula is. Sums and products are flat, so that long ones do not nest deeply.
 #[derive(Clone, Debug)]
 pub enum Kind {
     Number(Decimal),
+    /// `0.3 [m]`.
+    Quantity(Decimal, Unit),
     Name(Ident),
     Sum(Vec<Term>),
     Product(Vec<Factor>),
@@ -52,6 +68,11 @@ pub fn expression(input: ParseStream<'_>) -> syn::Result<Expression> {
     Ok(value)
 }
 
+/// The formula that a text writes; for constants of the compiler's own.
+pub fn constant(text: &str) -> syn::Result<Expression> {
+    expression.parse_str(text)
+}
+
 fn sum(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     if depth > MAX_DEPTH {
         return Err(input.error(format!("nested too deeply: expected at most {MAX_DEPTH} levels")));
@@ -62,13 +83,19 @@ fn sum(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     loop {
         let value = product(input, depth)?;
         terms.push(Term { negative, operator, value });
-        let next = input.cursor().punct().map(|(punct, _)| (punct.as_char(), punct.span()));
-        let Some((sign @ ('+' | '-'), span)) = next else { break };
+        let Some((sign @ ('+' | '-'), span)) = next_operator(input) else { break };
         input.parse::<TokenTree>()?;
         negative = sign == '-';
         operator = Some(span);
     }
     Ok(if terms.len() == 1 { terms.remove(0).value } else { sum_of(terms) })
+}
+
+/// A mark that could be an operator of formulas, unless it is part of another operator such as `+=` or `->`.
+fn next_operator(input: ParseStream<'_>) -> Option<(char, Span)> {
+    let (punct, _) = input.cursor().punct()?;
+    let (text, _) = operator(input.cursor());
+    (text.len() == 1).then(|| (punct.as_char(), punct.span()))
 }
 
 fn sum_of(terms: Vec<Term>) -> Expression {
@@ -83,8 +110,7 @@ fn product(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     loop {
         let value = signed(input, depth)?;
         factors.push(Factor { inverse, value });
-        let next = input.cursor().punct().map(|(punct, _)| (punct.as_char(), punct.span()));
-        let Some((sign @ ('*' | '/'), span)) = next else { break };
+        let Some((sign @ ('*' | '/'), span)) = next_operator(input) else { break };
         input.parse::<TokenTree>()?;
         if let Some((second, _)) = input.cursor().punct().filter(|(second, _)| sign == '*' && second.as_char() == '*') {
             return Err(error(Region::from(span).to(second.span().into()), "found `**`: expected `^` for a power"));
@@ -154,10 +180,40 @@ fn primary(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
         Some((TokenTree::Literal(literal), _)) => {
             input.parse::<Literal>()?;
             let number = Decimal::from_literal(&literal).map_err(|message| error(literal.span(), message))?;
-            Ok(Expression { kind: Kind::Number(number), region: literal.span().into() })
+            if input.peek(Token![.]) && !input.peek(Token![..]) {
+                return Err(expected(input, "digits on both sides of the point of a number, as in `1.0e5`"));
+            }
+            let region = Region::from(literal.span());
+            if !input.peek(syn::token::Bracket) {
+                return Ok(Expression { kind: Kind::Number(number), region });
+            }
+            let content;
+            let brackets = syn::bracketed!(content in input);
+            let unit = unit(&content)?;
+            if !content.is_empty() {
+                return Err(expected(&content, "`*`, `/` or `]`"));
+            }
+            Ok(Expression { kind: Kind::Quantity(number, unit), region: region.to(brackets.span.close().into()) })
         }
         Some((TokenTree::Ident(_), _)) => name_or_call(input, depth),
-        _ => Err(expected(input, "a formula")),
+        _ => Err(expected(input, what_instead(input))),
+    }
+}
+
+/// What to say where a value should be and none is.
+fn what_instead(input: ParseStream<'_>) -> &'static str {
+    if input.peek(Token![.]) && input.peek2(syn::LitInt) {
+        "a digit before the point of a number, as in `0.5`"
+    } else if input.peek(Token![&]) {
+        "a formula, without references"
+    } else if input.peek(Token![|]) {
+        "a formula, without closures"
+    } else if input.peek(Token![!]) {
+        "a formula, without logic"
+    } else if input.peek(syn::token::Brace) {
+        "a formula, grouped by parentheses"
+    } else {
+        "a formula"
     }
 }
 
@@ -183,8 +239,8 @@ fn expression_to_end(input: ParseStream<'_>, depth: usize) -> syn::Result<Expres
 fn name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     let ident = input.call(Ident::parse_any)?;
     let text = ident.to_string();
-    if let Some(what) = unsupported_keyword(&text) {
-        return Err(error(&ident, format!("{what} not supported in formulas: expected a formula")));
+    if starts_statement(&text) {
+        return Err(error(&ident, format!("`{text}` is not supported in formulas: expected a formula")));
     }
     if !input.peek(syn::token::Paren) {
         let region = Region::from(&ident);
@@ -204,27 +260,24 @@ fn name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression>
     Ok(Expression { kind: Kind::Call(ident, Box::new(argument)), region })
 }
 
-fn unsupported_keyword(text: &str) -> Option<String> {
-    let is = match text {
-        "if" | "match" | "while" | "for" | "loop" | "unsafe" | "async" | "await" | "move" | "return" | "break"
-        | "continue" | "let" => format!("`{text}` is"),
-        "as" => "casts are".into(),
-        _ if text.starts_with("r#") => "raw identifiers are".into(),
-        _ if syn::parse_str::<Ident>(text).is_err() => format!("`{text}`, a keyword of Rust, is"),
-        _ => return None,
-    };
-    Some(is)
+/// Words that more than an operator would follow; other words of Rust are names that the check refuses.
+fn starts_statement(word: &str) -> bool {
+    const WORDS: [&str; 12] =
+        ["if", "match", "while", "for", "loop", "unsafe", "async", "move", "return", "break", "continue", "let"];
+    WORDS.contains(&word)
 }
 
 /// Rust that may follow a value, but has no meaning in a formula.
 fn reject_other_syntax(input: ParseStream<'_>) -> syn::Result<()> {
-    let what = if input.peek(Token![.]) {
+    let what = if input.peek(Token![..]) {
+        "ranges are"
+    } else if input.peek(Token![.]) {
         "method calls and fields are"
     } else if input.peek(Token![::]) {
         "paths are"
     } else if input.peek(Token![?]) {
         "`?` is"
-    } else if input.peek(Token![!]) {
+    } else if input.peek(Token![!]) && !input.peek(Token![!=]) {
         "macros are"
     } else if input.peek(Token![as]) {
         "casts are"
@@ -237,6 +290,11 @@ fn reject_other_syntax(input: ParseStream<'_>) -> syn::Result<()> {
     } else {
         return Ok(());
     };
-    let span = input.cursor().token_tree().map_or(input.span(), |(token, _)| token.span());
-    Err(error(span, format!("{what} not supported in formulas: expected an operator (`+ - * / ^`)")))
+    let region = match input.cursor().token_tree() {
+        Some((TokenTree::Punct(_), _)) => operator(input.cursor()).1,
+        Some((token, _)) => token.span().into(),
+        None => input.span().into(),
+    };
+    let instead = if what.starts_with("paths") { "a name alone, such as `pi`" } else { "an operator (`+ - * / ^`)" };
+    Err(error(region, format!("{what} not supported in formulas: expected {instead}")))
 }

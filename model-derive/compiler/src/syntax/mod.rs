@@ -8,11 +8,16 @@ mod parameters;
 mod tokens;
 mod unit;
 
-pub use declaration::{Bound, Declaration, Matrix, MatrixName, ParameterSet, Relation};
-pub use expression::{Expression, Kind};
+pub use declaration::{
+    Assertion, Bound, Declaration, Direction, Matrix, MatrixName, ParameterSet, Printed, Published, Relation,
+    Requirement, Value,
+};
+pub use expression::{Expression, Factor, Kind, Term, constant};
 pub use number::Decimal;
+pub use tokens::reserved;
+pub use unit::Unit;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::Parser;
 
 use crate::report::Report;
@@ -21,6 +26,10 @@ use crate::report::Report;
 ///
 /// Nothing is returned if not even the name of the model and its braces are there.
 pub fn parse(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
+    if let Some(span) = too_deep(&tokens) {
+        report.error(span, format!("brackets nested too deeply: expected at most {MAX_BRACKETS} levels"));
+        return None;
+    }
     let mut declaration = None;
     let parser = |input: syn::parse::ParseStream<'_>| {
         declaration = Some(items::declaration(input, report)?);
@@ -33,4 +42,24 @@ pub fn parse(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
         }
     }
     declaration
+}
+
+/// Brackets within brackets; formulas have a lower limit of their own. `syn` would exhaust the stack of a thread at some
+/// thousands.
+const MAX_BRACKETS: usize = 256;
+
+/// The first bracket that is nested too deeply.
+fn too_deep(tokens: &TokenStream) -> Option<Span> {
+    let mut open = vec![tokens.clone().into_iter()];
+    while let Some(tokens) = open.last_mut() {
+        match tokens.next() {
+            Some(TokenTree::Group(group)) if open.len() > MAX_BRACKETS => return Some(group.span_open()),
+            Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
+            Some(_) => {}
+            None => {
+                open.pop();
+            }
+        }
+    }
+    None
 }

@@ -62,6 +62,17 @@ impl Decimal {
         }
     }
 
+    /// Whether it is zero.
+    pub fn is_zero(&self) -> bool {
+        self.digits == "0"
+    }
+
+    /// The nearest `f64`.
+    pub fn to_f64(&self) -> f64 {
+        // Digits and a power of ten are always read.
+        self.to_string().parse().unwrap_or(f64::NAN)
+    }
+
     /// The whole number, if it is one and fits.
     pub fn to_integer(&self) -> Option<i32> {
         let zeros = usize::try_from(self.exponent).ok()?;
@@ -69,11 +80,21 @@ impl Decimal {
     }
 }
 
-/// In a form that every decimal parser reads.
+/// As people write it, and as every decimal parser reads it: a power of ten stands only for many zeros.
 impl std::fmt::Display for Decimal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.digits)?;
-        if self.exponent == 0 { Ok(()) } else { write!(f, "e{}", self.exponent) }
+        const MANY: usize = 6;
+        let Self { digits, exponent } = self;
+        let shift = exponent.unsigned_abs() as usize;
+        if *exponent >= 0 && shift <= MANY {
+            write!(f, "{digits}{}", "0".repeat(shift))
+        } else if *exponent < 0 && shift <= digits.len() + MANY {
+            let padded = format!("{digits:0>width$}", width = shift + 1);
+            let (whole, fraction) = padded.split_at(padded.len() - shift);
+            write!(f, "{whole}.{fraction}")
+        } else {
+            write!(f, "{digits}e{exponent}")
+        }
     }
 }
 
@@ -89,16 +110,26 @@ mod tests {
     #[test]
     fn decimals_are_exact() {
         let cases = [
-            ("0.5", "5e-1"),
-            ("1_000", "1e3"),
-            ("2.50e-3", "25e-4"),
+            ("0.5", "0.5"),
+            ("1_000", "1000"),
+            ("2.50e-3", "0.0025"),
+            ("12.5", "12.5"),
+            ("1e-30", "1e-30"),
             ("0.0", "0"),
             ("007", "7"),
             ("1.", "1"),
-            ("3E2", "3e2"),
+            ("3E2", "300"),
         ];
         for (text, expected) in cases {
             assert_eq!(read(text).as_deref(), Ok(expected), "{text}");
+        }
+    }
+
+    #[test]
+    fn people_read_a_point() {
+        for text in ["0.5", "1000", "0.0025", "12.75", "0", "7", "3e12", "1e-9", "0.000001"] {
+            let literal: Literal = text.parse().expect("a literal");
+            assert_eq!(Decimal::from_literal(&literal).map(|decimal| decimal.to_string()).as_deref(), Ok(text));
         }
     }
 

@@ -1,12 +1,13 @@
 //! Parameters with their units and domains, and coordinates.
 
+use proc_macro2::Span;
 use syn::Token;
 use syn::parse::ParseStream;
 
-use super::declaration::{Bound, Coordinate, Doc, Parameter, Relation};
-use super::expression::{Expression, expression};
-use super::tokens::{docs, expected, name, semicolon, text};
-use super::unit::unit;
+use super::declaration::{Bound, Coordinate, Direction, Doc, Parameter, Relation, Value};
+use super::expression::expression;
+use super::tokens::{declared, docs, expected, reserved, semicolon, text};
+use super::unit::{unit, unit_after_value};
 use crate::report::{Region, Report, error};
 
 /// `lam "λ": rad, in (-pi/2, pi/2);`
@@ -16,10 +17,18 @@ pub fn parameter(
     unread: &mut Vec<syn::Ident>,
     report: &mut Report,
 ) -> syn::Result<()> {
-    let docs = docs(input, report)?;
-    let name = name(input, "the name of a parameter")?;
+    let what = "the name of a parameter";
+    let docs = docs(input, what, report)?;
+    let name = declared(input, what)?;
     match parameter_after_name(input, docs, &name) {
-        Ok(parameter) => parameters.push(parameter),
+        Ok(parameter) => match reserved(&name.to_string()) {
+            None => parameters.push(parameter),
+            // It could not become a field.
+            Some(what) => {
+                report.error(&name, format!("`{name}` is {what}: expected another name"));
+                unread.push(name);
+            }
+        },
         Err(error) => {
             unread.push(name);
             return Err(error);
@@ -32,13 +41,16 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
     let symbol = text(input)?;
     colon(input)?;
     let unit = unit(input)?;
+    let name = name.clone();
     let mut parameter =
-        Parameter { docs, name: name.clone(), symbol, unit, bounds: Vec::new(), gravity: None, unused: None };
+        Parameter { docs, name, symbol, unit, bounds: Vec::new(), direction: None, gravity: None, unused: None };
     while input.parse::<Option<Token![,]>>()?.is_some() {
         if let Some(bound) = comparison(input)? {
             parameter.bounds.push(bound);
         } else if input.peek(Token![in]) {
             parameter.bounds.extend(interval(input)?);
+        } else if let Some((span, direction)) = direction(input)? {
+            once(&mut parameter.direction, direction, span)?;
         } else if input.peek(syn::Ident) {
             let word: syn::Ident = input.parse()?;
             match word.to_string().as_str() {
@@ -50,11 +62,13 @@ fn parameter_after_name(input: ParseStream<'_>, docs: Doc, name: &syn::Ident) ->
             return Err(expected(input, AFTER_UNIT));
         }
     }
-    semicolon(input, "`,` or `;`", "the parameter")?;
+    let plain = parameter.bounds.is_empty() && parameter.direction.is_none();
+    semicolon(input, if plain { "`*`, `/`, `,` or `;`" } else { "`,` or `;`" }, "the parameter")?;
     Ok(parameter)
 }
 
-const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `in (a, b)`, `in [a, b]`), `gravity` or `unused`";
+const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `!= 0`, `in (a, b)`, `in [a, b]`), a direction (`along x`, `about y`), \
+                          `gravity` or `unused`";
 
 fn colon(input: ParseStream<'_>) -> syn::Result<()> {
     if input.peek(Token![:]) && !input.peek(Token![::]) {
@@ -75,12 +89,56 @@ pub fn comparison(input: ParseStream<'_>) -> syn::Result<Option<Bound>> {
         Relation::Greater
     } else if input.parse::<Option<Token![<]>>()?.is_some() {
         Relation::Less
+    } else if input.parse::<Option<Token![!=]>>()?.is_some() {
+        Relation::NotEqual
     } else {
         return Ok(None);
     };
-    let value = expression(input)?;
-    let region = Region::from(span).to(value.region);
+    let value = value(input)?;
+    let region = Region::from(span).to(value.region());
     Ok(Some(Bound { relation, value, region }))
+}
+
+/// A constant, and a unit behind it if there is one.
+pub fn value(input: ParseStream<'_>) -> syn::Result<Value> {
+    Ok(Value { number: expression(input)?, unit: unit_after_value(input)? })
+}
+
+/// `along x`, `along x*z`, `about y`, if it stands here.
+fn direction(input: ParseStream<'_>) -> syn::Result<Option<(Span, Direction)>> {
+    let Some((word, _)) = input.cursor().ident().filter(|(word, _)| word == "along" || word == "about") else {
+        return Ok(None);
+    };
+    input.parse::<syn::Ident>()?;
+    let first = axis(input)?;
+    if word == "about" {
+        return Ok(Some((word.span(), Direction::About(first))));
+    }
+    let mut odd = [false; 3];
+    odd[first] = true;
+    while input.parse::<Option<Token![*]>>()?.is_some() {
+        let next = axis(input)?;
+        odd[next] = !odd[next];
+    }
+    Ok(Some((word.span(), Direction::Along(odd))))
+}
+
+/// The position of an axis among x, y and z.
+fn axis(input: ParseStream<'_>) -> syn::Result<usize> {
+    let found = input.cursor().ident().and_then(|(word, _)| AXES.iter().position(|axis| word == axis));
+    match found {
+        Some(axis) => input.parse::<syn::Ident>().map(|_| axis),
+        None => Err(expected(input, "an axis: `x`, `y` or `z`")),
+    }
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+fn once(place: &mut Option<Direction>, direction: Direction, span: Span) -> syn::Result<()> {
+    match place.replace(direction) {
+        Some(_) => Err(error(span, "a second direction: expected one, such as `along x*z`")),
+        None => Ok(()),
+    }
 }
 
 /// `in (a, b)` without its ends, `in [a, b]` with them.
@@ -96,24 +154,38 @@ fn interval(input: ParseStream<'_>) -> syn::Result<[Bound; 2]> {
     } else {
         return Err(expected(input, "an interval: `(a, b)` without its ends or `[a, b]` with them"));
     };
-    let low = expression(&content)?;
+    let low = value(&content)?;
     if content.parse::<Option<Token![,]>>()?.is_none() {
         return Err(expected(&content, "`,` and the upper end of the interval"));
     }
-    let high = expression(&content)?;
+    let high = value(&content)?;
     if !content.is_empty() {
         return Err(expected(&content, "the end of the interval"));
     }
-    let bound = |relation, value: Expression| Bound { relation, region: value.region, value };
+    let bound = |relation, value: Value| Bound { relation, region: value.region(), value };
     Ok([bound(relations[0], low), bound(relations[1], high)])
 }
 
 pub fn coordinate(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Coordinate> {
-    let docs = docs(input, report)?;
-    let name = name(input, "the name of a coordinate")?;
+    let what = "the name of a coordinate";
+    let docs = docs(input, what, report)?;
+    let name = declared(input, what)?;
     let label = text(input)?;
     colon(input)?;
     let unit = unit(input)?;
-    semicolon(input, "`;`", "the coordinate")?;
-    Ok(Coordinate { docs, name, label, unit })
+    let mut coordinate = Coordinate { docs, name, label, unit, direction: None };
+    while input.parse::<Option<Token![,]>>()?.is_some() {
+        let Some((span, direction)) = direction(input)? else {
+            return Err(expected(input, "a direction (`along y`, `about x`)"));
+        };
+        once(&mut coordinate.direction, direction, span)?;
+    }
+    semicolon(input, "`,` or `;`", "the coordinate")?;
+    Ok(coordinate)
+}
+
+/// Whether a parameter or a coordinate starts here.
+pub fn starts(input: ParseStream<'_>) -> bool {
+    input.peek(syn::Ident)
+        && (input.peek2(Token![:]) && !input.peek2(Token![::]) || input.peek2(syn::LitStr) && input.peek3(Token![:]))
 }

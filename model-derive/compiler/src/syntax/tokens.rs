@@ -1,10 +1,10 @@
 //! Small parsers that several statements share.
 
-use proc_macro2::{Delimiter, Literal, TokenTree};
+use proc_macro2::{Delimiter, Literal, Spacing, TokenStream, TokenTree};
 use syn::Token;
+use syn::buffer::Cursor;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::spanned::Spanned;
 
 use super::declaration::Doc;
 use super::number::Decimal;
@@ -22,9 +22,60 @@ pub fn expected(input: ParseStream<'_>, what: &str) -> syn::Error {
             };
             syn::Error::new(group.span_open(), format!("found {open}: expected {what}"))
         }
+        // The mark before a lifetime is no operator.
+        Some((TokenTree::Punct(punct), _)) if punct.as_char() != '\'' => {
+            let (operator, region) = operator(input.cursor());
+            error(region, format!("found `{operator}`: expected {what}"))
+        }
         Some((token, _)) => syn::Error::new(token.span(), format!("found `{token}`: expected {what}")),
         None => syn::Error::new(input.span(), format!("found nothing more: expected {what}")),
     }
+}
+
+/// Operators of Rust that are written with several marks, longer ones first.
+const OPERATORS: [&str; 21] = [
+    "..=", "<<=", ">>=", "==", "!=", "<=", ">=", "&&", "||", "<<", ">>", "->", "=>", "..", "::", "+=", "-=", "*=",
+    "/=", "^=", "%=",
+];
+
+/// The operator at a mark, with the marks that belong to it, and where it stands.
+pub fn operator(mut cursor: Cursor<'_>) -> (String, Region) {
+    let mut marks = Vec::new();
+    while let Some((punct, after)) = cursor.punct() {
+        let last = punct.spacing() == Spacing::Alone;
+        marks.push(punct);
+        cursor = after;
+        if last {
+            break;
+        }
+    }
+    let text: String = marks.iter().map(|mark| mark.as_char()).collect();
+    let known = OPERATORS.into_iter().find(|operator| text.starts_with(operator));
+    let length = known.map_or(1, str::len).min(marks.len());
+    let spans = marks[..length].iter().map(|mark| Region::from(mark.span()));
+    let region = spans.reduce(Region::to).unwrap_or(cursor.span().into());
+    (text.chars().take(length).collect(), region)
+}
+
+/// What an identifier is, if no model can have it for a name: a word of Rust, in the edition that has the most of them,
+/// or a raw one.
+pub fn reserved(name: &str) -> Option<&'static str> {
+    if name.starts_with("r#") {
+        Some("a raw identifier")
+    } else if name == "gen" || syn::parse_str::<syn::Ident>(name).is_err() {
+        Some("a keyword of Rust")
+    } else {
+        None
+    }
+}
+
+/// A name that is declared here. A reserved one is read too, unless a name follows, and refused later: then its uses are
+/// no further mistakes.
+pub fn declared(input: ParseStream<'_>, what: &str) -> syn::Result<syn::Ident> {
+    if input.peek(syn::Ident::peek_any) && !input.peek2(syn::Ident::peek_any) {
+        return input.call(syn::Ident::parse_any);
+    }
+    name(input, what)
 }
 
 /// A name of the user's, and not a word of Rust.
@@ -34,13 +85,10 @@ pub fn name(input: ParseStream<'_>, what: &str) -> syn::Result<syn::Ident> {
     }
     let ident = input.call(syn::Ident::parse_any)?;
     let text = ident.to_string();
-    if text.starts_with("r#") {
-        return Err(syn::Error::new(ident.span(), format!("raw identifiers are not supported: expected {what}")));
+    match reserved(&text) {
+        Some(reserved) => Err(error(&ident, format!("`{text}` is {reserved}: expected {what}"))),
+        None => Ok(ident),
     }
-    if syn::parse_str::<syn::Ident>(&text).is_err() {
-        return Err(syn::Error::new(ident.span(), format!("`{text}` is a keyword of Rust: expected {what}")));
-    }
-    Ok(ident)
 }
 
 /// The `;` that ends a statement; `what` says what could stand in its place.
@@ -60,8 +108,7 @@ pub fn signed_integer(input: ParseStream<'_>) -> syn::Result<(i32, Region)> {
         return Err(expected(input, what));
     };
     let literal: Literal = input.parse()?;
-    let region =
-        minus.map_or(Region::from(literal.span()), |minus| Region::from(minus.span()).to(literal.span().into()));
+    let region = minus.map_or(Region::from(literal.span()), |minus| Region::from(minus.span).to(literal.span().into()));
     let number = Decimal::from_literal(&literal).map_err(|message| error(literal.span(), message))?;
     let integer = number.to_integer().filter(|value| value.unsigned_abs() <= MAX_EXPONENT);
     let Some(value) = integer else {
@@ -73,23 +120,38 @@ pub fn signed_integer(input: ParseStream<'_>) -> syn::Result<(i32, Region)> {
 /// Larger exponents have no use in mechanics and would only make large programs.
 const MAX_EXPONENT: u32 = 64;
 
-/// Documentation comments; any other attribute is a mistake, and what it stands on is read all the same.
-pub fn docs(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Doc> {
+/// Documentation comments before `what`; any other attribute is a mistake, and what it stands on is read all the same.
+pub fn docs(input: ParseStream<'_>, what: &str, report: &mut Report) -> syn::Result<Doc> {
+    let start = input.span();
     let mut lines = Vec::new();
-    for attribute in input.call(syn::Attribute::parse_outer)? {
-        let text = match &attribute.meta {
-            syn::Meta::NameValue(meta) if meta.path.is_ident("doc") => match &meta.value {
+    while input.peek(Token![#]) {
+        let pound: Token![#] = input.parse()?;
+        let inner = input.parse::<Option<Token![!]>>()?.is_some();
+        let content;
+        let brackets = syn::bracketed!(content in input);
+        let region = Region::from(pound.span).to(brackets.span.close().into());
+        let text = match content.parse() {
+            Ok(syn::Meta::NameValue(meta)) if meta.path.is_ident("doc") => match meta.value {
                 syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => Some(text.value()),
                 _ => None,
             },
-            _ => None,
+            _ => {
+                content.parse::<TokenStream>()?;
+                None
+            }
         };
-        let Some(text) = text else {
-            let region = Region::from(attribute.pound_token.span()).to(attribute.bracket_token.span.close().into());
-            report.error(region, "an attribute that is not supported here: expected documentation (`/// …`)");
-            continue;
-        };
-        lines.push(text.strip_prefix(' ').unwrap_or(&text).trim_end().to_string());
+        match text {
+            Some(text) if !inner => lines.push(text.strip_prefix(' ').unwrap_or(&text).trim_end().to_string()),
+            Some(_) => {
+                report.error(region, "documentation from inside (`//!`): expected `/// …` before what it is about")
+            }
+            None => {
+                report.error(region, "an attribute that is not supported here: expected documentation (`/// …`)");
+            }
+        }
+    }
+    if !lines.is_empty() && input.is_empty() {
+        return Err(error(start, format!("documentation of nothing: expected {what} after it")));
     }
     Ok(lines.join("\n").trim_matches('\n').to_string())
 }
@@ -99,19 +161,13 @@ pub fn text(input: ParseStream<'_>) -> syn::Result<Option<String>> {
     Ok(if input.peek(syn::LitStr) { Some(input.parse::<syn::LitStr>()?.value()) } else { None })
 }
 
-/// Whether the next tokens look like the start of a statement whose predecessor lacks its `;`.
-fn starts_statement(input: ParseStream<'_>) -> bool {
-    let named = input.peek(syn::Ident) && !input.peek2(Token![==]) && !input.peek2(Token![::]);
-    input.peek(Token![let]) || named && (input.peek2(Token![=]) || input.peek2(Token![:]) || input.peek2(syn::LitStr))
-}
-
-/// Skips what is left of a statement that could not be read: through the next `;` or brace, or up to the
-/// start of another.
+/// Skips what is left of a statement that could not be read: through the next `;` or brace, or up to where the next
+/// one `starts`, for its predecessor may only lack a `;`.
 ///
 /// `moved` says whether the failed attempt took any token; if not, at least one is skipped.
-pub fn skip_statement(input: ParseStream<'_>, mut moved: bool) {
+pub fn skip_statement(input: ParseStream<'_>, mut moved: bool, starts: fn(ParseStream<'_>) -> bool) {
     while let Some((token, _)) = input.cursor().token_tree() {
-        if moved && starts_statement(input) {
+        if moved && starts(input) {
             return;
         }
         moved = true;
@@ -120,8 +176,9 @@ pub fn skip_statement(input: ParseStream<'_>, mut moved: bool) {
         if input.parse::<TokenTree>().is_err() || semicolon {
             return;
         }
-        // `let a = if b { c };` ends behind its braces.
-        if brace && !input.peek(Token![;]) {
+        // `let a = if b { c } else { d };` and `let a = B { c }*d;` go on behind their braces.
+        let mark = input.cursor().punct().is_some_and(|(punct, _)| punct.as_char() != '#');
+        if brace && !mark && !input.peek(Token![else]) {
             return;
         }
     }

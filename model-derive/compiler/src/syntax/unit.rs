@@ -1,44 +1,81 @@
-//! Units as people write them: `m`, `kg*m^2`, `N/kg`, `1`.
+//! Units as people write them: `m`, `kg*m^2`, `N/(m/s)`, `1`.
 
-use proc_macro2::Literal;
+use proc_macro2::{Ident, Literal};
 use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
 use super::tokens::{expected, signed_integer};
+use crate::report::Region;
 
-/// A product of powers of unit names, in one canonical spelling.
-pub fn unit(input: ParseStream<'_>) -> syn::Result<String> {
-    let mut text = factor(input, true)?;
+/// A product of powers of named units.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// As it was written, without spaces.
+    pub text: String,
+    /// The names, each with its exponent; none for a pure number.
+    pub factors: Vec<(Ident, i32)>,
+    pub region: Region,
+}
+
+const WHAT: &str = "a unit such as `m`, `kg*m^2`, `N/kg`, or `1` for a pure number";
+
+/// Parses a unit up to the first token that cannot continue one.
+pub fn unit(input: ParseStream<'_>) -> syn::Result<Unit> {
+    product(input, true)
+}
+
+fn product(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
+    let mut unit = factor(input, parentheses)?;
     loop {
         let sign = if input.parse::<Option<Token![*]>>()?.is_some() {
             '*'
         } else if input.parse::<Option<Token![/]>>()?.is_some() {
             '/'
         } else {
-            return Ok(text);
+            return Ok(unit);
         };
-        text.push(sign);
-        text.push_str(&factor(input, false)?);
+        let next = factor(input, parentheses)?;
+        unit.text.push(sign);
+        unit.text.push_str(&next.text);
+        unit.region = unit.region.to(next.region);
+        unit.factors.extend(next.factors.into_iter().map(|(name, n)| (name, if sign == '/' { -n } else { n })));
     }
 }
 
-fn factor(input: ParseStream<'_>, first: bool) -> syn::Result<String> {
-    let what = "a unit such as `m`, `kg*m^2`, `N/kg`, or `1` for a pure number";
-    if first && input.peek(syn::LitInt) {
+/// A unit behind a value, if there is one; a name before `=` begins the next statement.
+pub fn unit_after_value(input: ParseStream<'_>) -> syn::Result<Option<Unit>> {
+    if input.peek(syn::Ident) && !input.peek2(Token![=]) { unit(input).map(Some) } else { Ok(None) }
+}
+
+/// One name with its exponent, or a product in parentheses, which need not nest.
+fn factor(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
+    if parentheses && input.peek(syn::token::Paren) {
+        let content;
+        let parentheses = syn::parenthesized!(content in input);
+        let inner = product(&content, false)?;
+        if !content.is_empty() {
+            return Err(expected(&content, "`*`, `/` or `)`"));
+        }
+        let region = Region::from(parentheses.span.open()).to(parentheses.span.close().into());
+        return Ok(Unit { text: format!("({})", inner.text), region, ..inner });
+    }
+    if input.peek(syn::LitInt) {
         let literal: Literal = input.parse()?;
-        return match literal.to_string().as_str() {
-            "1" => Ok("1".into()),
-            _ => Err(syn::Error::new(literal.span(), format!("found `{literal}`: expected {what}"))),
+        let text = literal.to_string();
+        return match text.as_str() {
+            "1" => Ok(Unit { text, factors: Vec::new(), region: literal.span().into() }),
+            _ => Err(syn::Error::new(literal.span(), format!("found `{text}`: expected {WHAT}"))),
         };
     }
     if !input.peek(syn::Ident::peek_any) {
-        return Err(expected(input, what));
+        return Err(expected(input, WHAT));
     }
     let name = input.call(syn::Ident::parse_any)?;
+    let region = Region::from(&name);
     if input.parse::<Option<Token![^]>>()?.is_none() {
-        return Ok(name.to_string());
+        return Ok(Unit { text: name.to_string(), factors: vec![(name, 1)], region });
     }
-    let (power, _) = signed_integer(input)?;
-    Ok(format!("{name}^{power}"))
+    let (power, end) = signed_integer(input)?;
+    Ok(Unit { text: format!("{name}^{power}"), factors: vec![(name, power)], region: region.to(end) })
 }

@@ -6,7 +6,7 @@ carvallo::model! {
             g: N/kg, >= 0, gravity;
         }
 
-        let I = m*l^2/(sin(l)^2 + cos(l)^2 - 1);
+        let I = m*l^2/(sin(l/l)^2 + cos(l/l)^2 - 1);
 
         coordinates {
             theta: rad;

@@ -7,7 +7,7 @@ carvallo::model! {
         }
 
         let I = m*l^2;
-        require m - l > 0;
+        require m/l - 1 [kg/m] > 0;
 
         coordinates {
             theta: rad;

@@ -14,7 +14,7 @@ carvallo::model! {
 
         M = [[I]];
         K0 = [[m*l]];
-        M = [[m]];
+        M = [[m*l^2]];
 
         set bob {
             m = 1;

@@ -4,7 +4,7 @@ carvallo::model! {
             theta: rad;
         }
 
-        M = [[2]];
+        M = [[2 [kg*m^2]]];
     }
 }
 

@@ -2,7 +2,8 @@ carvallo::model! {
     pub model Pendulum {
         parameters {
             m: kg, > 0;
-            l: m, > 0, gravity;
+            l: m, > 0;
+            h: N/kg, >= 0, gravity;
             g: N/kg, >= 0, gravity;
         }
 
@@ -13,11 +14,12 @@ carvallo::model! {
         }
 
         M = [[I]];
-        K0 = [[m*l]];
+        K0 = [[m*l*h/g]];
 
         set bob {
             m = 1;
             l = 2;
+            h = 1;
             g = 9.81;
         }
     }

@@ -1,0 +1,191 @@
+//! Divisors that can be zero and radicands that can be negative: what nobody has excluded becomes a requirement.
+
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+
+use super::definitions::Resolved;
+use super::intervals::Interval;
+use super::names::Scope;
+use super::ranges::{Constants, Ranges};
+use super::resolve;
+use crate::equations::Equations;
+use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
+use crate::report::Report;
+use crate::symbolic::{self, Depth, Proof, Sign};
+use crate::syntax::{Decimal, Declaration, Expression, Kind};
+
+/// A checked declaration, before it is a model.
+pub struct Checked<'a> {
+    pub declaration: &'a Declaration,
+    pub resolved: &'a Resolved,
+    pub domains: &'a [Domain],
+    pub definitions: &'a [(Ident, Expr)],
+    pub requirements: &'a [Requirement],
+    pub matrices: &'a Matrices,
+}
+
+/// What a formula needs to have a value.
+#[derive(Clone, Debug)]
+struct Need {
+    formula: Expression,
+    /// Other values than zero, or for a root those that are not negative.
+    domain: Domain,
+}
+
+/// The requirements that formulas need to have a value, and that the domains and other requirements do not imply; each
+/// has a value itself if those before it hold.
+pub fn requirements(checked: &Checked<'_>, scope: &mut Scope, report: &mut Report) -> Vec<Requirement> {
+    let mut search = Search::new(checked, scope, report);
+    let Checked { declaration, definitions, requirements, matrices, .. } = *checked;
+    let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
+    let conditions = requirements.iter().map(|requirement| requirement.value.clone()).collect();
+    let written = declaration.matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    search.settle(Origin::Matrices, search.used(definitions, entries), written);
+    let written = declaration.requirements.iter().map(|requirement| &requirement.value);
+    search.settle(Origin::Requirements, search.used(definitions, conditions), written);
+    search.found
+}
+
+struct Search<'a> {
+    checked: &'a Checked<'a>,
+    scope: &'a mut Scope,
+    report: &'a mut Report,
+    /// For each position in the declaration the one in the order of definitions.
+    new: Vec<usize>,
+    /// The formulas of the definitions as written, in their order.
+    sources: Vec<&'a Expression>,
+    ranges: Ranges,
+    found: Vec<Requirement>,
+}
+
+impl<'a> Search<'a> {
+    fn new(checked: &'a Checked<'a>, scope: &'a mut Scope, report: &'a mut Report) -> Self {
+        let mut ranges = Ranges::new(Constants::Nearest, checked.domains.iter().copied().map(Interval::from).collect());
+        for Requirement { value, domain, .. } in checked.requirements {
+            ranges.add_fact(value, (*domain).into());
+            // The definition's own formula has the same values.
+            let mut value = value;
+            while let Expr::Definition(index) = value {
+                value = &checked.definitions[*index].1;
+                ranges.add_fact(value, (*domain).into());
+            }
+        }
+        checked.definitions.iter().for_each(|(_, expr)| ranges.push_definition(expr));
+        let new = checked.resolved.new_positions();
+        let sources = checked.resolved.sources(checked.declaration);
+        Self { checked, scope, report, new, sources, ranges, found: Vec::new() }
+    }
+
+    /// The positions of the definitions that formulas use.
+    fn used(&self, definitions: &[(Ident, Expr)], formulas: Vec<Expr>) -> Vec<usize> {
+        Equations::of_formulas(self.checked.domains.len(), definitions, formulas).origins
+    }
+
+    /// Takes up what formulas and the definitions that they use need.
+    fn settle(&mut self, origin: Origin, definitions: Vec<usize>, formulas: impl Iterator<Item = &'a Expression>) {
+        let mut needs = Vec::new();
+        let definitions: Vec<&Expression> = definitions.into_iter().map(|index| self.sources[index]).collect();
+        definitions.into_iter().chain(formulas).for_each(|formula| collect(formula, &mut needs));
+        let mut visited = HashSet::new();
+        let parts: Vec<Need> = needs.into_iter().flat_map(|need| self.parts(need, &mut visited)).collect();
+        for Need { formula, domain } in parts {
+            let value = resolve::expression(&formula, self.scope, self.report).renumbered(&self.new);
+            if self.is_met(&value, domain) {
+                continue;
+            }
+            if !domain.nonzero && self.ranges.of(&value).is_negative() {
+                self.report.error(formula.region, symbolic::Undefined::RootOfNegative);
+                continue;
+            }
+            self.ranges.add_fact(&value, domain.into());
+            let (text, region) = (resolve::text(&formula), formula.region);
+            self.found.push(Requirement { text, region, value, domain, origin });
+        }
+    }
+
+    /// The same need of the parts that decide: a product is not zero if no factor is. Definitions are opened, since
+    /// what a user of the model sees are the parameters; each once.
+    fn parts(&self, need: Need, visited: &mut HashSet<(usize, bool)>) -> Vec<Need> {
+        let Need { formula, domain } = need;
+        let nonzero = domain.nonzero;
+        let mut parts = Vec::new();
+        let mut open = vec![&formula];
+        while let Some(formula) = open.pop() {
+            match &formula.kind {
+                Kind::Name(name) if name == "pi" => {}
+                Kind::Name(name) => match self.checked.definitions.iter().position(|(known, _)| known == name) {
+                    Some(index) if visited.insert((index, nonzero)) => open.push(self.sources[index]),
+                    Some(_) => {}
+                    None => parts.push(Need { formula: formula.clone(), domain }),
+                },
+                Kind::Product(factors) if nonzero => {
+                    open.extend(factors.iter().rev().filter(|factor| !factor.inverse).map(|factor| &factor.value));
+                }
+                Kind::Power(_, exponent) if nonzero && *exponent <= 0 => {}
+                Kind::Power(base, _) if nonzero => open.push(base),
+                Kind::Call(function, argument) if nonzero && function == "sqrt" => open.push(argument),
+                Kind::Sum(terms) if nonzero && terms.len() == 1 => open.push(&terms[0].value),
+                _ => parts.push(Need { formula: formula.clone(), domain }),
+            }
+        }
+        parts
+    }
+
+    /// Whether a formula has no values outside a domain: by what is known of the values, or since it is a multiple of
+    /// one that is bounded. What is zero for all parameters is left to the engine to report.
+    fn is_met(&self, value: &Expr, domain: Domain) -> bool {
+        let meets = |values: Interval| if domain.nonzero { values.excludes_zero() } else { values.is_nonnegative() };
+        if meets(self.ranges.of(value)) {
+            return true;
+        }
+        let equations = |outputs| Equations::of_formulas(self.checked.domains.len(), self.checked.definitions, outputs);
+        if domain.nonzero {
+            let zero = Expr::Number(Decimal { digits: "0".into(), exponent: 0 });
+            let proofs = symbolic::proofs(vec![equations(vec![value.clone(), zero])], Depth::Formulas);
+            if proofs.is_ok_and(|proofs| matches!(proofs[..], [Proof::Found | Proof::Undefined(..)])) {
+                return true;
+            }
+        }
+        let known = || self.checked.requirements.iter().chain(&self.found);
+        let outputs = [value].into_iter().chain(known().map(|known| &known.value)).cloned().collect();
+        // A failure of the engine is reported where it compiles the model.
+        let signs = symbolic::multiples(equations(outputs)).unwrap_or_default();
+        known().zip(signs).any(|(known, sign)| match sign {
+            Some(Sign::Positive) => meets(known.domain.into()),
+            Some(Sign::Negative) => meets(-Interval::from(known.domain)),
+            None => false,
+        })
+    }
+}
+
+/// Notes what a formula needs, the inner parts first.
+fn collect(formula: &Expression, needs: &mut Vec<Need>) {
+    match &formula.kind {
+        Kind::Number(_) | Kind::Quantity(..) | Kind::Name(_) => {}
+        Kind::Sum(terms) => terms.iter().for_each(|term| collect(&term.value, needs)),
+        Kind::Product(factors) => {
+            for factor in factors {
+                collect(&factor.value, needs);
+                if factor.inverse {
+                    needs.push(Need { formula: factor.value.clone(), domain: Domain::NONZERO });
+                }
+            }
+        }
+        Kind::Power(base, exponent) => {
+            collect(base, needs);
+            if *exponent < 0 {
+                needs.push(Need { formula: (**base).clone(), domain: Domain::NONZERO });
+            }
+        }
+        Kind::Call(function, argument) => {
+            collect(argument, needs);
+            if function == "tan" {
+                let kind = Kind::Call(Ident::new("cos", function.span()), argument.clone());
+                needs.push(Need { formula: Expression { kind, region: formula.region }, domain: Domain::NONZERO });
+            } else if function == "sqrt" {
+                needs.push(Need { formula: (**argument).clone(), domain: Domain::NONNEGATIVE });
+            }
+        }
+    }
+}

@@ -1,0 +1,346 @@
+//! Intervals of real numbers with bounds that rounding can only move outward.
+//!
+//! A result holds every value that the operation can have, of numbers in its operands. What it holds beyond that is
+//! little, except that equal operands are taken for different ones.
+
+use std::cmp::Ordering;
+use std::f64::consts::FRAC_PI_2;
+
+#[cfg(test)]
+mod tests;
+
+/// A bound, and whether it is itself left out. Infinite bounds always are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct End {
+    value: f64,
+    open: bool,
+}
+
+/// All numbers between two bounds, with or without zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    lower: End,
+    upper: End,
+    /// Zero is left out, wherever the bounds are.
+    nonzero: bool,
+}
+
+impl Interval {
+    /// All numbers.
+    pub const ALL: Self = Self::open(f64::NEG_INFINITY, f64::INFINITY);
+
+    /// One number.
+    pub const fn point(value: f64) -> Self {
+        Self::closed(value, value)
+    }
+
+    /// All numbers between two, with them.
+    pub const fn closed(lower: f64, upper: f64) -> Self {
+        Self { lower: End { value: lower, open: false }, upper: End { value: upper, open: false }, nonzero: false }
+    }
+
+    /// All numbers between two, without them.
+    pub const fn open(lower: f64, upper: f64) -> Self {
+        Self { lower: End { value: lower, open: true }, upper: End { value: upper, open: true }, nonzero: false }
+    }
+
+    /// The same with a lower bound that is left out.
+    pub const fn without_lower(self) -> Self {
+        Self { lower: End { open: true, ..self.lower }, ..self }
+    }
+
+    /// The same with an upper bound that is left out.
+    pub const fn without_upper(self) -> Self {
+        Self { upper: End { open: true, ..self.upper }, ..self }
+    }
+
+    /// The same without zero.
+    pub const fn without_zero(self) -> Self {
+        Self { nonzero: true, ..self }
+    }
+
+    /// Whether zero is not inside.
+    pub fn excludes_zero(self) -> bool {
+        let Self { lower, upper, nonzero } = self;
+        nonzero || lower.value > 0.0 || upper.value < 0.0 || self.has_open_zero()
+    }
+
+    fn has_open_zero(self) -> bool {
+        [self.lower, self.upper].into_iter().any(|end| end.open && end.value == 0.0)
+    }
+
+    /// Whether no negative number is inside.
+    pub fn is_nonnegative(self) -> bool {
+        self.lower.value >= 0.0
+    }
+
+    /// Whether only negative numbers are inside.
+    pub fn is_negative(self) -> bool {
+        self.upper.value < 0.0 || self.upper.value == 0.0 && self.upper.open
+    }
+
+    /// Whether all numbers inside are finite and no number is in both.
+    pub fn is_apart_from(self, other: Self) -> bool {
+        let bounded = |interval: Self| interval.lower.value.is_finite() && interval.upper.value.is_finite();
+        bounded(self)
+            && bounded(other)
+            && (self.upper.value < other.lower.value || other.upper.value < self.lower.value)
+    }
+
+    /// The numbers in both; those in this one if there are none.
+    pub fn intersection(self, other: Self) -> Self {
+        let tighter = |a: End, b: End, sign: f64| {
+            if a.value == b.value {
+                End { open: a.open || b.open, ..a }
+            } else if a.value * sign > b.value * sign {
+                a
+            } else {
+                b
+            }
+        };
+        let (lower, upper) = (tighter(self.lower, other.lower, 1.0), tighter(self.upper, other.upper, -1.0));
+        if lower.value > upper.value {
+            return self;
+        }
+        Self { lower, upper, nonzero: self.nonzero || other.nonzero }
+    }
+
+    /// Sums of a number in each.
+    fn plus(self, other: Self) -> Self {
+        let end =
+            |a: End, b: End, add: fn(f64, f64) -> f64| End { value: add(a.value, b.value), open: a.open || b.open };
+        Self {
+            lower: end(self.lower, other.lower, add_down),
+            upper: end(self.upper, other.upper, |a, b| -add_down(-a, -b)),
+            nonzero: false,
+        }
+    }
+
+    /// Products of a number in each.
+    fn times(self, other: Self) -> Self {
+        let pairs = [self.lower, self.upper].into_iter().flat_map(|a| [other.lower, other.upper].map(|b| (a, b)));
+        let product = |(a, b): (End, End), mul: fn(f64, f64) -> f64| {
+            let reached_zero = [a, b].into_iter().any(|end| end.value == 0.0 && !end.open);
+            End { value: mul(a.value, b.value), open: (a.open || b.open) && !reached_zero }
+        };
+        // Of equal bounds one that is inside.
+        let least = |a: End, b: End| if b.value < a.value || b.value == a.value && a.open { b } else { a };
+        let most = |a: End, b: End| if b.value > a.value || b.value == a.value && a.open { b } else { a };
+        let lower = pairs.clone().map(|pair| product(pair, mul_down)).reduce(least);
+        let upper = pairs.map(|pair| product(pair, |a, b| -mul_down(-a, b))).reduce(most);
+        let nonzero = self.excludes_zero() && other.excludes_zero();
+        match (lower, upper) {
+            (Some(lower), Some(upper)) => Self { lower, upper, nonzero },
+            _ => Self::ALL,
+        }
+    }
+
+    /// One divided by each number but zero.
+    pub fn reciprocal(self) -> Self {
+        if self.lower.value < 0.0 && self.upper.value > 0.0 {
+            return Self::ALL.without_zero();
+        }
+        if self.lower.value < 0.0 {
+            return -(-self).reciprocal();
+        }
+        if self.upper.value == 0.0 {
+            return Self::ALL.without_zero();
+        }
+        // From here on no number is negative; a zero at the lower bound is left out.
+        let lower = match self.upper.value {
+            f64::INFINITY => End { value: 0.0, open: true },
+            value => End { value: recip_down(value), ..self.upper },
+        };
+        let upper = match self.lower.value {
+            0.0 => End { value: f64::INFINITY, open: true },
+            value => End { value: recip_up(value), ..self.lower },
+        };
+        Self { lower, upper, nonzero: true }
+    }
+
+    /// Whole powers; zero is left out of the base where the exponent is negative.
+    pub fn power(self, exponent: i32) -> Self {
+        if exponent < 0 {
+            return self.power(-exponent).reciprocal();
+        }
+        let nonzero = self.excludes_zero();
+        let even = exponent % 2 == 0;
+        let power = |end: End, up: bool| {
+            let size = (0..exponent).fold(1.0, |power, _| {
+                if up { -mul_down(-power, end.value.abs()) } else { mul_down(power, end.value.abs()) }
+            });
+            End { value: size, ..end }
+        };
+        let signed = |end: End, up: bool| {
+            if end.value < 0.0 { End { value: -power(end, !up).value, ..end } } else { power(end, up) }
+        };
+        if exponent == 0 {
+            Self::point(1.0)
+        } else if !even {
+            Self { lower: signed(self.lower, false), upper: signed(self.upper, true), nonzero }
+        } else if self.lower.value >= 0.0 {
+            Self { lower: power(self.lower, false), upper: power(self.upper, true), nonzero }
+        } else if self.upper.value <= 0.0 {
+            Self { lower: power(self.upper, false), upper: power(self.lower, true), nonzero }
+        } else {
+            let [low, high] = [self.lower, self.upper].map(|end| power(end, true));
+            let upper = if high.value > low.value || high.value == low.value && low.open { high } else { low };
+            Self { lower: End { value: 0.0, open: nonzero }, upper, nonzero }
+        }
+    }
+
+    /// Square roots of the numbers that are not negative.
+    pub fn sqrt(self) -> Self {
+        let least = Self::closed(0.0, f64::INFINITY).without_upper();
+        let Self { lower, upper, nonzero } = self.intersection(least);
+        let root = |end: End, outward: fn(f64) -> f64| {
+            let root = end.value.max(0.0).sqrt();
+            let error = root.mul_add(root, -end.value);
+            // On the wrong side of the exact root, or too small to tell.
+            let rounded_inward = error != 0.0 && (error < 0.0) == (outward(root) > root);
+            let unclear = root != 0.0 && end.value < TINY;
+            End { value: if rounded_inward || unclear { outward(root).max(0.0) } else { root }, ..end }
+        };
+        Self { lower: root(lower, f64::next_down), upper: root(upper, f64::next_up), nonzero }
+    }
+
+    /// Sines.
+    pub fn sin(self) -> Self {
+        self.wave(f64::sin, 1)
+    }
+
+    /// Cosines.
+    pub fn cos(self) -> Self {
+        self.wave(f64::cos, 0)
+    }
+
+    /// A wave that is greatest at the right angle numbered `top`, and at every fourth one from there.
+    fn wave(self, wave: fn(f64) -> f64, top: i64) -> Self {
+        let full = Self::closed(-1.0, 1.0);
+        let Some(mut angles) = self.right_angles() else { return full };
+        let has_top = angles.clone().any(|angle| (angle - top).rem_euclid(4) == 0);
+        let has_bottom = angles.clone().any(|angle| (angle - top).rem_euclid(4) == 2);
+        let has_zero = angles.any(|angle| (angle - top).rem_euclid(2) == 1 && (angle != 0 || !self.excludes_zero()));
+        // Without a turning point inside, the greatest and the least value are at the bounds, and never ±1.
+        let [a, b] = [self.lower, self.upper].map(|end| End { value: wave(end.value), ..end });
+        let (low, high) = match a.value.partial_cmp(&b.value) {
+            Some(Ordering::Less) => (a, b),
+            Some(Ordering::Greater) => (b, a),
+            _ => (End { open: a.open && b.open, ..a }, End { open: a.open && b.open, ..a }),
+        };
+        let end = |end: End, turn: bool, bound: f64, shift: fn(f64) -> f64| {
+            let value = if turn { bound } else { shifted(end.value, shift).clamp(-1.0, 1.0) };
+            End { value, open: !turn && (end.open || value == bound) }
+        };
+        Self {
+            lower: end(low, has_bottom, -1.0, f64::next_down),
+            upper: end(high, has_top, 1.0, f64::next_up),
+            nonzero: !has_zero,
+        }
+    }
+
+    /// Tangents; angles at which there is none are left out.
+    pub fn tan(self) -> Self {
+        let Some(mut angles) = self.right_angles() else { return Self::ALL };
+        if angles.clone().any(|angle| angle.rem_euclid(2) == 1) {
+            return Self::ALL;
+        }
+        let end = |end: End, shift: fn(f64) -> f64| End { value: shifted(end.value.tan(), shift), ..end };
+        let has_zero = angles.any(|angle| angle != 0 || !self.excludes_zero());
+        Self { lower: end(self.lower, f64::next_down), upper: end(self.upper, f64::next_up), nonzero: !has_zero }
+    }
+
+    /// The whole multiples of π/2 inside, by their numbers, if they are few and not too far from zero to tell.
+    fn right_angles(self) -> Option<impl Iterator<Item = i64> + Clone> {
+        let (lower, upper) = (self.lower.value, self.upper.value);
+        if lower < -FAR || upper > FAR || upper - lower > 2.0 * std::f64::consts::TAU {
+            return None;
+        }
+        let numbers = (lower / FRAC_PI_2).floor() as i64 - 1..=(upper / FRAC_PI_2).ceil() as i64 + 1;
+        Some(numbers.filter(move |number| {
+            let (below, above) = (beyond(lower, *number), beyond(upper, *number));
+            let inside = |at: f64, end: End| at > 0.0 || at == 0.0 && !end.open;
+            inside(-below, self.lower) && inside(above, self.upper)
+        }))
+    }
+}
+
+/// Angles further from zero than this are not told from multiples of π/2.
+const FAR: f64 = 1e5;
+
+/// How far a number is beyond a whole multiple of π/2, with the right sign: no multiple but zero is itself an `f64`.
+fn beyond(angle: f64, number: i64) -> f64 {
+    // What is left of π/2 behind its nearest f64.
+    const REST: f64 = 6.123_233_995_736_766e-17;
+    let number = number as f64;
+    (-number).mul_add(FRAC_PI_2, angle) - number * REST
+}
+
+/// Moved outward by more than a library function errs; zero is taken for exact.
+fn shifted(value: f64, shift: fn(f64) -> f64) -> f64 {
+    if value == 0.0 { value } else { (0..4).fold(value, |value, _| shift(value)) }
+}
+
+/// Below this the error of a product may not be a number that `f64` has.
+const TINY: f64 = 1e-290;
+
+/// The greatest `f64` that is known to be at most the sum.
+fn add_down(a: f64, b: f64) -> f64 {
+    let sum = a + b;
+    if sum.is_infinite() {
+        return if a.is_infinite() || b.is_infinite() || sum < 0.0 { sum } else { f64::MAX };
+    }
+    // The rounding error, exactly (Knuth).
+    let shadow = sum - a;
+    let error = (a - (sum - shadow)) + (b - shadow);
+    if error < 0.0 { sum.next_down() } else { sum }
+}
+
+/// The greatest `f64` that is known to be at most the product; an infinite bound is no number, and zero times it zero.
+fn mul_down(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 {
+        return 0.0;
+    }
+    let product = a * b;
+    if product.is_infinite() {
+        return if a.is_infinite() || b.is_infinite() || product < 0.0 { product } else { f64::MAX };
+    }
+    let positive = (a > 0.0) == (b > 0.0);
+    if product.abs() < TINY {
+        return if positive { product.next_down().max(0.0) } else { product.next_down() };
+    }
+    if a.mul_add(b, -product) < 0.0 { product.next_down() } else { product }
+}
+
+/// At most one divided by a positive number.
+fn recip_down(value: f64) -> f64 {
+    let quotient = value.recip();
+    if quotient.mul_add(value, -1.0) > 0.0 { quotient.next_down() } else { quotient }
+}
+
+/// At least one divided by a positive number.
+fn recip_up(value: f64) -> f64 {
+    let quotient = value.recip();
+    if quotient.mul_add(value, -1.0) < 0.0 { quotient.next_up() } else { quotient }
+}
+
+impl std::iter::Sum for Interval {
+    fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
+        parts.reduce(Self::plus).unwrap_or(Self::point(0.0))
+    }
+}
+
+impl std::iter::Product for Interval {
+    fn product<I: Iterator<Item = Self>>(parts: I) -> Self {
+        parts.reduce(Self::times).unwrap_or(Self::point(1.0))
+    }
+}
+
+impl std::ops::Neg for Interval {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        let negative = |end: End| End { value: -end.value, ..end };
+        Self { lower: negative(self.upper), upper: negative(self.lower), ..self }
+    }
+}

@@ -1,0 +1,42 @@
+//! Where names are used, so that editors lead from a use to its declaration.
+
+use proc_macro2::Ident;
+
+use super::names::{Meaning, Scope};
+use super::resolve;
+use super::units::Dimension;
+use crate::model::{References, Target};
+use crate::syntax::Declaration;
+
+/// All uses of parameters and definitions, in formulas and in parameter sets; `dimensions` are those of the definitions.
+pub fn references(declaration: &Declaration, scope: &Scope, dimensions: &[Option<Dimension>]) -> References {
+    let mut uses = Vec::new();
+    let mut note = |name: &Ident| match scope.get(name) {
+        Some(Meaning::Parameter(_)) => uses.push((Target::Parameter, name.clone())),
+        Some(Meaning::Definition(_)) => uses.push((Target::Definition, name.clone())),
+        Some(Meaning::Coordinate | Meaning::Refused) | None => {}
+    };
+    let Declaration { definitions, requirements, assertions, matrices, sets, .. } = declaration;
+    let formulas = definitions.iter().map(|definition| &definition.value);
+    let formulas = formulas.chain(requirements.iter().map(|requirement| &requirement.value));
+    let asserted = assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
+    let entries = matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    formulas.chain(asserted).chain(entries).for_each(|formula| formula.names(&mut note));
+    for entry in sets.iter().flat_map(|set| &set.values) {
+        // In a set a name is a parameter's.
+        if matches!(scope.get(&entry.name), Some(Meaning::Parameter(_))) {
+            note(&entry.name);
+        }
+    }
+    let definition = |index: usize| {
+        let unit = dimensions[index].map(|dimension| format!(", {}", dimension.place())).unwrap_or_default();
+        (definitions[index].name.clone(), format!("`{}`{unit}", resolve::text(&definitions[index].value)))
+    };
+    // A second definition of one name is a mistake, and reported.
+    let first = |index: &usize| scope.get(&definitions[*index].name) == Some(Meaning::Definition(*index));
+    References {
+        definitions: (0..definitions.len()).filter(first).map(definition).collect(),
+        uses,
+        matrices: matrices.iter().map(|matrix| (matrix.name, matrix.span)).collect(),
+    }
+}

@@ -1,0 +1,188 @@
+//! The dimension of a formula, and mistakes on the way to it.
+
+use super::declared::{Dimensions, Quantity};
+use super::dimension::Dimension;
+use crate::check::names::{Meaning, Scope};
+use crate::check::resolve::text;
+use crate::report::{Region, Report};
+use crate::syntax::{Assertion, Declaration, Expression, Kind, Term};
+
+/// What the names in formulas are in.
+pub struct Analysis<'a> {
+    pub declaration: &'a Declaration,
+    pub scope: &'a Scope,
+    pub dimensions: &'a Dimensions,
+    /// By position in the declaration; none for those not yet known.
+    pub definitions: Vec<Option<Dimension>>,
+}
+
+impl Analysis<'_> {
+    /// The dimension of a formula; none for zero, which has any, and where a mistake hides it.
+    pub fn dimension(&self, formula: &Expression, report: &mut Report) -> Option<Dimension> {
+        let beyond = |report: &mut Report| {
+            report.error(formula.region, "a unit beyond all use here: expected smaller powers and fewer nested roots");
+        };
+        let result = match &formula.kind {
+            Kind::Number(number) if number.is_zero() => return None,
+            Kind::Quantity(number, _) if number.is_zero() => return None,
+            Kind::Number(_) => Some(Dimension::NUMBER),
+            Kind::Quantity(_, unit) => return Quantity::new(unit).ok().map(|quantity| quantity.dimension),
+            Kind::Name(name) => return self.of_name(name),
+            Kind::Sum(terms) => return self.sum(terms, report),
+            Kind::Product(factors) => {
+                // All factors are looked at, for the mistakes inside them.
+                let parts: Vec<_> = factors.iter().map(|f| (f.inverse, self.dimension(&f.value, report))).collect();
+                let mut product = Some(Dimension::NUMBER);
+                for (inverse, part) in parts {
+                    let part = part?;
+                    let part = if inverse { part.power(-1) } else { Some(part) };
+                    product = product.zip(part).and_then(|(product, part)| product.times(part));
+                }
+                product
+            }
+            Kind::Power(base, exponent) => self.dimension(base, report)?.power(*exponent),
+            Kind::Call(function, argument) => {
+                let inner = self.dimension(argument, report)?;
+                return self.call(&function.to_string(), inner, argument, report);
+            }
+        };
+        if result.is_none() {
+            beyond(report);
+        }
+        result
+    }
+
+    fn of_name(&self, name: &proc_macro2::Ident) -> Option<Dimension> {
+        if name == "pi" {
+            return Some(Dimension::NUMBER);
+        }
+        match self.scope.get(name)? {
+            Meaning::Parameter(index) => self.dimensions.parameters[index],
+            Meaning::Definition(index) => self.definitions[index],
+            Meaning::Coordinate | Meaning::Refused => None,
+        }
+    }
+
+    /// All terms of a sum are in one unit and mirror alike; those that differ from most of them are reported.
+    fn sum(&self, terms: &[Term], report: &mut Report) -> Option<Dimension> {
+        let found: Vec<_> = terms.iter().map(|term| self.dimension(&term.value, report)).collect();
+        let count = |one: Dimension| found.iter().flatten().filter(|other| self.alike(one, **other)).count();
+        // The last of the maxima in the reverse order is the first in the sum's own.
+        let known = found.iter().enumerate().rev().filter_map(|(index, dimension)| Some((index, (*dimension)?)));
+        let (usual, dimension) = known.max_by_key(|(_, dimension)| count(*dimension))?;
+        let mut right = true;
+        for (index, term) in terms.iter().enumerate() {
+            let Some(other) = found[index].filter(|other| !self.alike(*other, dimension)) else { continue };
+            let this = (&term.value, other);
+            let usual = (&terms[usual].value, dimension);
+            let message =
+                if other.same_unit(dimension) { self.two_mirrors(this, usual) } else { self.two_units(this, usual) };
+            // The first term of a sum mostly has no sign: then the one behind it is meant.
+            let operator = term.operator.or_else(|| terms.get(index + 1).and_then(|next| next.operator));
+            report.error(operator.map_or(term.value.region, Region::from), message);
+            right = false;
+        }
+        right.then_some(dimension)
+    }
+
+    /// Both sides of an assertion are in one unit and mirror alike.
+    pub fn check_equal(&self, Assertion { left, right }: &Assertion, report: &mut Report) {
+        let sides = self.dimension(left, report).zip(self.dimension(right, report));
+        let Some((one, other)) = sides.filter(|(one, other)| !self.alike(*one, *other)) else { return };
+        let (this, that) = ((right, other), (left, one));
+        let message = if one.same_unit(other) { self.two_mirrors(this, that) } else { self.two_units(this, that) };
+        report.error(left.region.to(right.region), message);
+    }
+
+    fn alike(&self, one: Dimension, other: Dimension) -> bool {
+        if self.dimensions.mirrored { one == other } else { one.same_unit(other) }
+    }
+
+    fn two_units(&self, this: (&Expression, Dimension), usual: (&Expression, Dimension)) -> String {
+        let origins = self.units([this.0, usual.0]);
+        let (a, b) = (short(this.0), short(usual.0));
+        format!("`{a}` is {}, but `{b}` {}: expected the same unit{origins}", this.1.place(), usual.1.place())
+    }
+
+    fn two_mirrors(&self, this: (&Expression, Dimension), usual: (&Expression, Dimension)) -> String {
+        let origins = self.mirrors([this.0, usual.0]);
+        let (a, b) = (short(this.0), short(usual.0));
+        format!("`{a}` {}, but `{b}` {}: expected them to mirror alike{origins}", this.1.sign(), usual.1.sign())
+    }
+
+    /// Where the units of formulas come from, unless it is plain.
+    fn units<const N: usize>(&self, formulas: [&Expression; N]) -> String {
+        self.origins(formulas, |name, dimension| Some(format!("`{name}` {}", dimension.place())))
+    }
+
+    /// Where the mirrors of formulas come from, unless it is plain.
+    fn mirrors<const N: usize>(&self, formulas: [&Expression; N]) -> String {
+        self.origins(formulas, |name, dimension| {
+            dimension.is_odd().then(|| format!("`{name}` mirrors with {}", dimension.axes().join(" and ")))
+        })
+    }
+
+    /// An entry for each name in some formulas, unless each of them is a name itself.
+    fn origins<const N: usize>(
+        &self,
+        formulas: [&Expression; N],
+        entry: impl Fn(&str, Dimension) -> Option<String>,
+    ) -> String {
+        if formulas.iter().all(|formula| matches!(formula.kind, Kind::Name(_))) {
+            return String::new();
+        }
+        let mut entries: Vec<String> = Vec::new();
+        for formula in formulas {
+            formula.names(&mut |name| {
+                let dimension = self.of_name(name).filter(|_| name != "pi");
+                if let Some(entry) = dimension.and_then(|dimension| entry(&name.to_string(), dimension))
+                    && !entries.contains(&entry)
+                {
+                    entries.push(entry);
+                }
+            });
+        }
+        if entries.is_empty() { String::new() } else { format!(" ({})", entries.join(", ")) }
+    }
+
+    fn call(&self, function: &str, inner: Dimension, argument: &Expression, report: &mut Report) -> Option<Dimension> {
+        match function {
+            "sqrt" if self.dimensions.mirrored && inner.is_odd() => {
+                let sign = inner.sign();
+                let origins = self.mirrors([argument]);
+                let message = format!("this square root is of what {sign}: expected what no mirror changes{origins}");
+                report.error(argument.region, message);
+                None
+            }
+            "sqrt" => {
+                let root = inner.root();
+                if root.is_none() {
+                    report.error(argument.region, "a unit beyond all use here: expected fewer nested roots");
+                }
+                root
+            }
+            "sin" | "cos" | "tan" if !inner.is_number() => {
+                let origins = self.units([argument]);
+                let message =
+                    format!("`{function}` of what is in {inner}: expected a pure number or an angle{origins}");
+                report.error(argument.region, message);
+                None
+            }
+            "cos" => Some(Dimension::NUMBER),
+            "sin" | "tan" => Some(inner),
+            // Another function is a mistake of its own.
+            _ => None,
+        }
+    }
+}
+
+/// A formula as text for a message, which a long one would bury.
+pub fn short(formula: &Expression) -> String {
+    let text = text(formula);
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text,
+    }
+}
+
+const LONGEST: usize = 60;

@@ -1,0 +1,155 @@
+//! Units and mirrors: a dimensional analysis of every formula.
+//!
+//! Beside its unit a quantity may have a direction in the axes of the model, x forward and z along gravity. Equations
+//! of motion hold in mirrored axes as well, with the parameters mirrored, so the terms of a sum change their signs alike.
+//! (Siano's orientational analysis, 1985, is the same bookkeeping.)
+
+mod analysis;
+mod declared;
+mod dimension;
+mod known;
+
+pub use declared::{Dimensions, Quantity};
+pub use dimension::Dimension;
+
+use self::analysis::{Analysis, short};
+use super::constants::Constant;
+use super::names::Scope;
+use crate::report::Report;
+use crate::syntax::{Declaration, Direction, Matrix, MatrixName, Requirement};
+
+/// Reports formulas whose units or mirrors do not fit, and returns the dimensions of the definitions, as far as they are
+/// known; `order` puts each definition after those that it uses.
+pub fn check(
+    declaration: &Declaration,
+    dimensions: &Dimensions,
+    scope: &Scope,
+    order: &[usize],
+    report: &mut Report,
+) -> Vec<Option<Dimension>> {
+    gravity(declaration, dimensions, report);
+    let definitions = vec![None; declaration.definitions.len()];
+    let mut analysis = Analysis { declaration, scope, dimensions, definitions };
+    for index in order {
+        analysis.definitions[*index] = analysis.dimension(&declaration.definitions[*index].value, report);
+    }
+    for requirement in &declaration.requirements {
+        check_requirement(&analysis, requirement, report);
+    }
+    for assertion in &declaration.assertions {
+        analysis.check_equal(assertion, report);
+    }
+    for matrix in &declaration.matrices {
+        check_matrix(&analysis, matrix, report);
+    }
+    analysis.definitions
+}
+
+fn gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Report) {
+    for (parameter, dimension) in declaration.parameters.iter().zip(&dimensions.parameters) {
+        let Some(dimension) = dimension.filter(|_| parameter.gravity.is_some()) else { continue };
+        if !dimension.same_unit(Dimension::new([0, 1, -2])) {
+            let message = format!("`{}`, the gravity, is {}: expected `N/kg`", parameter.name, dimension.place());
+            report.error(parameter.unit.region, message);
+        }
+    }
+}
+
+fn check_requirement(analysis: &Analysis<'_>, requirement: &Requirement, report: &mut Report) {
+    let Requirement { value, bound } = requirement;
+    let Some(dimension) = analysis.dimension(value, report) else { return };
+    // The bound is read again, with its other mistakes reported, where the domain is made.
+    let Ok(number) = Constant::evaluate(&bound.value.number) else { return };
+    let fits = match bound.value.unit.as_ref().map(Quantity::new) {
+        None => number.is_zero() || dimension.is_number(),
+        Some(Ok(unit)) => unit.dimension.same_unit(dimension),
+        Some(Err(_)) => true,
+    };
+    if !fits {
+        let text = short(value);
+        let message =
+            format!("`{text}` is {}: expected a bound in its unit, such as `1 {dimension}`", dimension.place());
+        report.error(bound.value.region(), message);
+    }
+}
+
+/// An entry has the unit and the mirrors that make the work of its force on the coordinate of its row an energy.
+fn check_matrix(analysis: &Analysis<'_>, matrix: &Matrix, report: &mut Report) {
+    let coordinates = &analysis.declaration.coordinates;
+    for (row, (_, entries)) in matrix.rows.iter().enumerate() {
+        for (column, entry) in entries.iter().enumerate() {
+            let Some(found) = analysis.dimension(entry, report) else { continue };
+            let at = |index: usize| analysis.dimensions.coordinates.get(index).copied().flatten();
+            let Some(expected) =
+                at(row).zip(at(column)).and_then(|(row, column)| entry_dimension(matrix.name, row, column))
+            else {
+                continue;
+            };
+            let name = matrix.name.name();
+            let (row, column) = (&coordinates[row], &coordinates[column]);
+            if !found.same_unit(expected) {
+                let message = format!(
+                    "this entry of `{name}` is {}: expected {expected}, as its row is `{}` in {} and its column `{}` in {}",
+                    found.place(),
+                    row.name,
+                    row.unit.text,
+                    column.name,
+                    column.unit.text,
+                );
+                report.error(entry.region, message);
+            } else if analysis.dimensions.mirrored && found != expected {
+                let message = format!(
+                    "this entry of `{name}` {}: expected one that {}, as its row is `{}` and its column `{}`",
+                    found.sign(),
+                    expected.sign(),
+                    row.name,
+                    column.name,
+                );
+                report.error(entry.region, message);
+            }
+        }
+    }
+}
+
+/// What an entry is in: the energy, by the coordinates, with the factor of the matrix taken out of it.
+fn entry_dimension(matrix: MatrixName, row: Dimension, column: Dimension) -> Option<Dimension> {
+    const ENERGY: Dimension = Dimension::new([1, 2, -2]);
+    let [x, z] = [[true, false, false], [false, false, true]].map(|odd| Some(Direction::Along(odd)));
+    let speed = Dimension::new([0, 1, -1]).directed(x);
+    let gravity = Dimension::new([0, 1, -2]).directed(z);
+    let per_second = |times: i32| Dimension::new([0, 0, -times]);
+    let factor = match matrix {
+        MatrixName::M => per_second(2),
+        MatrixName::C0 => per_second(1),
+        MatrixName::C1 => per_second(1).times(speed)?,
+        MatrixName::Kc => Dimension::NUMBER,
+        MatrixName::K0 => gravity,
+        MatrixName::K2 => speed.power(2)?,
+    };
+    let divisor = row.times(column)?.times(factor)?;
+    ENERGY.times(divisor.power(-1)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_are_in_the_units_of_the_bicycle() {
+        let rad = Dimension::NUMBER;
+        let cases = [
+            (MatrixName::M, "kg*m^2"),
+            (MatrixName::C0, "kg*m^2/s"),
+            (MatrixName::C1, "kg*m"),
+            (MatrixName::Kc, "kg*m^2/s^2"),
+            (MatrixName::K0, "kg*m"),
+            (MatrixName::K2, "kg"),
+        ];
+        for (matrix, unit) in cases {
+            assert_eq!(entry_dimension(matrix, rad, rad).map(|d| d.to_string()).as_deref(), Some(unit), "{matrix:?}");
+        }
+        let length = Dimension::new([0, 1, 0]);
+        assert_eq!(entry_dimension(MatrixName::M, length, length).map(|d| d.to_string()).as_deref(), Some("kg"));
+        assert_eq!(entry_dimension(MatrixName::M, length, rad).map(|d| d.to_string()).as_deref(), Some("kg*m"));
+    }
+}

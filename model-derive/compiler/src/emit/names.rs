@@ -1,0 +1,72 @@
+//! What the generated code calls things.
+
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::Driver;
+use crate::model::Model;
+use crate::program::{Program, Value};
+
+/// The names that the parts share.
+pub struct Names {
+    /// The path of the runtime.
+    pub runtime: TokenStream,
+    pub model: Ident,
+    pub matrices: Ident,
+    /// The type parameter; another letter for a model that is called `T` itself.
+    pub scalar: Ident,
+    /// A second type parameter.
+    pub other: Ident,
+    /// Whether the code lands among a user's items.
+    pub among_items: bool,
+}
+
+impl Names {
+    pub fn new(model: &Model, driver: &Driver) -> Self {
+        let name = model.name.clone();
+        let unless_taken =
+            |letter: &str, instead: &str| format_ident!("{}", if name == letter { instead } else { letter });
+        Self {
+            runtime: match driver {
+                Driver::Macro { runtime } => runtime.clone(),
+                Driver::File => quote!(::carvallo),
+            },
+            matrices: format_ident!("{name}Matrices", span = name.span()),
+            scalar: unless_taken("T", "S"),
+            other: unless_taken("U", "S"),
+            model: name,
+            among_items: matches!(driver, Driver::Macro { .. }),
+        }
+    }
+
+    /// A variable of the generated code. A constant or a unit struct of that name in the user's scope would be taken
+    /// for a pattern, with whatever hygiene; so among a user's items variables begin with two underscores.
+    pub fn variable(&self, name: &str) -> Ident {
+        if self.among_items { format_ident!("__{name}") } else { format_ident!("{name}") }
+    }
+
+    /// The length of the variable `slice`; among a user's items a trait could have a method `len` for all types.
+    pub fn length(&self, slice: &Ident) -> TokenStream {
+        if self.among_items { quote!(<[_]>::len(#slice)) } else { quote!(#slice.len()) }
+    }
+
+    /// The variables that hold the values of a program.
+    pub fn values<'a>(&'a self, program: &Program, model: &'a Model) -> impl Fn(Value) -> Ident + use<'a> {
+        let mut definitions: HashMap<Value, &Ident> = HashMap::new();
+        let mut taken: HashSet<String> = HashSet::new();
+        // For people to read, values that are definitions have their names.
+        if !self.among_items {
+            for (value, index) in &program.labels {
+                definitions.entry(*value).or_insert(&model.definitions[*index].0);
+            }
+            taken.extend(model.definitions.iter().map(|(name, _)| name.to_string()));
+        }
+        move |value| match definitions.get(&value) {
+            Some(definition) => (*definition).clone(),
+            None if taken.contains(&format!("t{value}")) => format_ident!("t{value}_"),
+            None => self.variable(&format!("t{value}")),
+        }
+    }
+}

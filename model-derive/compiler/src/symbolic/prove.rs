@@ -1,0 +1,100 @@
+//! Proofs of what a declaration claims.
+
+use super::door::{Failure, enter};
+use super::form::{Engine, Form, Undefined};
+use super::identity::Sign;
+use super::optimize::Place;
+use crate::equations::Equations;
+
+/// How hard to try.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Depth {
+    /// With definitions as they stand, whatever their values: quick, and enough for most claims that are true.
+    Names,
+    /// With definitions put in one by one, the last first, until it is proved or grows beyond bounds.
+    Formulas,
+}
+
+/// What came of an attempt.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Proof {
+    /// It holds for all parameters.
+    Found,
+    /// No proof in the algebra that is known.
+    NotFound,
+    /// The formulas grow beyond bounds.
+    TooLong,
+    /// A formula has no value.
+    Undefined(Place, Undefined),
+}
+
+/// Attempts to prove of each pair of outputs that both are equal for all parameters.
+///
+/// # Errors
+/// If the engine cannot be had or fails.
+pub fn proofs(pairs: Vec<Equations>, depth: Depth) -> Result<Vec<Proof>, Failure> {
+    enter(move |engine| {
+        let proof = |pair| prove(engine, pair, depth).unwrap_or_else(|(place, why)| Proof::Undefined(place, why));
+        pairs.iter().map(proof).collect()
+    })
+}
+
+fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<Proof, (Place, Undefined)> {
+    let system = System::new(engine, pair)?;
+    let [left, right] = &system.outputs[..] else { unreachable!("a claim has two sides") };
+    let mut difference = left.minus(right);
+    let mut names = system.definitions.iter().rev();
+    loop {
+        if difference.is_zero() {
+            return Ok(Proof::Found);
+        }
+        if difference.operations() > MAX_OPERATIONS || difference.is_too_long() {
+            return Ok(Proof::TooLong);
+        }
+        let next = names.find(|(name, _)| depth == Depth::Formulas && difference.mentions(name));
+        let Some((name, value)) = next else { return Ok(Proof::NotFound) };
+        difference = difference.replace(name, value);
+    }
+}
+
+/// Formulas with more operations than this are not put into others.
+const MAX_OPERATIONS: usize = 5_000;
+
+/// For each output after the first whether the first is a multiple of it by a number that is not zero, and by which sign.
+/// A sign is a proof.
+///
+/// # Errors
+/// If the engine cannot be had or fails.
+pub fn multiples(equations: Equations) -> Result<Vec<Option<Sign>>, Failure> {
+    enter(move |engine| {
+        let Ok(system) = System::new(engine, &equations) else { return Vec::new() };
+        let mut outputs = system.outputs;
+        for (name, value) in system.definitions.iter().rev() {
+            outputs = outputs.iter().map(|output| output.replace(name, value)).collect();
+            if outputs.iter().any(|output| output.operations() > MAX_OPERATIONS) {
+                return Vec::new();
+            }
+        }
+        let Some((first, others)) = outputs.split_first() else { return Vec::new() };
+        others.iter().map(|other| first.multiple_of(other)).collect()
+    })
+}
+
+/// Formulas in parameters and in the names of definitions.
+struct System {
+    /// Names and what they stand for.
+    definitions: Vec<(Form, Form)>,
+    outputs: Vec<Form>,
+}
+
+impl System {
+    fn new(engine: &Engine, equations: &Equations) -> Result<Self, (Place, Undefined)> {
+        let names = engine.definitions(equations.parameters, equations.definitions.len());
+        let definition =
+            |(index, expr)| engine.form(expr, &names).map_err(|why| (Place::Definition(equations.origins[index]), why));
+        let values: Vec<Form> = equations.definitions.iter().enumerate().map(definition).collect::<Result<_, _>>()?;
+        let output = |(index, expr)| engine.form(expr, &names).map_err(|why| (Place::Output(index), why));
+        let outputs = equations.outputs.iter().enumerate().map(output).collect::<Result<_, _>>()?;
+        Ok(Self { definitions: names.into_iter().zip(values).collect(), outputs })
+    }
+}

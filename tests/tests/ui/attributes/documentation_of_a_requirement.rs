@@ -1,0 +1,16 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+        }
+        /// It has both.
+        require m*l > 0;
+        coordinates {
+            theta: rad;
+        }
+        M = [[m*l^2]];
+    }
+}
+
+fn main() {}

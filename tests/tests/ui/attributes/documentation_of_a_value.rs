@@ -1,0 +1,19 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+        }
+        coordinates {
+            theta: rad;
+        }
+        M = [[m*l^2]];
+        set bob {
+            /// Measured.
+            m = 1;
+            l = 2;
+        }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,16 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+        }
+        #[allow(unused)]
+        let I = m*l^2;
+        coordinates {
+            theta: rad;
+        }
+        M = [[I]];
+    }
+}
+
+fn main() {}

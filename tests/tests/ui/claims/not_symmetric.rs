@@ -1,0 +1,19 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+            g: N/kg, >= 0, gravity;
+        }
+
+        coordinates {
+            theta: rad;
+            phi: rad;
+        }
+
+        symmetric M = [[m*l^2, m*l], [m*l^2, m]];
+        K0 = [[m*l, 0], [0, 0]];
+    }
+}
+
+fn main() {}

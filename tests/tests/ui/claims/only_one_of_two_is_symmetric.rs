@@ -1,0 +1,21 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+            g: N/kg, >= 0, gravity;
+        }
+
+        let s = m*l;
+
+        coordinates {
+            theta: rad;
+            phi: rad;
+        }
+
+        symmetric M = [[m*l^2, s], [l*m, m]];
+        symmetric K0 = [[0, s], [-s, 0]];
+    }
+}
+
+fn main() {}

@@ -1,0 +1,20 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            l: m, > 0;
+            a: rad;
+        }
+
+        let x = l*sin(a);
+        assert x == -l*cos(a + pi/2);
+        assert x == l*cos(a + pi/2);
+
+        coordinates {
+            theta: rad;
+        }
+
+        M = [[x]];
+    }
+}
+
+fn main() {}

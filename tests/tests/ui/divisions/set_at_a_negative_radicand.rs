@@ -1,0 +1,24 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+            g: N/kg, >= 0, gravity;
+        }
+
+        coordinates {
+            theta: rad;
+        }
+
+        M = [[m*l^2]];
+        K0 = [[m*sqrt(l - 3)]];
+
+        set bob {
+            m = 1;
+            l = 2;
+            g = 9.81;
+        }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,13 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+        }
+        coordinates {
+        }
+        M = [[m*l^2]];
+    }
+}
+
+fn main() {}

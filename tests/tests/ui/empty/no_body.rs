@@ -1,0 +1,5 @@
+carvallo::model! {
+    model Pendulum;
+}
+
+fn main() {}

@@ -1,0 +1,3 @@
+carvallo::model! {}
+
+fn main() {}

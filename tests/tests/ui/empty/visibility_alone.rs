@@ -1,0 +1,5 @@
+carvallo::model! {
+    pub
+}
+
+fn main() {}

@@ -1,0 +1,14 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+        }
+        coordinates {
+            l: rad;
+        }
+        M = [[m*l^2]];
+    }
+}
+
+fn main() {}

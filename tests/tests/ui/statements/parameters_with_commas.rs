@@ -1,0 +1,14 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg,
+            l: m,
+        }
+        coordinates {
+            theta: rad;
+        }
+        M = [[1]];
+    }
+}
+
+fn main() {}

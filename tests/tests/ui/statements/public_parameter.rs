@@ -1,0 +1,14 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            pub m: kg, > 0;
+            l: m, > 0;
+        }
+        coordinates {
+            theta: rad;
+        }
+        M = [[l]];
+    }
+}
+
+fn main() {}

@@ -1,0 +1,14 @@
+fn main() {
+    carvallo::model! {
+        pub model Pendulum {
+            parameters {
+                m: kg, > 0;
+                l: m, > 0;
+            }
+            coordinates {
+                theta: rad;
+            }
+            M = [[m*L^2]];
+        }
+    }
+}
