@@ -1,5 +1,5 @@
-//! Declarations without mistakes, written after a grammar: compiling one gives Rust, or says that a formula has no
-//! value. Changes to text, as in `declaration`, seldom come as far as the symbolic engine.
+//! Declarations without mistakes, written after a grammar: compiling one gives Rust and a program that has the values of
+//! the formulas, or says that a formula has none. Changes to text, as in `declaration`, seldom come as far as that.
 //!
 //! In this folder, with libFuzzer's options at the end:
 //!
@@ -13,19 +13,32 @@
 
 #![no_main]
 
+mod formula;
 mod inside;
 
-use carvallo_compiler::{Driver, expand};
+use std::fmt::Write as _;
+
+use carvallo_compiler::{Driver, compile, expand};
+use formula::{Formula, Rounded};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
     proc_macro2::extra::invalidate_current_thread_spans();
-    let text = Writer { choices: data.iter(), names: Vec::new() }.declaration();
+    let model = Writer(data.iter()).model();
+    let text = model.to_string();
     if std::env::var_os("SHOW").is_some() {
         println!("{text}");
     }
-    match expand(text.parse().expect("it comes apart into tokens"), Driver::Macro) {
-        Ok(code) => assert!(syn::parse2::<syn::File>(code.clone()).is_ok(), "what came out is not Rust: {code}"),
+    let tokens: proc_macro2::TokenStream = text.parse().expect("it comes apart into tokens");
+    match expand(tokens.clone(), &Driver::Macro { runtime: "::carvallo".parse().expect("a path") }) {
+        Ok(code) => {
+            assert!(syn::parse2::<syn::File>(code.clone()).is_ok(), "what came out is not Rust: {code}");
+            let program = compile(tokens).expect("it was compiled before").matrices;
+            for number in 0..8 {
+                let parameters = model.point(number);
+                model.compare(&parameters, &program.interpret(&parameters));
+            }
+        }
         Err(errors) => errors.into_iter().for_each(|error| {
             let message = error.to_string();
             inside::look_for(&message, &text);
@@ -35,84 +48,156 @@ fuzz_target!(|data: &[u8]| {
 });
 
 /// What may be wrong with a formula that is written as it should be.
-const UNDEFINED: [&str; 4] =
-    ["a division by zero", "the square root of a negative number", "the tangent of", "range of f64"];
+const UNDEFINED: [&str; 3] =
+    ["a division by zero", "the square root of a negative number", "not a real and finite number"];
+
+/// What may follow a unit, and the values that it allows.
+const DOMAINS: [(&str, [f64; 2]); 6] = [
+    ("", [-2.0, 2.0]),
+    (", > 0", [0.0, 2.0]),
+    (", >= 0", [0.0, 3.0]),
+    (", < 1", [-2.0, 1.0]),
+    (", in (-90 deg, 90 deg)", [-1.5, 1.5]),
+    (", in [0, 1]", [0.0, 1.0]),
+];
+
+/// The matrices, with a factor that gives pure numbers the unit of their entries where coordinates are lengths.
+const MATRICES: [(&str, &str); 6] = [
+    ("M", "1 [kg]"),
+    ("C0", "1 [kg/s]"),
+    ("C1", "1 [kg/m]"),
+    ("Kc", "1 [kg/s^2]"),
+    ("K0", "1 [kg/m]"),
+    ("K2", "1 [kg/m^2]"),
+];
+
+/// Parameters and definitions are numbered in one row, all of them pure numbers.
+struct Model {
+    /// The domain of each parameter.
+    parameters: Vec<usize>,
+    definitions: Vec<Formula>,
+    size: usize,
+    /// The position in `MATRICES` of each matrix, in rising order, and its entries row by row.
+    matrices: Vec<(usize, Vec<Formula>)>,
+}
+
+impl std::fmt::Display for Model {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("model Any {\nparameters {")?;
+        for (index, domain) in self.parameters.iter().enumerate() {
+            write!(f, " a{index}: 1{};", DOMAINS[*domain].0)?;
+        }
+        f.write_str(" }\n")?;
+        for (index, definition) in self.definitions.iter().enumerate() {
+            writeln!(f, "let a{} = {definition};", self.parameters.len() + index)?;
+        }
+        f.write_str("coordinates {")?;
+        (0..self.size).try_for_each(|index| write!(f, " q{index}: m;"))?;
+        f.write_str(" }\n")?;
+        for (matrix, entries) in &self.matrices {
+            let (name, factor) = MATRICES[*matrix];
+            let mut rows = String::new();
+            for row in entries.chunks(self.size) {
+                rows.push('[');
+                row.iter().try_for_each(|entry| write!(rows, "{factor}*({entry}), "))?;
+                rows.push_str("], ");
+            }
+            writeln!(f, "{name} = [{rows}];")?;
+        }
+        f.write_char('}')
+    }
+}
+
+impl Model {
+    /// Values inside the domains.
+    fn point(&self, number: u32) -> Vec<f64> {
+        let inside = |(index, domain): (usize, &usize)| {
+            let [low, high] = DOMAINS[*domain].1;
+            let part = (f64::from(number) + 1.0) * (index as f64 + 1.0) * 0.618_033_988_749_894_9;
+            low + (high - low) * (0.01 + 0.98 * part.fract())
+        };
+        self.parameters.iter().enumerate().map(inside).collect()
+    }
+
+    /// # Panics
+    /// If a value that the program computed is not that of its formula.
+    fn compare(&self, parameters: &[f64], computed: &[f64]) {
+        let mut names: Vec<Rounded> = parameters.iter().map(|value| Rounded::new(*value)).collect();
+        for definition in &self.definitions {
+            let value = definition.value(&names);
+            names.push(value);
+        }
+        let entries = self.matrices.iter().flat_map(|(_, entries)| entries);
+        for (entry, computed) in entries.zip(computed) {
+            let Rounded { value, error } = entry.value(&names);
+            // Other ways to write a formula may round a good deal worse.
+            let allowed = 1e6 * error;
+            let known = value.is_finite() && allowed < 1e-3 * value.abs();
+            assert!(
+                !known || (value - computed).abs() <= allowed,
+                "{entry} is {value}, computed as {computed}, at {parameters:?} in\n{self}"
+            );
+        }
+    }
+}
 
 /// Writes what the input chooses; where it ends, the shortest.
-struct Writer<'a> {
-    choices: std::slice::Iter<'a, u8>,
-    /// The parameters and definitions so far.
-    names: Vec<String>,
-}
+struct Writer<'a>(std::slice::Iter<'a, u8>);
 
 impl Writer<'_> {
     fn below(&mut self, end: usize) -> usize {
-        usize::from(self.choices.next().copied().unwrap_or(0)) % end
+        usize::from(self.0.next().copied().unwrap_or(0)) % end
     }
 
-    fn declaration(&mut self) -> String {
-        let mut parameters = String::new();
-        for index in 0..=self.below(5) {
-            let domain = ["", ", > 0", ", >= 0", ", < 1", ", in (-pi/2, pi/2)", ", in [0, 1]"][self.below(6)];
-            parameters += &format!("a{index}: m{domain}; ");
-            self.names.push(format!("a{index}"));
-        }
-        let mut definitions = String::new();
-        for index in 0..self.below(6) {
-            definitions += &format!("let d{index} = {};\n", self.formula(3));
-            self.names.push(format!("d{index}"));
+    fn model(&mut self) -> Model {
+        let parameters: Vec<usize> = (0..=self.below(5)).map(|_| self.below(DOMAINS.len())).collect();
+        let mut names = parameters.len();
+        let mut definitions = Vec::new();
+        for _ in 0..self.below(6) {
+            definitions.push(self.formula(3, names));
+            names += 1;
         }
         let size = 1 + self.below(3);
-        let coordinates: String = (0..size).map(|index| format!("q{index}: rad; ")).collect();
-        let mut matrices = String::new();
-        for name in ["C0", "C1", "Kc", "K0", "K2"] {
-            if self.below(4) == 3 {
-                matrices += &format!("{name} = {};\n", self.matrix(size, ""));
+        let mut matrices = Vec::new();
+        for matrix in 0..MATRICES.len() {
+            if matrix == 0 || self.below(4) == 3 {
+                let mut entries: Vec<Formula> = (0..size * size).map(|_| self.formula(4, names)).collect();
+                if matrix == 0 {
+                    // Everything that is declared must be used.
+                    let all = |sum, name| Formula::Sum(Box::new([sum, Formula::Name(name)]));
+                    let last = entries.pop().unwrap_or(Formula::Number("1"));
+                    entries.push((0..names).fold(last, all));
+                }
+                matrices.push((matrix, entries));
             }
         }
-        // Everything that is declared must be used.
-        let all: String = self.names.iter().map(|name| format!(" + {name}")).collect();
-        matrices += &format!("M = {};\n", self.matrix(size, &all));
-        let requirement =
-            if self.below(4) == 3 { format!("require {} > 0;\n", self.formula(2)) } else { String::new() };
-        format!(
-            "model Any {{\nparameters {{ {parameters}}}\n{definitions}{requirement}coordinates {{ {coordinates}}}\n\
-             {matrices}}}"
-        )
+        Model { parameters, definitions, size, matrices }
     }
 
-    /// A square matrix, `all` being added to its last entry.
-    fn matrix(&mut self, size: usize, all: &str) -> String {
-        let mut rows = Vec::new();
-        for row in 0..size {
-            let entries: Vec<String> = (0..size).map(|_| self.formula(4)).collect();
-            let last = if row + 1 == size { all } else { "" };
-            rows.push(format!("[{}{last}]", entries.join(", ")));
-        }
-        format!("[{}]", rows.join(", "))
-    }
-
-    fn formula(&mut self, depth: usize) -> String {
+    fn formula(&mut self, depth: usize, names: usize) -> Formula {
         const NUMBERS: [&str; 12] =
             ["0", "1", "2", "3", "0.5", "0.1", "1e-3", "1e10", "7.25", "9.80665", "pi", "0.333333333333"];
-        const EXPONENTS: [&str; 8] = ["2", "3", "-1", "-2", "0", "1", "4", "-5"];
+        const EXPONENTS: [i32; 8] = [2, 3, -1, -2, 0, 1, 4, -5];
         let kind = if depth == 0 { self.below(3) } else { self.below(12) };
-        let mut part = || self.formula(depth.saturating_sub(1));
         match kind {
-            0 | 1 => {
-                let name = self.below(self.names.len());
-                self.names[name].clone()
+            0 | 1 => Formula::Name(self.below(names)),
+            2 => Formula::Number(NUMBERS[self.below(NUMBERS.len())]),
+            3 => Formula::Sum(self.both(depth, names)),
+            4 => Formula::Difference(self.both(depth, names)),
+            5 | 6 => Formula::Product(self.both(depth, names)),
+            7 => Formula::Quotient(self.both(depth, names)),
+            8 => {
+                let exponent = EXPONENTS[self.below(EXPONENTS.len())];
+                Formula::Power(Box::new(self.formula(depth - 1, names)), exponent)
             }
-            2 => NUMBERS[self.below(NUMBERS.len())].into(),
-            3 => format!("({} + {})", part(), part()),
-            4 => format!("({} - {})", part(), part()),
-            5 => format!("{}*{}", part(), part()),
-            6 => format!("({})/({})", part(), part()),
-            7 => format!("({})^{}", part(), EXPONENTS[self.below(EXPONENTS.len())]),
-            8 => format!("sqrt({})", part()),
-            9 => format!("sin({})*cos({})", part(), part()),
-            10 => format!("{}({})", ["sin", "cos", "tan"][self.below(3)], self.formula(depth - 1)),
-            _ => format!("(-{})", part()),
+            _ => {
+                let function = ["sin", "cos", "tan", "sqrt", "-"][self.below(5)];
+                Formula::Call(function, Box::new(self.formula(depth - 1, names)))
+            }
         }
+    }
+
+    fn both(&mut self, depth: usize, names: usize) -> Box<[Formula; 2]> {
+        Box::new([self.formula(depth - 1, names), self.formula(depth - 1, names)])
     }
 }

@@ -98,3 +98,21 @@ fn validation_names_parameter_value_and_requirement() {
     );
     assert_eq!(error(Whipple { mH: 0.0, mF: 0.0, ..bike }), "Whipple: `mH + mF` is 0; it must be > 0");
 }
+
+#[test]
+fn roots_of_roots_are_powers() {
+    let cases = [
+        ("sqrt(sqrt(x))", 4.0),
+        ("x*sqrt(sqrt(2))", 304.437_021_440_696_593_0),
+        ("x*sqrt(3)*sqrt(sqrt(3))", 583.553_806_580_423_076_3),
+        ("x/sqrt(sqrt(0.1))", 455.239_528_969_964_237_1),
+        ("x/(sqrt(2)*sqrt(sqrt(sqrt(2))))", 165.995_462_995_329_237_2),
+    ];
+    for (formula, expected) in cases {
+        let text =
+            format!("model Root {{ parameters {{ x: 1, > 0; }} coordinates {{ q: m; }} M = [[1 [kg]*{formula}]]; }}");
+        let program = compile(text.parse().expect("tokens")).expect(formula).matrices;
+        let computed = program.interpret(&[256.0])[0];
+        assert!((computed - expected).abs() <= 4.0 * f64::EPSILON * expected, "{formula} is {computed}");
+    }
+}
