@@ -134,8 +134,9 @@ impl System {
         let symbols = (0..parameters).map(|index| engine.parameter(index)).chain([engine.pi()]);
         let symbols: Vec<Atom> =
             symbols.chain(kept.iter().map(|(index, _)| self.names[*index].clone())).map(|form| form.0).collect();
-        let formulas: Vec<AtomView<'_>> =
-            kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(|form| form.0.as_view()).collect();
+        let formulas: Vec<Form> =
+            kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(Form::without_tangents_of_numbers).collect();
+        let formulas: Vec<AtomView<'_>> = formulas.iter().map(|form| form.0.as_view()).collect();
         let settings = OptimizationSettings::new().cores(1).direct_translation(false);
         let evaluator = Atom::evaluator_multiple(&formulas, &symbols).optimization_settings(settings).build();
         let exported = evaluator.unwrap_or_else(|error| panic!("{error}")).export_instructions();
