@@ -144,7 +144,7 @@ fn write_model(path: &Path, number: usize) -> io::Result<()> {
                 parameters {{ m: kg, > 0; l: m, > 0; k: N*m/rad; }}
                 coordinates {{ theta: rad; }}
                 M = [[{number}*m*l^2]];
-                Kc = [[k*cos(l)^2 + k*sin(l)^2]];
+                Kc = [[k*cos(l/1 [m])^2 + k*sin(l/1 [m])^2]];
                 set soft {{ m = 2; l = 0.5; k = 5; }}
             }}
         }}

@@ -24,7 +24,7 @@ fuzz_target!(|data: &[u8]| {
     let Ok(text) = std::str::from_utf8(data) else { return };
     // What does not come apart into tokens never reaches a macro.
     let Ok(tokens) = text.parse() else { return };
-    match expand(tokens::declaration(tokens), Driver::Macro) {
+    match expand(tokens::declaration(tokens), &Driver::Macro { runtime: "::carvallo".parse().expect("a path") }) {
         Ok(code) => assert!(syn::parse2::<syn::File>(code.clone()).is_ok(), "what came out is not Rust: {code}"),
         Err(errors) => errors.into_iter().for_each(|error| inside::look_for(&error.to_string(), text)),
     }

@@ -12,7 +12,7 @@ const INSIDE: [&str; 15] = [
     "Some(",
     "unwrap",
     "called `",
-    "assertion",
+    "assertion failed",
     "index out of bounds",
     "overflow",
     "unreachable",

@@ -8,9 +8,9 @@ use carvallo_compiler::files::regenerate;
 use carvallo_compiler::{Driver, expand};
 use quote::quote;
 
-const SMALL: &str = "model Small { parameters { a: m, > 0; b: kg, > 0; lam: rad; } let c = a*b + b/a; \
-                     require a + b > 0; coordinates { x: m; y: rad; } \
-                     M = [[c, b*sin(lam)], [b*sin(lam), c^2]]; K0 = [[a*cos(lam), 0], [0, c/b]]; }";
+const SMALL: &str = "model Small { parameters { a: kg, > 0; b: kg, > 0; lam: rad; } let c = a + b^2/a; \
+                     require a + b > 0; coordinates { x: m; y: m; } \
+                     M = [[c, b*sin(lam)], [b*sin(lam), c^2/a]]; Kc = [[a*cos(lam)*1 [Hz^2], 0], [0, 2 [N/m]*c/b]]; }";
 
 fn expanded(declaration: &str, driver: &Driver) -> String {
     expand(declaration.parse().expect("tokens"), driver).expect("the model compiles").to_string()
@@ -25,9 +25,9 @@ fn fifty_runs_among_other_models_give_the_same_code() {
     let first = drivers().map(|driver| expanded(SMALL, &driver));
     for run in 0..50 {
         // Each of the others has more names than the ones before it.
-        let mut other = String::from("model Other { parameters { a: m; lam: rad; } let d0 = a*sin(lam);");
+        let mut other = String::from("model Other { parameters { a: 1; lam: rad; } let d0 = a*sin(lam);");
         (1..=2 * run).for_each(|index| write!(other, "let d{index} = d{}*a + lam;", index - 1).expect("a string"));
-        write!(other, "coordinates {{ x: m; }} M = [[d{}]]; }}", 2 * run).expect("a string");
+        write!(other, "coordinates {{ x: m; }} M = [[d{}*1 [kg]]]; }}", 2 * run).expect("a string");
         assert!(!expanded(&other, &Driver::File).is_empty());
         assert_eq!(drivers().map(|driver| expanded(SMALL, &driver)), first, "run {run}");
     }
@@ -53,6 +53,6 @@ fn the_folder_does_not_matter() {
 fn a_chain_of_thousands_of_definitions_compiles() {
     let mut chain = String::from("model Chain { parameters { p: 1; q: 1; } coordinates { x: 1; } let d0 = p*q;");
     (1..4_000).for_each(|index| write!(chain, "let d{index} = sin(d{})*p + q;", index - 1).expect("a string"));
-    chain.push_str("M = [[d3999]]; }");
+    chain.push_str("M = [[d3999*1 [kg*m^2]]]; }");
     assert_eq!(expanded(&chain, &Driver::File).matches(":: sin (").count(), 3_999);
 }

@@ -98,3 +98,30 @@ fn validation_names_parameter_value_and_requirement() {
     );
     assert_eq!(error(Whipple { mH: 0.0, mF: 0.0, ..bike }), "Whipple: `mH + mF` is 0; it must be > 0");
 }
+
+/// What the program of a formula in one parameter gives at 256.
+fn at_256(formula: &str) -> f64 {
+    let text =
+        format!("model Any {{ parameters {{ x: 1, > 0; }} coordinates {{ q: m; }} M = [[1 [kg]*x*({formula})]]; }}");
+    compile(text.parse().expect("tokens")).expect(formula).matrices.interpret(&[256.0])[0] / 256.0
+}
+
+/// The values are from arithmetic with 25 digits and more.
+#[test]
+fn functions_of_numbers_have_their_values() {
+    let cases = [
+        ("sqrt(sqrt(2))", 1.189_207_115_002_721_066_7),
+        ("sqrt(3)*sqrt(sqrt(3))", 2.279_507_056_954_777_642_0),
+        ("1/sqrt(sqrt(0.1))", 1.778_279_410_038_922_801_2),
+        ("1/(sqrt(2)*sqrt(sqrt(sqrt(2))))", 0.648_419_777_325_504_832_9),
+        ("sqrt(sqrt(x))", 4.0),
+        ("tan(0.3)", 0.309_336_249_609_623_233_0),
+        ("1/tan(2)", -0.457_657_554_360_285_763_8),
+        ("tan((x + 1)^2 - x^2 - 2*x)", 1.557_407_724_654_902_230_5),
+        ("tan(tan(0.3))", 0.319_595_802_917_375_187_4),
+    ];
+    for (formula, expected) in cases {
+        let computed = at_256(formula);
+        assert!((computed - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(), "{formula} is {computed}");
+    }
+}

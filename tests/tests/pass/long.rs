@@ -8,7 +8,7 @@ macro_rules! chain {
                 let d0 = x*y;
                 $(let $name = sin($previous)*$previous/2 + cos($previous)*y;)*
                 coordinates { q: 1; }
-                M = [[d300]];
+                M = [[d300*1 [kg*m^2]]];
             }
         }
     };

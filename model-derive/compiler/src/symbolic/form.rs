@@ -6,8 +6,9 @@ use std::sync::atomic::Ordering;
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::domains::rational::Rational;
 use symbolica::symbol;
-use symbolica::transcendental::TranscendentalFunctions;
+use symbolica::transcendental::{TranscendentalFunctions, sec, tan};
 
+use super::identity::call_of;
 use crate::model::{Expr, Function};
 use crate::syntax::Decimal;
 
@@ -167,6 +168,18 @@ impl Form {
             [atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor(), atom.together()];
         let best = forms.into_iter().map(Self).min_by_key(Self::cost);
         best.unwrap_or_else(|| self.clone())
+    }
+
+    /// With sines and cosines in the place of the tangents of numbers, of which the engine's evaluator makes 0.
+    pub(super) fn without_tangents_of_numbers(&self) -> Self {
+        let is_number = |argument: &Atom| matches!(argument.as_view(), AtomView::Num(_));
+        Self(self.0.replace_map_bottom_up(|view, _, out| {
+            if let Some(number) = call_of(view, tan()).filter(is_number) {
+                **out = number.sin() / number.cos();
+            } else if let Some(number) = call_of(view, sec()).filter(is_number) {
+                **out = number.cos().pow(-1);
+            }
+        }))
     }
 
     /// The number of operations that the formula takes as it stands.

@@ -74,14 +74,28 @@ impl Slots<'_> {
         self.values.insert(target, value);
     }
 
-    /// A power with half a whole number as its exponent.
+    /// A power whose exponent is no whole number, as nested roots have: its whole part, times a root for each binary
+    /// digit behind the point.
     fn root(&mut self, base: Slot, exponent: Slot) -> Value {
         let Slot::Const(index) = exponent else { panic!("a power with a variable exponent") };
-        let doubled = 2.0 * self.constants[index];
-        assert!(doubled.fract() == 0.0 && doubled.abs() < 256.0, "a power of {}", self.constants[index]);
-        let base = self.get(base);
-        let root = self.program.push(Instruction::Sqrt(base));
-        self.program.push(Instruction::Power(root, doubled as i32))
+        let exponent = self.constants[index];
+        let mut root = self.get(base);
+        let (whole, mut rest) = (exponent.abs().trunc(), exponent.abs().fract());
+        let mut result = match whole as i32 {
+            0 => None,
+            1 => Some(root),
+            whole => Some(self.program.push(Instruction::Power(root, whole))),
+        };
+        while rest != 0.0 {
+            root = self.program.push(Instruction::Sqrt(root));
+            rest *= 2.0;
+            if rest >= 1.0 {
+                rest -= 1.0;
+                result = Some(result.map_or(root, |so_far| self.program.push(Instruction::Mul(so_far, root))));
+            }
+        }
+        let Some(value) = result else { panic!("a power of {exponent}") };
+        if exponent < 0.0 { self.program.push(Instruction::Reciprocal(value)) } else { value }
     }
 
     fn call(&mut self, function: Symbol, argument: Value) -> Value {

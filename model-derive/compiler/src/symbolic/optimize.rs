@@ -148,8 +148,9 @@ impl System {
             .chain(kept.iter().map(|(index, _)| self.names[*index].clone()))
             .filter_map(|form| form.0.as_view().get_symbol())
             .collect();
-        let formulas: Vec<AtomView<'_>> =
-            kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(|form| form.0.as_view()).collect();
+        let formulas: Vec<Form> =
+            kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(Form::without_tangents_of_numbers).collect();
+        let formulas: Vec<AtomView<'_>> = formulas.iter().map(|form| form.0.as_view()).collect();
 
         // The definitions enter as inputs whose values come out of the same program: open ends that are then tied.
         let mut program = Program::new(parameters);
