@@ -1,7 +1,7 @@
 //! Code that is never run, by which editors lead from a use of a name in the declaration to where it is declared.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::names::Names;
 use super::{allow, docs};
@@ -13,6 +13,7 @@ use crate::model::{Model, Target};
 pub fn emit(model: &Model, names: &Names) -> TokenStream {
     let allow = allow();
     let name = &names.model;
+    let [all, declaration] = ["Definitions", "Declaration"].map(|suffix| format_ident!("{name}{suffix}"));
     let definitions = model.references.definitions.iter().map(|(name, formula)| {
         let docs = docs(&format!("`{name}` = {formula}."));
         quote! { #docs #name: ::core::primitive::f64 }
@@ -24,9 +25,9 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
     quote! {
         #allow
         const _: () = {
-            struct __Definitions { #(#definitions,)* }
-            struct __Declaration(#name<::core::primitive::f64>, __Definitions);
-            impl __Declaration {
+            struct #all { #(#definitions,)* }
+            struct #declaration(#name<::core::primitive::f64>, #all);
+            impl #declaration {
                 fn uses(&self) { #(#uses)* }
             }
         };
