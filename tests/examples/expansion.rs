@@ -105,8 +105,15 @@ fn source(definitions: usize) -> String {
         writeln!(text, "let d{index} = {formula};").expect("a string takes it");
     }
     let last = |back: usize| format!("d{}*1 [kg*m^2]", definitions - back);
-    writeln!(text, "M = [[{}, {}], [{1}, {}]]; K0 = [[{}/1 [m], 0], [0, {0}/1 [m]]]; }}", last(1), last(2), last(3), last(4))
-        .expect("a string takes it");
+    writeln!(
+        text,
+        "M = [[{}, {}], [{1}, {}]]; K0 = [[{}/1 [m], 0], [0, {0}/1 [m]]]; }}",
+        last(1),
+        last(2),
+        last(3),
+        last(4)
+    )
+    .expect("a string takes it");
     text
 }
 
