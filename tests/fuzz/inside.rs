@@ -31,7 +31,10 @@ pub fn look_for(message: &str, input: &str) {
         digits.len() < word.len() && !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
     };
     let words = message.split(|c: char| !c.is_alphanumeric() && c != '_');
-    let known = |word: &&str| input.contains(*word) || ["f32", "f64", "2e", "e300"].contains(word);
+    // Digits may be written with `_` between them.
+    let bare = input.replace('_', "");
+    let known =
+        |word: &&str| input.contains(*word) || bare.contains(*word) || ["f32", "f64", "2e", "e300"].contains(word);
     if let Some(word) = words.filter(numbered).find(|word| !known(word)) {
         panic!("the name `{word}` in a message: {message}");
     }

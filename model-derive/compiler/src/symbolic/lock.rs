@@ -79,9 +79,19 @@ fn wait(folder: &Path) -> io::Result<File> {
             eprintln!("note: waiting for Symbolica, which Carvallo uses in {holder} now");
         }
     })?;
-    file.lock()?;
+    uninterrupted(|| file.lock())?;
     drop(done);
     Ok(file)
+}
+
+/// Goes on after a signal: giving up for one would mean to enter by another folder, past the holder of this lock.
+fn uninterrupted(mut call: impl FnMut() -> io::Result<()>) -> io::Result<()> {
+    loop {
+        match call() {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            result => return result,
+        }
+    }
 }
 
 /// Opens the file; one of another user's, or on a file system that cannot be written to, only to be read.
@@ -119,6 +129,13 @@ mod tests {
         assert!(cut_short().expect("after one that did not"));
         assert!(!cut_short().expect("after one that noticed"));
         fs::remove_dir_all(folder).expect("it is there");
+    }
+
+    #[test]
+    fn a_signal_does_not_end_the_wait() {
+        let mut results = [Err(io::ErrorKind::Interrupted.into()), Ok(())].into_iter();
+        assert!(uninterrupted(|| results.next().expect("no third call")).is_ok());
+        assert!(uninterrupted(|| Err(io::ErrorKind::Unsupported.into())).is_err());
     }
 
     #[test]
