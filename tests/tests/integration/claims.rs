@@ -224,7 +224,7 @@ carvallo::model! {
         }
         let arm = a - b;
         coordinates { x: m; y: m; }
-        symmetric M = [[m, arm*m/b], [(m*a - m*b)/b, m]];
+        symmetric M = [[2*m, arm*m/b], [(m*a - m*b)/b, m]];
         Kc = [[k*b/arm, k*sqrt(b - a/2)/sqrt(b)], [1 [N^2/m^2]/k, k/sin(turn)]];
         assert arm + b == a;
         assert sin(2*turn) == 2*sin(turn)*cos(turn);

@@ -3,6 +3,7 @@
 mod claims;
 mod constants;
 mod counterexample;
+mod definite;
 mod definitions;
 mod divisors;
 mod domains;
@@ -101,6 +102,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         let names: Vec<String> = declaration.parameters.iter().map(|parameter| parameter.name.to_string()).collect();
         let space = Space { domains: &domains, requirements: &requirements, sets: &sets };
         claims::check(&claims, &names, &definitions, &space, report);
+        definite::check(&sets, &definitions, &matrices, report);
         published::check(&declaration, &dimensions, &resolved.order, report);
     }
     let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();

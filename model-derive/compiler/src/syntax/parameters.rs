@@ -26,7 +26,8 @@ pub fn parameter(
     let bounds = Vec::new();
     let mut parameter =
         Parameter { docs, name, symbol: None, unit: None, bounds, direction: None, gravity: None, unused: None };
-    let read = after_name(input, &mut parameter);
+    // Of one that is only half read nothing should follow.
+    let read = after_name(input, &mut parameter).inspect_err(|_| parameter.unit = None);
     match reserved {
         None => parameters.push(parameter),
         // It could not become a field.
@@ -170,6 +171,10 @@ pub fn coordinate(input: ParseStream<'_>, coordinates: &mut Vec<Coordinate>, rep
     let name = declared(input, what)?;
     coordinates.push(Coordinate { docs, name, label: None, unit: None, direction: None });
     let Some(coordinate) = coordinates.last_mut() else { return Ok(()) };
+    after_coordinate(input, coordinate).inspect_err(|_| coordinate.unit = None)
+}
+
+fn after_coordinate(input: ParseStream<'_>, coordinate: &mut Coordinate) -> syn::Result<()> {
     coordinate.label = text(input)?;
     colon(input)?;
     coordinate.unit = Some(unit(input)?);
