@@ -43,14 +43,51 @@ impl Mutant {
     }
 }
 
-/// The declaration of the Whipple bicycle: what stands between the braces of its source.
+/// What a declaration gives the compiler to check its formulas against, each with all before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Evidence {
+    /// The units of parameters and coordinates, and which matrices are symmetric.
+    Units,
+    /// How parameters and coordinates lie in the axes.
+    Directions,
+    /// Parameter sets, and matrices that were published for them.
+    Sets,
+}
+
+impl Evidence {
+    /// All of it.
+    pub const ALL: [Self; 3] = [Self::Units, Self::Directions, Self::Sets];
+}
+
+impl fmt::Display for Evidence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Units => "units and symmetry",
+            Self::Directions => "units, symmetry and directions",
+            Self::Sets => "units, symmetry, directions and published matrices",
+        })
+    }
+}
+
+/// The declaration of the Whipple bicycle, with so much of its evidence: what stands between the braces of its source.
 ///
 /// # Panics
-/// If the source has no braces.
-pub fn whipple() -> &'static str {
+/// If the source is not laid out as it is today.
+pub fn whipple(evidence: Evidence) -> String {
     let source = include_str!("../../../generated/models/whipple.rs");
     let body = source.split_once('{').and_then(|(_, rest)| rest.rsplit_once('}'));
-    body.expect("a call of the macro with braces").0
+    let (body, _) = body.expect("a call of the macro with braces");
+    if evidence == Evidence::Sets {
+        return body.to_string();
+    }
+    let (formulas, _) = body.split_once("set benchmark").expect("a parameter set behind the formulas");
+    let mut declaration = format!("{formulas}}}");
+    if evidence == Evidence::Units {
+        for direction in ["along x*z", "along x", "along z", "about x", "about y", "about z"] {
+            declaration = declaration.replace(&format!(", {direction};"), ";");
+        }
+    }
+    declaration
 }
 
 /// The kinds of slips.

@@ -125,3 +125,13 @@ fn functions_of_numbers_have_their_values() {
         assert!((computed - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(), "{formula} is {computed}");
     }
 }
+
+#[test]
+fn the_documented_declaration_compiles() {
+    let docs = include_str!("../../../runtime/src/declare.rs");
+    let block = docs.split("```text\n").nth(1).and_then(|rest| rest.split("/// ```").next()).expect("an example");
+    let text: Vec<&str> = block.lines().map(|line| line.strip_prefix("/// ").unwrap_or_default()).collect();
+    let tokens: TokenStream = text.join("\n").parse().expect("tokens");
+    let compiled = compile(tokens).map_err(|error| error.to_string()).expect("the example is right");
+    assert_eq!(compiled.model.parameters.len(), 5);
+}
