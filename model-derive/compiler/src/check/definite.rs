@@ -41,11 +41,10 @@ fn first_without_energy(mut matrix: Vec<Vec<f64>>) -> Option<(usize, f64)> {
         if value <= 0.0 {
             return Some((pivot + 1, value));
         }
-        for row in pivot + 1..n {
-            let factor = matrix[row][pivot] / value;
-            for column in pivot + 1..n {
-                matrix[row][column] -= factor * matrix[pivot][column];
-            }
+        let (done, rest) = matrix.split_at_mut(pivot + 1);
+        for row in rest {
+            let factor = row[pivot] / value;
+            row.iter_mut().zip(&done[pivot]).skip(pivot + 1).for_each(|(entry, above)| *entry -= factor * above);
         }
     }
     None

@@ -7,6 +7,7 @@ mod definite;
 mod definitions;
 mod divisors;
 mod domains;
+mod evidence;
 mod intervals;
 mod matrices;
 mod names;
@@ -18,11 +19,10 @@ mod sets;
 mod units;
 mod unused;
 
-use self::claims::Claim;
-use self::counterexample::Space;
+use self::evidence::Evidence;
 use crate::model::{Coordinate, Domain, Expr, Matrices, Model, Origin, Parameter, Requirement};
 use crate::report::Report;
-use crate::syntax::{Assertion, Declaration, MatrixName, Unit};
+use crate::syntax::{Declaration, MatrixName, Unit};
 
 /// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
 pub fn check(declaration: Declaration, report: &mut Report) -> Model {
@@ -63,6 +63,8 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let defined = units::check(&declaration, &dimensions, &scope, order, report);
 
     let new = resolved.new_positions();
+    let assertions: Vec<[Expr; 2]> =
+        assertions.iter().map(|sides| sides.each_ref().map(|s| s.renumbered(&new))).collect();
     let mut requirements: Vec<Requirement> = requirements
         .into_iter()
         .map(|requirement| Requirement { value: requirement.value.renumbered(&new), ..requirement })
@@ -82,28 +84,17 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let references = references::references(&declaration, &scope, &defined);
     if report.is_empty() {
         let domains: Vec<Domain> = domains.iter().map(|domain| domain.to_model()).collect();
-        let checked = divisors::Checked {
+        let evidence = Evidence {
             declaration: &declaration,
             resolved: &resolved,
+            dimensions: &dimensions,
             domains: &domains,
-            definitions: &definitions,
-            requirements: &requirements,
             matrices: &matrices,
+            entries: &entries,
+            assertions: &assertions,
+            sets: &sets,
         };
-        // Whatever is needed for a requirement to have a value comes before it.
-        let needed = divisors::requirements(&checked, &mut scope, report);
-        requirements = needed.into_iter().chain(requirements).collect();
-        sets::check_requirements(&sets, &definitions, &requirements, report);
-        let mut claims = claims::mirrored(&symmetric, &matrices, &entries);
-        claims.extend(declaration.assertions.iter().zip(&assertions).map(|(Assertion { left, right }, [a, b])| {
-            let sides = [(a.renumbered(&new), left.region), (b.renumbered(&new), right.region)];
-            Claim::asserted([left, right].map(resolve::text), sides)
-        }));
-        let names: Vec<String> = declaration.parameters.iter().map(|parameter| parameter.name.to_string()).collect();
-        let space = Space { domains: &domains, requirements: &requirements, sets: &sets };
-        claims::check(&claims, &names, &definitions, &space, report);
-        definite::check(&sets, &definitions, &matrices, report);
-        published::check(&declaration, &dimensions, &resolved.order, report);
+        requirements = evidence.check(requirements, &mut scope, report);
     }
     let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();
     let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {

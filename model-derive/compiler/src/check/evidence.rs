@@ -1,0 +1,62 @@
+//! What a declaration without other mistakes says of itself, against what its formulas give.
+
+use super::claims::{self, Claim};
+use super::counterexample::Space;
+use super::definitions::Resolved;
+use super::names::Scope;
+use super::units::Dimensions;
+use super::{definite, divisors, published, resolve, sets};
+use crate::model::{Domain, Expr, Matrices, ParameterSet, Requirement};
+use crate::report::{Region, Report};
+use crate::syntax::{Assertion, Declaration};
+
+/// A declaration, and what became of its formulas; definitions are numbered in their order.
+#[derive(Debug)]
+pub struct Evidence<'a> {
+    pub declaration: &'a Declaration,
+    pub resolved: &'a Resolved,
+    pub dimensions: &'a Dimensions,
+    pub domains: &'a [Domain],
+    pub matrices: &'a Matrices,
+    /// Where the entries of the matrices stand, row by row.
+    pub entries: &'a [Region],
+    /// Both sides of each assertion.
+    pub assertions: &'a [[Expr; 2]],
+    pub sets: &'a [ParameterSet],
+}
+
+impl Evidence<'_> {
+    /// Puts the requirements that the formulas have of themselves before the declared ones, and reports what is not as
+    /// it is said to be.
+    pub fn check(
+        &self,
+        mut requirements: Vec<Requirement>,
+        scope: &mut Scope,
+        report: &mut Report,
+    ) -> Vec<Requirement> {
+        let Self { declaration, resolved, domains, matrices, sets, .. } = *self;
+        let definitions = &resolved.in_order(declaration);
+        let checked =
+            divisors::Checked { declaration, resolved, domains, definitions, requirements: &requirements, matrices };
+        // Whatever is needed for a requirement to have a value comes before it.
+        let mut all = divisors::requirements(&checked, scope, report);
+        all.append(&mut requirements);
+        sets::check_requirements(sets, definitions, &all, report);
+        let names: Vec<String> = declaration.parameters.iter().map(|parameter| parameter.name.to_string()).collect();
+        let space = Space { domains, requirements: &all, sets };
+        claims::check(&self.claims(), &names, definitions, &space, report);
+        definite::check(sets, definitions, matrices, report);
+        published::check(declaration, self.dimensions, &resolved.order, report);
+        all
+    }
+
+    fn claims(&self) -> Vec<Claim> {
+        let mut claims = claims::mirrored(&claims::symmetric(self.declaration), self.matrices, self.entries);
+        let asserted = self.declaration.assertions.iter().zip(self.assertions);
+        claims.extend(asserted.map(|(Assertion { left, right }, [a, b])| {
+            let sides = [(a.clone(), left.region), (b.clone(), right.region)];
+            Claim::asserted([left, right].map(resolve::text), sides)
+        }));
+        claims
+    }
+}
