@@ -5,21 +5,20 @@
 use carvallo_tests::designs;
 use carvallo_tests::mutants::{Evidence, Kind, Original, Tally, all, whipple};
 
-/// For each kind of slip every how many are tried, and the least share of them that must be caught: the measured one,
-/// rounded down to whole percents, with units and symmetry alone and with directions too. Raise it when a check catches
-/// more.
-const LEAST_CAUGHT: [(Kind, usize, [f64; 2]); 11] = [
-    (Kind::SignOfTerm, 11, [0.0, 0.0]),
-    (Kind::ProductOrQuotient, 11, [0.0, 0.0]),
-    (Kind::SumOrProduct, 23, [0.0, 0.0]),
-    (Kind::Minus, 2, [0.0, 0.0]),
-    (Kind::Exponent, 5, [0.0, 0.0]),
-    (Kind::SimilarName, 97, [0.11, 0.0]),
-    (Kind::OtherName, 397, [0.05, 0.0]),
-    (Kind::Factor, 13, [0.0, 0.0]),
-    (Kind::Term, 11, [0.0, 0.0]),
-    (Kind::Function, 5, [0.0, 0.0]),
-    (Kind::Number, 3, [0.0, 0.0]),
+/// For each kind of slip every how many are tried, and the least share of them that must be caught with each evidence: the
+/// measured one, rounded down to whole percents; of those at 0 nothing is caught. Raise it when a check catches more.
+const LEAST_CAUGHT: [(Kind, usize, [f64; 3]); 11] = [
+    (Kind::SignOfTerm, 11, [0.0, 0.0, 0.85]),
+    (Kind::ProductOrQuotient, 11, [0.87, 0.87, 1.0]),
+    (Kind::SumOrProduct, 23, [1.0, 1.0, 1.0]),
+    (Kind::Minus, 2, [0.33, 0.33, 1.0]),
+    (Kind::Exponent, 5, [0.83, 1.0, 1.0]),
+    (Kind::SimilarName, 97, [0.6, 0.6, 1.0]),
+    (Kind::OtherName, 397, [0.9, 0.95, 1.0]),
+    (Kind::Factor, 13, [0.84, 0.84, 1.0]),
+    (Kind::Term, 11, [0.0, 0.0, 0.9]),
+    (Kind::Function, 5, [0.0, 0.75, 1.0]),
+    (Kind::Number, 3, [0.5, 0.5, 1.0]),
 ];
 
 fn sample(evidence: Evidence) -> Tally {
@@ -37,18 +36,12 @@ fn sample(evidence: Evidence) -> Tally {
 }
 
 #[test]
-fn units_symmetry_and_directions_catch_slips() {
-    for (column, evidence) in [Evidence::Units, Evidence::Directions].into_iter().enumerate() {
+fn slips_are_caught() {
+    for (column, evidence) in Evidence::ALL.into_iter().enumerate() {
         let tally = sample(evidence);
         for (kind, _, least) in LEAST_CAUGHT {
             let (caught, least) = (tally.caught(&[kind]), least[column]);
-            assert!(caught >= least, "{evidence}: {kind}: {caught:.3} caught instead of {least}\n{tally}");
+            assert!(caught >= least, "with {evidence}: {kind}: {caught:.3} caught instead of {least}\n{tally}");
         }
     }
-}
-
-#[test]
-fn published_matrices_let_no_slip_through() {
-    let tally = sample(Evidence::Sets);
-    assert_eq!(tally.caught(&Kind::ALL), 1.0, "{tally}");
 }
