@@ -43,6 +43,17 @@ fn long_formulas_compile() {
     assert!(check(model("m: kg;", "", &format!("[[{}]]", vec!["m"; 100_000].join(" + ")))).is_ok());
 }
 
+/// The cube of a tangent of sums has 360,000 terms by the addition theorems.
+#[test]
+fn tangents_of_tangents_end() {
+    let definitions = "let a = 3*x + 3.001 + x^2; let b = 4*a + 1/(2*a); let c = 4*x + x^2 + tan(b);";
+    let found = entry("x: 1, < 1;", definitions, "1 [kg]*tan(c^3*x)", &[0.5]);
+    let a: f64 = 1.5 + 3.001 + 0.25;
+    let c = 2.25 + (4.0 * a + 0.5 / a).tan();
+    let expected = (c.powi(3) * 0.5).tan();
+    assert!((found - expected).abs() < 1e-9 * expected.abs(), "{found} instead of {expected}");
+}
+
 #[test]
 fn many_parameters_definitions_and_coordinates_compile() {
     let names: Vec<String> = (0..1_000).map(|index| format!("p{index}")).collect();

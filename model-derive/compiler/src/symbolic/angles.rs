@@ -8,7 +8,7 @@ use symbolica::domains::rational::Rational;
 use symbolica::transcendental::{sec, tan};
 
 use super::form::pi;
-use super::identity::call_of;
+use super::identity::{call_of, expanded_terms};
 
 /// For each angle in a formula, without its number, the part of it of which all its multiples there are whole ones: for
 /// the `t` of `sin(t/2) + cos(t/3)` a sixth.
@@ -18,6 +18,9 @@ pub struct Angles(HashMap<Atom, Integer>);
 /// The theorems double the terms with each summand and each multiple; beyond these they are not used.
 const MAX_SUMMANDS: usize = 4;
 const MAX_MULTIPLE: i64 = 8;
+
+/// An argument that could expand into more terms, as one that holds expanded tangents can, is a single angle.
+const MAX_EXPANDED: f64 = 500.0;
 
 impl Angles {
     /// Those of a formula.
@@ -77,6 +80,9 @@ fn add((sine, cosine): (Atom, Atom), (other_sine, other_cosine): (Atom, Atom)) -
 
 /// The terms of an argument once it is expanded.
 fn summands(argument: &Atom) -> Vec<Atom> {
+    if expanded_terms(argument.as_view()) > MAX_EXPANDED {
+        return vec![argument.clone()];
+    }
     let argument = argument.expand();
     match argument.as_view() {
         AtomView::Add(sum) => sum.iter().map(|term| term.to_owned()).collect(),

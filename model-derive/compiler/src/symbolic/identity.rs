@@ -99,7 +99,7 @@ fn plain(atom: &Atom) -> Atom {
 }
 
 /// At most about so many terms stand in the numerator once all is expanded over one denominator.
-fn expanded_terms(view: AtomView<'_>) -> f64 {
+pub(super) fn expanded_terms(view: AtomView<'_>) -> f64 {
     let mut divisors = Divisors::new();
     let terms = terms(view, 1, &mut divisors);
     divisors.into_values().fold(terms, |terms, (divisor, power)| terms * terms_of_power(divisor, power))
