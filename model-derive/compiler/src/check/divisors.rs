@@ -6,9 +6,10 @@ use proc_macro2::Ident;
 
 use super::definitions::Resolved;
 use super::intervals::Interval;
-use super::names::Scope;
+use super::names::{Meaning, Scope};
 use super::ranges::{Constants, Ranges};
 use super::resolve;
+use super::samples::{Samples, maybe_multiples, maybe_zero};
 use crate::equations::Equations;
 use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
 use crate::report::{Region, Report};
@@ -64,6 +65,9 @@ struct Search<'a> {
     /// The formulas of the definitions as written, in their order.
     sources: Vec<&'a Expression>,
     ranges: Ranges,
+    samples: Samples,
+    /// The values at the samples of what requirements bound, the declared ones first.
+    known: Vec<Vec<Interval>>,
     found: Vec<Requirement>,
 }
 
@@ -82,7 +86,9 @@ impl<'a> Search<'a> {
         checked.definitions.iter().for_each(|(_, expr)| ranges.push_definition(expr));
         let new = checked.resolved.new_positions();
         let sources = checked.resolved.sources(checked.declaration);
-        Self { checked, scope, report, new, sources, ranges, found: Vec::new() }
+        let samples = Samples::new(checked.domains, checked.definitions);
+        let known = checked.requirements.iter().map(|requirement| samples.of(&requirement.value)).collect();
+        Self { checked, scope, report, new, sources, ranges, samples, known, found: Vec::new() }
     }
 
     /// Takes up what formulas and the definitions that they use need.
@@ -104,6 +110,7 @@ impl<'a> Search<'a> {
                 self.report.error(region, symbolic::Undefined::RootOfNegative);
             } else if !self.is_implied(&value, domain) {
                 self.ranges.add_fact(&value, domain.into());
+                self.known.push(self.samples.of(&value));
                 self.found.push(Requirement { text: resolve::text(&formula), region, value, domain, origin });
             }
         }
@@ -119,10 +126,14 @@ impl<'a> Search<'a> {
         while let Some(formula) = open.pop() {
             match &formula.kind {
                 Kind::Name(name) if name == "pi" => {}
-                Kind::Name(name) => match self.checked.definitions.iter().position(|(known, _)| known == name) {
-                    Some(index) if visited.insert((index, nonzero)) => open.push(self.sources[index]),
-                    Some(_) => {}
-                    None => parts.push(Need { formula: formula.clone(), region, domain }),
+                Kind::Name(name) => match self.scope.get(name) {
+                    Some(Meaning::Definition(declared)) => {
+                        let index = self.new[declared];
+                        if visited.insert((index, nonzero)) {
+                            open.push(self.sources[index]);
+                        }
+                    }
+                    _ => parts.push(Need { formula: formula.clone(), region, domain }),
                 },
                 Kind::Product(factors) if nonzero => {
                     open.extend(factors.iter().rev().filter(|factor| !factor.inverse).map(|factor| &factor.value));
@@ -139,6 +150,9 @@ impl<'a> Search<'a> {
 
     /// Whether a formula is proved to be zero for all parameters.
     fn is_zero(&self, value: &Expr) -> bool {
+        if !maybe_zero(&self.samples.of(value)) {
+            return false;
+        }
         let zero = Expr::Number(Decimal { digits: "0".into(), exponent: 0 });
         let proofs = symbolic::proofs(vec![self.equations(vec![value.clone(), zero])], Depth::Formulas);
         proofs.is_ok_and(|proofs| proofs.contains(&Proof::Found))
@@ -146,11 +160,17 @@ impl<'a> Search<'a> {
 
     /// Whether a formula is a multiple of one that a requirement bounds, and so has no values outside a domain.
     fn is_implied(&self, value: &Expr, domain: Domain) -> bool {
-        let known = || self.checked.requirements.iter().chain(&self.found);
-        let outputs = [value].into_iter().chain(known().map(|known| &known.value)).cloned().collect();
+        let values = self.samples.of(value);
+        let known = self.checked.requirements.iter().chain(&self.found).zip(&self.known);
+        let known: Vec<&Requirement> =
+            known.filter(|(_, at)| maybe_multiples(&values, at)).map(|(known, _)| known).collect();
+        if known.is_empty() {
+            return false;
+        }
+        let outputs = [value].into_iter().chain(known.iter().map(|known| &known.value)).cloned().collect();
         // A failure of the engine is reported where it compiles the model.
         let signs = symbolic::multiples(self.equations(outputs)).unwrap_or_default();
-        known().zip(signs).any(|(known, sign)| match sign {
+        known.into_iter().zip(signs).any(|(known, sign)| match sign {
             Some(Sign::Positive) => meets(known.domain.into(), domain),
             Some(Sign::Negative) => meets(-Interval::from(known.domain), domain),
             None => false,

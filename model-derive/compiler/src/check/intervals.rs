@@ -69,6 +69,11 @@ impl Interval {
         [self.lower, self.upper].into_iter().any(|end| end.open && end.value == 0.0)
     }
 
+    /// The distance of the bounds.
+    pub fn width(self) -> f64 {
+        self.upper.value - self.lower.value
+    }
+
     /// Whether no negative number is inside.
     pub fn is_nonnegative(self) -> bool {
         self.lower.value >= 0.0

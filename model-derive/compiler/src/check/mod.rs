@@ -15,6 +15,7 @@ mod published;
 mod ranges;
 mod references;
 mod resolve;
+mod samples;
 mod sets;
 mod units;
 mod unused;

@@ -1,0 +1,66 @@
+//! Formulas at a few parameters: what is different there needs no attempt to prove it equal, which can take long.
+
+use proc_macro2::Ident;
+
+use super::intervals::Interval;
+use super::ranges::{Constants, Ranges};
+use crate::model::{Bound, Domain, Expr};
+
+/// Values of the definitions at a few parameters inside the domains.
+#[derive(Debug)]
+pub struct Samples(Vec<Ranges>);
+
+/// How many parameter values are looked at.
+const COUNT: u32 = 2;
+
+impl Samples {
+    pub fn new(domains: &[Domain], definitions: &[(Ident, Expr)]) -> Self {
+        let sample = |number| {
+            let parameters = domains.iter().enumerate().map(|(index, domain)| inside(domain, fraction(index, number)));
+            let mut ranges = Ranges::new(Constants::Exact, parameters.map(Interval::point).collect());
+            definitions.iter().for_each(|(_, expr)| ranges.push_definition(expr));
+            ranges
+        };
+        Self((0..COUNT).map(sample).collect())
+    }
+
+    /// Enclosures of the values of a formula.
+    pub fn of(&self, expr: &Expr) -> Vec<Interval> {
+        self.0.iter().map(|ranges| ranges.of(expr)).collect()
+    }
+}
+
+/// Values that are known less well than this decide nothing, and nothing is worth a proof on their account.
+const WIDEST: f64 = 1e-3;
+
+/// Whether a formula with these values is likely to be zero.
+pub fn maybe_zero(values: &[Interval]) -> bool {
+    values.iter().all(|value| value.width() < WIDEST && !value.excludes_zero())
+}
+
+/// Whether a formula with these values is likely to be a constant multiple of another.
+pub fn maybe_multiples(one: &[Interval], other: &[Interval]) -> bool {
+    let ratio = |(one, other): (&Interval, &Interval)| [*one, other.reciprocal()].into_iter().product();
+    let ratios: Vec<Interval> = one.iter().zip(other).map(ratio).collect();
+    ratios.iter().all(|ratio| ratio.width() < WIDEST) && !ratios.windows(2).any(|pair| pair[0].is_apart_from(pair[1]))
+}
+
+/// A number between 0 and 1, another one for each parameter and sample: multiples of the golden ratio spread evenly.
+fn fraction(index: usize, number: u32) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    ((index as f64 + 1.0) * GOLDEN + f64::from(number) * 0.37).fract()
+}
+
+/// A value of a domain, unless it has no more than one.
+fn inside(domain: &Domain, fraction: f64) -> f64 {
+    let end = |bound| match bound {
+        Bound::Unbounded => None,
+        Bound::Open(value) | Bound::Closed(value) => Some(value),
+    };
+    match (end(domain.lower), end(domain.upper)) {
+        (Some(low), Some(high)) => low + (high - low) * fraction,
+        (Some(low), None) => low + 0.5 + fraction,
+        (None, Some(high)) => high - 0.5 - fraction,
+        (None, None) => 0.5 + fraction,
+    }
+}
