@@ -8,6 +8,7 @@
 //! Every round changes a number in every model, and every program must then print what the new model gives. Where there
 //! is no rust-analyzer its column says so. Takes about 3 GB in the folder for temporary files, and gives them back.
 
+use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -43,16 +44,16 @@ fn main() -> io::Result<()> {
             let folder = root.join("now");
             let crates = lay_out(&folder, count, mode, &warm)?;
             let start = Instant::now();
-            let mut failed = [0; 3];
+            let mut analyzer = Analyzer { installed: analyzer, running: None, failed: 0, done: 0 };
+            let (mut builds, mut checks) = (0, 0);
             for round in 1..=ROUNDS {
-                for (sum, new) in failed.iter_mut().zip(run(&folder, &crates, mode, analyzer, round)?) {
-                    *sum += new;
-                }
+                let failed = run(&folder, &crates, mode, &mut analyzer, round)?;
+                builds += failed.0;
+                checks += failed.1;
             }
-            let [builds, checks, analyses] = failed;
-            let mode = if mode == Mode::Together { "one workspace" } else { "a target folder each" };
-            let analyses = if analyzer { analyses.to_string() } else { "not installed".into() };
             let seconds = start.elapsed().as_secs_f64();
+            let analyses = analyzer.finish();
+            let mode = if mode == Mode::Together { "one workspace" } else { "a target folder each" };
             println!("| {count} | {mode} | {ROUNDS} | {builds} | {checks} | {analyses} | {seconds:.1} |");
             fs::remove_dir_all(&folder)?;
         }
@@ -80,8 +81,14 @@ fn lay_out(folder: &Path, count: usize, mode: Mode, warm: &Path) -> io::Result<V
     Ok(crates)
 }
 
-/// One round: what failed of the builds, the checks and the analyses.
-fn run(folder: &Path, crates: &[PathBuf], mode: Mode, analyzer: bool, round: usize) -> io::Result<[usize; 3]> {
+/// One round: how many of the builds failed, and of the checks.
+fn run(
+    folder: &Path,
+    crates: &[PathBuf],
+    mode: Mode,
+    analyzer: &mut Analyzer,
+    round: usize,
+) -> io::Result<(usize, usize)> {
     for (index, path) in crates.iter().enumerate() {
         write_model(path, round * 100 + index)?;
     }
@@ -97,17 +104,11 @@ fn run(folder: &Path, crates: &[PathBuf], mode: Mode, analyzer: bool, round: usi
             .collect::<io::Result<_>>()?,
     };
     let check = start(&mut cargo("check", beside, &folder.join("check")))?;
-    let analysis = analyzer.then(|| {
-        let mut command = Command::new("rust-analyzer");
-        start(command.args(["diagnostics", "."]).current_dir(beside).env("CARGO_TARGET_DIR", folder.join("analyzer")))
-    });
-    let analysis = analysis.transpose()?;
+    analyzer.keep_running(beside, &folder.join("analyzer"))?;
 
     let failed = |process: Process, what: &str| usize::from(!process.succeeds(what));
-    let mut failures = [0; 3];
-    failures[0] = builds.drain(..).map(|build| failed(build, "a build")).sum();
-    failures[1] = failed(check, "a check");
-    failures[2] = analysis.map_or(0, |analysis| failed(analysis, "an analysis"));
+    let mut failed_builds = builds.drain(..).map(|build| failed(build, "a build")).sum();
+    let failed_checks = failed(check, "a check");
     for (index, path) in crates.iter().enumerate() {
         let target = if mode == Mode::Together { folder.join("target") } else { path.join("target") };
         let program = target.join("debug").join(format!("crate{index}"));
@@ -115,10 +116,10 @@ fn run(folder: &Path, crates: &[PathBuf], mode: Mode, analyzer: bool, round: usi
         let expected = expected(round * 100 + index);
         if !matches!(&printed, Ok(text) if *text == expected) {
             eprintln!("{} printed {printed:?}: expected {expected}", program.display());
-            failures[0] += 1;
+            failed_builds += 1;
         }
     }
-    Ok(failures)
+    Ok((failed_builds, failed_checks))
 }
 
 /// A crate with a model in it.
@@ -164,10 +165,50 @@ fn workspace() -> PathBuf {
 }
 
 fn cargo(what: &str, folder: &Path, target: &Path) -> Command {
-    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args([what, "--offline"]).current_dir(folder);
-    command.env("CARGO_TARGET_DIR", target).env("CARGO_PROFILE_DEV_DEBUG", "0");
+    let mut command = in_folder(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()), folder, target);
+    command.args([what, "--offline"]);
     command
+}
+
+/// A program that builds there, all of them with the same settings, so that none builds Symbolica anew.
+fn in_folder(program: OsString, folder: &Path, target: &Path) -> Command {
+    let mut command = Command::new(program);
+    command.current_dir(folder).env("CARGO_TARGET_DIR", target).env("CARGO_PROFILE_DEV_DEBUG", "0");
+    command
+}
+
+/// One analysis after another; each takes longer than a round.
+struct Analyzer {
+    installed: bool,
+    running: Option<Process>,
+    failed: usize,
+    done: usize,
+}
+
+impl Analyzer {
+    fn keep_running(&mut self, folder: &Path, target: &Path) -> io::Result<()> {
+        if self.running.as_mut().is_some_and(|process| matches!(process.child.try_wait(), Ok(None))) {
+            return Ok(());
+        }
+        self.end();
+        if self.installed {
+            self.running = Some(start(in_folder("rust-analyzer".into(), folder, target).args(["diagnostics", "."]))?);
+        }
+        Ok(())
+    }
+
+    fn end(&mut self) {
+        if let Some(process) = self.running.take() {
+            self.failed += usize::from(!process.succeeds("an analysis"));
+            self.done += 1;
+        }
+    }
+
+    /// Waits for the last; what became of all.
+    fn finish(mut self) -> String {
+        self.end();
+        if self.installed { format!("{} of {}", self.failed, self.done) } else { "not installed".into() }
+    }
 }
 
 /// A process whose output goes to a file, so that none waits for a reader.

@@ -127,6 +127,11 @@ fn decimal(number: &Decimal) -> Atom {
     symbolica::parse!(&number.digits) * Atom::num(10).pow(i64::from(number.exponent))
 }
 
+pub(super) fn operations(atom: &Atom) -> usize {
+    let count = atom.count_operations();
+    count.additions + count.multiplications + count.inversions + count.function_calls
+}
+
 impl Form {
     fn power(&self, exponent: i32) -> Result<Atom, Undefined> {
         // The engine would go on with infinity, or with an indeterminate number.
@@ -184,8 +189,7 @@ impl Form {
 
     /// The number of operations that the formula takes as it stands.
     pub fn operations(&self) -> usize {
-        let count = self.0.count_operations();
-        count.additions + count.multiplications + count.inversions + count.function_calls
+        operations(&self.0)
     }
 
     fn cost(&self) -> usize {

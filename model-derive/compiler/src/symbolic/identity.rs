@@ -8,7 +8,7 @@ use symbolica::domains::rational::{Q, Rational};
 use symbolica::transcendental::{sec, tan};
 
 use super::angles::Angles;
-use super::form::Form;
+use super::form::{Form, operations};
 
 impl Form {
     /// Whether the formula is zero for all values of the parameters, exactly.
@@ -79,11 +79,15 @@ pub enum Sign {
 /// waits.
 const MAX_TERMS: f64 = 5_000.0;
 
+/// Arguments with more operations stay as they are: each tangent of a tangent would at least double them.
+const MAX_ARGUMENT: usize = 100;
+
 /// In sines and cosines of single angles, and in whole powers and roots.
 fn plain(atom: &Atom) -> Atom {
     let angles = Angles::of(atom);
     atom.replace_map_bottom_up(|view, _, out| {
-        let call = |function| call_of(view, function).map(|argument| angles.sine_and_cosine(&argument));
+        let argument = |function| call_of(view, function).filter(|argument| operations(argument) <= MAX_ARGUMENT);
+        let call = |function| argument(function).map(|argument| angles.sine_and_cosine(&argument));
         if let Some((sine, _)) = call(Symbol::SIN) {
             **out = sine;
         } else if let Some((_, cosine)) = call(Symbol::COS) {
