@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Every round changes a number in every model, and every program must then print what the new model gives. Where there
-//! is no rust-analyzer its column says so. Takes about 3 GB in the folder for temporary files, and gives them back.
+//! is no rust-analyzer its column says so. Builds in the folder for temporary files, and removes what it built.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
