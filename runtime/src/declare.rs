@@ -50,18 +50,21 @@
 /// coordinates change theirs: lengths `along x`, `along y` or `along z` with the mirror of that axis; angles `about x`,
 /// `about y` or `about z` with those of the two others; products of inertia `along x*z` with both. What says nothing keeps
 /// its sign. The check is on in models in which at least one quantity has a direction. It finds a height in the place of a
-/// length and a sine in the place of a cosine, which units cannot tell apart.
+/// length and a sine in the place of a cosine, which units cannot tell apart. Speeds and whatever is defined with one have
+/// a direction too: the cornering stiffness of a tyre that rolls forward is `along x`. An angle and its complement mirror
+/// differently, so a model with `pi/2 - lam` is written without the direction of `lam`.
 ///
 /// # Published matrices
 /// A set may carry the matrices that its source publishes. A printed entry must differ from the exact value of its
-/// formula by less than one unit of its last digit; one without a decimal point is exact.
+/// formula by less than one unit of its last digit; one without a decimal point is exact. Whether or not something is
+/// published for it, a set is refused if a mass matrix that is declared `symmetric` is not positive definite there.
 ///
 /// # What it proves
 /// `symmetric` before a matrix claims that each entry equals its mirror image; `assert` claims that two formulas of
 /// parameters and definitions are equal. Claims are proved exactly, for all parameters, under the rules of fractions,
-/// roots, sin² + cos² = 1 and the addition theorems. One that is wrong is an error with values for which it is, inside
-/// the domains and requirements; so is one that can be neither proved nor refuted. Claims make no code, and what only
-/// they mention is not used.
+/// roots, sin² + cos² = 1 and the addition theorems, but without the domains: `sqrt(a^2) == a` is not proved for a > 0.
+/// One that is wrong is an error with values for which it is, inside the domains and requirements; so is one that can be
+/// neither proved nor refuted. Claims make no code, and what only they mention is not used.
 ///
 /// Everything that a formula divides by, the cosine in a tangent, and everything under a root is bounded over the
 /// declared domains. What they and the requirements do not keep from zero, or a root's argument from being negative,
@@ -79,7 +82,8 @@
 /// The code needs no `std`, allocates nothing and has no `unsafe`.
 ///
 /// # Errors
-/// All mistakes of a declaration are reported at once, each where it is, with what was expected.
+/// All mistakes of a declaration are reported at once, each where it is, with what was expected; claims, divisions and
+/// what sets publish are looked at once nothing else is wrong.
 #[macro_export]
 macro_rules! model {
     ($($declaration:tt)*) => {

@@ -64,6 +64,11 @@ impl Report {
     }
 }
 
+/// A number for a message: with a power of ten where there would be many zeros.
+pub fn number(value: f64) -> String {
+    if value == 0.0 || (1e-4..1e7).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
+}
+
 /// An error that underlines all of `region`.
 pub fn error(region: impl Into<Region>, message: impl std::fmt::Display) -> syn::Error {
     let Region { start, end } = region.into();

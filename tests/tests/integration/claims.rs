@@ -168,7 +168,7 @@ fn what_domains_and_requirements_exclude_needs_nothing_more() {
         assert_eq!(requirements(statements), [""; 0], "{statements}");
     }
     for (requirement, matrix) in [
-        ("a - b: > 0", "[[1/(a - b), sqrt(a - b)], [1/(b - a), 1/(3*a - 3*b)^2]]"),
+        ("a - b: > 0", "[[1/(a - b), sqrt(a - b)], [1/(b - a), 1/(2*a - 2*b)^2]]"),
         ("a - b: not 0", "[[1/(a - b), 1/(2*(b - a))], [1/((a - b)*a), 1/(4*a - b*4)]]"),
         ("c: not 0", "[[1/c, 1/c^2], [1/-c, c^(-3)]]"),
         ("b - a: <= 0", "[[sqrt(a - b), sqrt(2*a - b*2)], [1, 1]]"),

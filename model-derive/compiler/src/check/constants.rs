@@ -50,7 +50,9 @@ impl Constant {
         let quantity = Quantity::new(unit)?;
         match own {
             Some(own) if !own.same_unit(quantity.dimension) => {
-                let message = format!("a value in `{}`: expected one in {own}", unit.text);
+                let expected =
+                    if own.is_number() { "a pure number or an angle".into() } else { format!("one in {own}") };
+                let message = format!("a value in `{}`: expected {expected}", unit.text);
                 Err(error(unit.region, message))
             }
             _ => Self::evaluate(&quantity.formula(value.number.clone())),
@@ -66,6 +68,23 @@ impl Constant {
     /// The size of the difference of two constants.
     pub fn distance(&self, other: &Self) -> Self {
         Self(self.0.sub(&other.0, PRECISION, ROUNDING).abs())
+    }
+
+    /// This less a product.
+    pub fn minus_product(&self, one: &Self, other: &Self) -> Self {
+        let product = one.0.mul(&other.0, PRECISION, ROUNDING);
+        Self(self.0.sub(&product, PRECISION, ROUNDING))
+    }
+
+    /// This divided by another constant.
+    pub fn over(&self, other: &Self) -> Self {
+        Self(self.0.div(&other.0, PRECISION, ROUNDING))
+    }
+
+    /// Whether it is above zero by more than the rounding of a calculation with numbers of the size of `scale`.
+    pub fn is_positive_beside(&self, scale: &Self) -> bool {
+        let rounding = BigFloat::from_word(2, PRECISION).powi(PRECISION / 2, PRECISION, ROUNDING);
+        self.0 > scale.0.abs().div(&rounding, PRECISION, ROUNDING)
     }
 
     /// Whether it is zero.
@@ -111,8 +130,8 @@ pub fn verify(expression: &Expression, report: &mut Report) {
 fn verify_parts(expression: &Expression, report: &mut Report) -> bool {
     let parts: Vec<(&Expression, bool)> = match &expression.kind {
         Kind::Number(_) => return true,
-        // Its value is verified with its unit, where it is resolved.
-        Kind::Quantity(..) => return false,
+        // An unknown unit is another mistake.
+        Kind::Quantity(_, unit) => return Quantity::new(unit).is_ok(),
         Kind::Name(name) => return name == "pi",
         Kind::Sum(terms) => terms.iter().map(|term| (&term.value, false)).collect(),
         Kind::Product(factors) => factors.iter().map(|factor| (&factor.value, factor.inverse)).collect(),

@@ -1,7 +1,7 @@
 //! Intervals of real numbers with bounds that rounding can only move outward.
 //!
-//! A result holds every value that the operation can have, of numbers in its operands. What it holds beyond that is
-//! little, except that equal operands are taken for different ones.
+//! A result holds every value that the operation can have, of numbers in its operands, exact or rounded to `f64`. What it
+//! holds beyond that is little, except that equal operands are taken for different ones.
 
 use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
@@ -14,6 +14,14 @@ mod tests;
 struct End {
     value: f64,
     open: bool,
+}
+
+impl End {
+    /// Of the result of an operation: rounded, it may lie on a bound that the exact one does not reach. Only zero is no
+    /// sum, product, root or wave of other numbers by rounding, save of numbers too small for `f64`.
+    fn rounded(value: f64, open: bool) -> Self {
+        Self { value, open: open && (value == 0.0 || value.is_infinite()) }
+    }
 }
 
 /// All numbers between two bounds, with or without zero.
@@ -74,6 +82,11 @@ impl Interval {
         self.upper.value - self.lower.value
     }
 
+    /// Half way between the bounds.
+    pub fn middle(self) -> f64 {
+        self.lower.value / 2.0 + self.upper.value / 2.0
+    }
+
     /// Whether no negative number is inside.
     pub fn is_nonnegative(self) -> bool {
         self.lower.value >= 0.0
@@ -112,8 +125,7 @@ impl Interval {
 
     /// Sums of a number in each.
     fn plus(self, other: Self) -> Self {
-        let end =
-            |a: End, b: End, add: fn(f64, f64) -> f64| End { value: add(a.value, b.value), open: a.open || b.open };
+        let end = |a: End, b: End, add: fn(f64, f64) -> f64| End::rounded(add(a.value, b.value), a.open || b.open);
         Self {
             lower: end(self.lower, other.lower, add_down),
             upper: end(self.upper, other.upper, |a, b| -add_down(-a, -b)),
@@ -126,7 +138,7 @@ impl Interval {
         let pairs = [self.lower, self.upper].into_iter().flat_map(|a| [other.lower, other.upper].map(|b| (a, b)));
         let product = |(a, b): (End, End), mul: fn(f64, f64) -> f64| {
             let reached_zero = [a, b].into_iter().any(|end| end.value == 0.0 && !end.open);
-            End { value: mul(a.value, b.value), open: (a.open || b.open) && !reached_zero }
+            End::rounded(mul(a.value, b.value), (a.open || b.open) && !reached_zero)
         };
         // Of equal bounds one that is inside.
         let least = |a: End, b: End| if b.value < a.value || b.value == a.value && a.open { b } else { a };
@@ -154,11 +166,11 @@ impl Interval {
         // From here on no number is negative; a zero at the lower bound is left out.
         let lower = match self.upper.value {
             f64::INFINITY => End { value: 0.0, open: true },
-            value => End { value: recip_down(value), ..self.upper },
+            value => End::rounded(recip_down(value), self.upper.open),
         };
         let upper = match self.lower.value {
             0.0 => End { value: f64::INFINITY, open: true },
-            value => End { value: recip_up(value), ..self.lower },
+            value => End::rounded(recip_up(value), self.lower.open),
         };
         Self { lower, upper, nonzero: true }
     }
@@ -174,7 +186,7 @@ impl Interval {
             let size = (0..exponent).fold(1.0, |power, _| {
                 if up { -mul_down(-power, end.value.abs()) } else { mul_down(power, end.value.abs()) }
             });
-            End { value: size, ..end }
+            End::rounded(size, end.open)
         };
         let signed = |end: End, up: bool| {
             if end.value < 0.0 { End { value: -power(end, !up).value, ..end } } else { power(end, up) }
@@ -204,7 +216,7 @@ impl Interval {
             // On the wrong side of the exact root, or too small to tell.
             let rounded_inward = error != 0.0 && (error < 0.0) == (outward(root) > root);
             let unclear = root != 0.0 && end.value < TINY;
-            End { value: if rounded_inward || unclear { outward(root).max(0.0) } else { root }, ..end }
+            End::rounded(if rounded_inward || unclear { outward(root).max(0.0) } else { root }, end.open)
         };
         Self { lower: root(lower, f64::next_down), upper: root(upper, f64::next_up), nonzero }
     }
@@ -226,7 +238,7 @@ impl Interval {
         let has_top = angles.clone().any(|angle| (angle - top).rem_euclid(4) == 0);
         let has_bottom = angles.clone().any(|angle| (angle - top).rem_euclid(4) == 2);
         let has_zero = angles.any(|angle| (angle - top).rem_euclid(2) == 1 && (angle != 0 || !self.excludes_zero()));
-        // Without a turning point inside, the greatest and the least value are at the bounds, and never ±1.
+        // Without a turning point inside, the greatest and the least value are at the bounds.
         let [a, b] = [self.lower, self.upper].map(|end| End { value: wave(end.value), ..end });
         let (low, high) = match a.value.partial_cmp(&b.value) {
             Some(Ordering::Less) => (a, b),
@@ -235,7 +247,7 @@ impl Interval {
         };
         let end = |end: End, turn: bool, bound: f64, shift: fn(f64) -> f64| {
             let value = if turn { bound } else { shifted(end.value, shift).clamp(-1.0, 1.0) };
-            End { value, open: !turn && (end.open || value == bound) }
+            End::rounded(value, !turn && end.open)
         };
         Self {
             lower: end(low, has_bottom, -1.0, f64::next_down),
@@ -250,7 +262,7 @@ impl Interval {
         if angles.clone().any(|angle| angle.rem_euclid(2) == 1) {
             return Self::ALL;
         }
-        let end = |end: End, shift: fn(f64) -> f64| End { value: shifted(end.value.tan(), shift), ..end };
+        let end = |end: End, shift: fn(f64) -> f64| End::rounded(shifted(end.value.tan(), shift), end.open);
         let has_zero = angles.any(|angle| angle != 0 || !self.excludes_zero());
         Self { lower: end(self.lower, f64::next_down), upper: end(self.upper, f64::next_up), nonzero: !has_zero }
     }

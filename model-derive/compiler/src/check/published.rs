@@ -1,22 +1,35 @@
-//! Matrices that were published for a parameter set, against what the formulas give there.
+//! Parameter sets: the matrices that were published for them, against what the formulas give there.
 
 use std::collections::HashMap;
 
 use super::constants::Constant;
+use super::definite;
 use super::matrices::check_shape;
 use super::units::Dimensions;
-use crate::report::Report;
+use crate::report::{Report, number};
 use crate::syntax::{Declaration, ParameterSet, Printed, Published};
 
-/// Reports printed entries that the formulas do not give; `order` puts each definition after those that it uses.
+/// Reports mass matrices without kinetic energy, and printed entries that the formulas do not give; `order` puts each definition after those that it uses.
 ///
 /// Only for a declaration without mistakes.
 pub fn check(declaration: &Declaration, dimensions: &Dimensions, order: &[usize], report: &mut Report) {
-    for set in declaration.sets.iter().filter(|set| !set.published.is_empty()) {
-        match values(declaration, dimensions, set, order) {
-            Ok(values) => set.published.iter().for_each(|matrix| compare(declaration, set, matrix, &values, report)),
-            // At these parameters a definition has no value.
-            Err(error) => report.push(error),
+    for set in &declaration.sets {
+        // At some parameters a definition may have no value.
+        let values = match values(declaration, dimensions, set, order) {
+            Ok(values) => values,
+            Err(error) => {
+                report.error(&set.name, format!("in the set `{}` there is {error}", set.name));
+                report.push(error);
+                continue;
+            }
+        };
+        definite::check(declaration, set, &values, report);
+        for (position, matrix) in set.published.iter().enumerate() {
+            if set.published[..position].iter().any(|known| known.name == matrix.name) {
+                let name = matrix.name.name();
+                report.error(matrix.span, format!("`{name}` is published twice: expected one of each matrix"));
+            }
+            compare(declaration, set, matrix, &values, report);
         }
     }
 }
@@ -69,7 +82,7 @@ fn compare(
                 }
             };
             if !agrees(printed, &value) {
-                let found = value.to_f64().map_or_else(|message| message, |value| value.to_string());
+                let found = value.to_f64().map_or_else(|message| message, number);
                 let message = format!(
                     "`{}` publishes {}, but `{name}`, row {}, column {}, is {found} there: expected all printed digits",
                     set.name,

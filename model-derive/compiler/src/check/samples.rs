@@ -38,11 +38,15 @@ pub fn maybe_zero(values: &[Interval]) -> bool {
     values.iter().all(|value| value.width() < WIDEST && !value.excludes_zero())
 }
 
-/// Whether a formula with these values is likely to be a constant multiple of another.
+/// Whether a formula with these values is likely to be another one, up to its sign and a power of two: in `f64` no other
+/// multiple of what is not zero is not zero either.
 pub fn maybe_multiples(one: &[Interval], other: &[Interval]) -> bool {
     let ratio = |(one, other): (&Interval, &Interval)| [*one, other.reciprocal()].into_iter().product();
     let ratios: Vec<Interval> = one.iter().zip(other).map(ratio).collect();
-    ratios.iter().all(|ratio| ratio.width() < WIDEST) && !ratios.windows(2).any(|pair| pair[0].is_apart_from(pair[1]))
+    let power_of_two =
+        |ratio: &Interval| (ratio.middle().abs().log2() - ratio.middle().abs().log2().round()).abs() < WIDEST;
+    ratios.iter().all(|ratio| ratio.width() < WIDEST && power_of_two(ratio))
+        && !ratios.windows(2).any(|pair| pair[0].is_apart_from(pair[1]))
 }
 
 /// A number between 0 and 1, another one for each parameter and sample: multiples of the golden ratio spread evenly.

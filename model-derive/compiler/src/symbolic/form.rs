@@ -8,7 +8,7 @@ use symbolica::domains::rational::Rational;
 use symbolica::symbol;
 use symbolica::transcendental::{TranscendentalFunctions, sec, tan};
 
-use super::identity::call_of;
+use super::identity::{call_of, expanded_terms};
 use crate::model::{Expr, Function};
 use crate::syntax::Decimal;
 
@@ -166,7 +166,7 @@ impl Form {
     /// Long formulas stay as they are: rewriting them could take longer than anyone waits.
     pub fn simplest(&self) -> Self {
         let atom = &self.0;
-        if self.operations() > MAX_REWRITTEN {
+        if self.operations() > MAX_REWRITTEN || expanded_terms(atom.as_view()) > MAX_EXPANDED {
             return self.clone();
         }
         let forms =
@@ -200,6 +200,9 @@ impl Form {
 
 /// Formulas with more operations than this are not rewritten.
 const MAX_REWRITTEN: usize = 50;
+
+/// Formulas that could expand into more terms than this are not rewritten, such as fractions in fractions in fractions.
+const MAX_EXPANDED: f64 = 500.0;
 
 #[cfg(test)]
 mod tests {

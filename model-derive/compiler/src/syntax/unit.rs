@@ -43,9 +43,11 @@ fn product(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
     }
 }
 
-/// A unit behind a value, if there is one; a name before `=` begins the next statement.
+/// A unit behind a value, if there is one, `1/s` among them; a name before `=` begins the next statement.
 pub fn unit_after_value(input: ParseStream<'_>) -> syn::Result<Option<Unit>> {
-    if input.peek(syn::Ident) && !input.peek2(Token![=]) { unit(input).map(Some) } else { Ok(None) }
+    let named = input.peek(syn::Ident) && !input.peek2(Token![=]);
+    let inverse = input.peek(syn::LitInt) && input.peek2(Token![/]);
+    if named || inverse { unit(input).map(Some) } else { Ok(None) }
 }
 
 /// One name with its exponent, or a product in parentheses, which need not nest.

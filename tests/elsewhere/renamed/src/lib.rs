@@ -15,8 +15,8 @@ dynamics::model! {
             k: N/m, >= 0;
             alpha: rad;
         }
-        let stiffness = k*sin(alpha)^2 + k*cos(alpha)/m;
-        require m + k > 0;
+        let stiffness = k*sin(alpha)^2 + k*cos(alpha)/2;
+        require k + m*1 [Hz^2] > 0;
         coordinates { x: m; }
         M = [[m]];
         Kc = [[stiffness]];

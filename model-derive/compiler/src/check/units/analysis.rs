@@ -24,7 +24,6 @@ impl Analysis<'_> {
         };
         let result = match &formula.kind {
             Kind::Number(number) if number.is_zero() => return None,
-            Kind::Quantity(number, _) if number.is_zero() => return None,
             Kind::Number(_) => Some(Dimension::NUMBER),
             Kind::Quantity(_, unit) => return Quantity::new(unit).ok().map(|quantity| quantity.dimension),
             Kind::Name(name) => return self.of_name(name),
@@ -40,9 +39,12 @@ impl Analysis<'_> {
                 }
                 product
             }
+            Kind::Power(_, 0) => Some(Dimension::NUMBER),
             Kind::Power(base, exponent) => self.dimension(base, report)?.power(*exponent),
             Kind::Call(function, argument) => {
-                let inner = self.dimension(argument, report)?;
+                let inner = self.dimension(argument, report);
+                // Whatever unit a zero has, its cosine is one.
+                let Some(inner) = inner else { return (function == "cos").then_some(Dimension::NUMBER) };
                 return self.call(&function.to_string(), inner, argument, report);
             }
         };
