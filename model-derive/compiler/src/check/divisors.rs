@@ -24,6 +24,8 @@ pub struct Checked<'a> {
     pub definitions: &'a [(Ident, Expr)],
     pub requirements: &'a [Requirement],
     pub matrices: &'a Matrices,
+    /// Both sides of each assertion.
+    pub assertions: &'a [[Expr; 2]],
 }
 
 /// What a formula needs to have a value.
@@ -53,6 +55,12 @@ pub fn requirements(checked: &Checked<'_>, scope: &mut Scope, report: &mut Repor
     search.settle(Origin::Matrices, search.equations(entries).origins, written);
     let written = declaration.requirements.iter().map(|requirement| &requirement.value);
     search.settle(Origin::Requirements, search.equations(conditions).origins, written);
+    // At run time nothing depends on a claim, so only what never has a value is a mistake there.
+    let needed = search.found.len();
+    let claimed = checked.assertions.iter().flatten().cloned().collect();
+    let written = declaration.assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
+    search.settle(Origin::Requirements, search.equations(claimed).origins, written);
+    search.found.truncate(needed);
     search.found
 }
 

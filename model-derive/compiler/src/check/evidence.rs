@@ -34,19 +34,29 @@ impl Evidence<'_> {
         scope: &mut Scope,
         report: &mut Report,
     ) -> Vec<Requirement> {
-        let Self { declaration, resolved, domains, matrices, sets, .. } = *self;
+        let Self { declaration, resolved, domains, matrices, assertions, sets, .. } = *self;
         let definitions = &resolved.in_order(declaration);
-        let checked =
-            divisors::Checked { declaration, resolved, domains, definitions, requirements: &requirements, matrices };
+        let checked = divisors::Checked {
+            declaration,
+            resolved,
+            domains,
+            definitions,
+            requirements: &requirements,
+            matrices,
+            assertions,
+        };
         // Whatever is needed for a requirement to have a value comes before it.
         let mut all = divisors::requirements(&checked, scope, report);
         all.append(&mut requirements);
+        let formulas_have_values = report.is_empty();
         sets::check_requirements(sets, definitions, &all, report);
-        let have_values = report.is_empty();
+        let sets_have_values = report.is_empty();
         let names: Vec<String> = declaration.parameters.iter().map(|parameter| parameter.name.to_string()).collect();
         let space = Space { domains, requirements: &all, sets };
-        claims::check(&self.claims(), &names, definitions, &space, report);
-        if have_values {
+        if formulas_have_values {
+            claims::check(&self.claims(), &names, definitions, &space, report);
+        }
+        if sets_have_values {
             published::check(declaration, self.dimensions, &resolved.order, report);
         }
         all

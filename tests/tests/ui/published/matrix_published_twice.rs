@@ -1,0 +1,28 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+            g: N/kg, >= 0, gravity;
+        }
+
+        let I = m*l^2;
+
+        coordinates {
+            theta: rad;
+        }
+
+        M = [[I]];
+        K0 = [[m*l]];
+
+        set bob {
+            m = 1;
+            l = 2;
+            g = 9.81;
+            M = [[4]];
+            M = [[4]];
+        }
+    }
+}
+
+fn main() {}
