@@ -10,25 +10,25 @@
 ///     parameters {
 ///         /// Documentation, then: name, symbol, unit, domain.
 ///         lam "λ": rad, in (-90 deg, 90 deg);   // an open interval; `in [a, b]` includes its ends
-///         m: kg, > 0;                       // or `>=`, `<`, `<=`, `!= 0`; without one any finite value
-///         r: m, > 0, along z;               // how it lies in the axes: see below
-///         g: N/kg, >= 0, gravity;           // the field strength that K0 is multiplied by
-///         I: kg*m^2, >= 0, unused;          // no matrix depends on it
+///         m: kg, > 0;                           // or `>=`, `<`, `<=`, `!= 0`; without one any finite value
+///         r: m, > 0, along z;                   // how it lies in the axes: see below
+///         g: N/kg, >= 0, gravity;               // the field strength that K0 is multiplied by
+///         I: kg*m^2, >= 0, unused;              // no matrix depends on it
 ///     }
 ///
-///     let a = m*r^2*sin(lam)^2;             // + - * / ^, parentheses, sin, cos, tan, sqrt, pi
-///     require a/r^2 + m > 0;                // a condition on several parameters; `!= 0` is one too
-///     assert a == m*r^2*(1 - cos(2*lam))/2; // a claim, to be proved
+///     let a = m*r^2*sin(lam)^2;                 // + - * / ^, parentheses, sin, cos, tan, sqrt, pi
+///     require a/r^2 + m > 0;                    // a condition on several parameters; `!= 0` is one too
+///     assert a == m*r^2*(1 - cos(2*lam))/2;     // a claim, to be proved
 ///
 ///     coordinates {
-///         phi "lean": rad;
+///         phi "lean": rad;                      // angles and lengths; with a direction, `rad, about x`
 ///     }
 ///
-///     symmetric M = [[a + 0.1 [kg]*r^2]];             // and C0, C1, Kc, K0, K2: those left out are zero
+///     symmetric M = [[a + 0.1 [kg]*r^2]];       // and C0, C1, Kc, K0, K2: those left out are zero
 ///
 ///     set example "where the values come from" {
 ///         lam = 18 deg; m = 2; r = 35 cm; g = 9.81; I = 0;
-///         M = [[0.0356]];                   // what was published for it: the formulas must give these digits
+///         M = [[0.0356]];                       // published for it: the formulas must give these digits
 ///     }
 /// }
 /// ```
@@ -42,7 +42,8 @@
 /// kg m² for M, kg m for C1 and K0, kg for K2 where both are angles. Formulas calculate in `kg`, `m`, `s`, `rad`, `N`, `J`,
 /// `W`, `Pa`, `Hz` and their products and powers (`kg*m^2`, `N/(m/s)`), so parameters are in them. Values may also be given
 /// in `deg`, `g`, `t`, `mm`, `cm`, `km`, `ms`, `min`, `h`, `kN` and `kPa`; without a unit they are in that of their
-/// parameter. A number in a formula is a pure number unless a unit follows in brackets: `0.3 [m]`.
+/// parameter. A number in a formula is a pure number unless a unit follows in brackets: `0.3 [m]`; equations that were made
+/// dimensionless need one such factor, `1 [kg]`, in each entry.
 ///
 /// # Mirrors
 /// Axes are x forward, y to the right, z down. Equations of motion hold in mirrored axes as well, with mirrored
@@ -69,7 +70,7 @@
 /// Everything that a formula divides by, the cosine in a tangent, and everything under a root is bounded over the
 /// declared domains. What they and the requirements do not keep from zero, or a root's argument from being negative,
 /// becomes a requirement of its own: `validate` refuses it and names it, and so does the documentation of
-/// `Name::matrices`. A `require` on the expression, or on a multiple of it, says it in your words.
+/// `Name::matrices`. A `require` on the expression, or on a power of two times it, says it in your words.
 ///
 /// # What it makes
 /// - A struct `Name<T = f64>` with the parameters as public fields, for `f32` and `f64`; `Name::EXAMPLE` for each
