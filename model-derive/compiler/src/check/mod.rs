@@ -1,21 +1,13 @@
 //! The syntax tree to a [`Model`]: the last stage that reports the user's mistakes.
 
-mod claims;
 mod constants;
-mod counterexample;
-mod definite;
 mod definitions;
-mod divisors;
 mod domains;
 mod evidence;
-mod intervals;
 mod matrices;
 mod names;
-mod published;
-mod ranges;
 mod references;
 mod resolve;
-mod samples;
 mod sets;
 mod units;
 mod unused;
@@ -81,7 +73,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
     let sets = sets::sets(&declaration, &parameters, report);
     let gravity = gravity(&declaration, report);
     let definitions = resolved.in_order(&declaration);
-    let symmetric = claims::symmetric(&declaration);
+    let symmetric = evidence::symmetric(&declaration);
     let references = references::references(&declaration, &scope, &defined);
     if report.is_empty() {
         let domains: Vec<Domain> = domains.iter().map(|domain| domain.to_model()).collect();

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::constants::Constant;
+use crate::check::constants::Constant;
 use crate::report::{Report, number};
 use crate::syntax::{Declaration, MatrixName, ParameterSet};
 

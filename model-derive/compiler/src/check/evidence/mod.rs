@@ -1,11 +1,22 @@
 //! What a declaration without other mistakes says of itself, against what its formulas give.
 
-use super::claims::{self, Claim};
-use super::counterexample::Space;
+mod claims;
+mod counterexample;
+mod definite;
+mod divisors;
+mod intervals;
+mod published;
+mod ranges;
+mod samples;
+
+pub use self::claims::symmetric;
+
+use self::claims::Claim;
+use self::counterexample::Space;
 use super::definitions::Resolved;
 use super::names::Scope;
 use super::units::Dimensions;
-use super::{divisors, published, resolve, sets};
+use super::{resolve, sets};
 use crate::model::{Domain, Expr, Matrices, ParameterSet, Requirement};
 use crate::report::{Region, Report};
 use crate::syntax::{Assertion, Declaration};

@@ -4,12 +4,12 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use super::definitions::Resolved;
 use super::intervals::Interval;
-use super::names::{Meaning, Scope};
 use super::ranges::{Constants, Ranges};
-use super::resolve;
 use super::samples::{Samples, maybe_multiples, maybe_zero};
+use crate::check::definitions::Resolved;
+use crate::check::names::{Meaning, Scope};
+use crate::check::resolve;
 use crate::equations::Equations;
 use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
 use crate::report::{Region, Report};

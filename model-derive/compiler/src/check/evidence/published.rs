@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::constants::Constant;
 use super::definite;
-use super::matrices::check_shape;
-use super::units::Dimensions;
+use crate::check::constants::Constant;
+use crate::check::matrices::check_shape;
+use crate::check::units::Dimensions;
 use crate::report::{Report, number};
 use crate::syntax::{Declaration, ParameterSet, Printed, Published};
 
