@@ -84,7 +84,8 @@ impl Formula {
                     "sin" => (x.value.sin(), 1.0),
                     "cos" => (x.value.cos(), 1.0),
                     "tan" => (x.value.tan(), 1.0 + x.value.tan().powi(2)),
-                    "sqrt" => (x.value.sqrt(), 0.5 / x.value.sqrt()),
+                    // Of -0 the root is -0, and the slope is not.
+                    "sqrt" => (x.value.sqrt(), 0.5 / x.value.sqrt().abs()),
                     _ => (-x.value, 1.0),
                 };
                 Rounded::after(value, slope * x.error)
