@@ -18,8 +18,7 @@ pub fn check(declaration: &Declaration, dimensions: &Dimensions, order: &[usize]
         let values = match values(declaration, dimensions, set, order) {
             Ok(values) => values,
             Err(error) => {
-                report.error(&set.name, format!("in the set `{}` there is {error}", set.name));
-                report.push(error);
+                report.error(&set.name, format!("a definition has no value in the set `{}`: {error}", set.name));
                 continue;
             }
         };
