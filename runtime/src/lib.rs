@@ -27,6 +27,7 @@ mod error;
 mod info;
 mod model;
 mod numeric;
+mod rate;
 mod scalar;
 #[cfg(feature = "std")]
 mod stability;
@@ -37,6 +38,7 @@ pub use error::SystemError;
 pub use info::{Bound, CoordinateInfo, Domain, ModelInfo, ParameterInfo, SetInfo};
 pub use model::{LengthError, Model, ParameterError};
 pub use nalgebra::Complex;
+pub use rate::Rate;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};

@@ -3,6 +3,26 @@
 //! The models compiled ahead of time.
 
 #[rustfmt::skip]
+mod rolling_disc;
+#[rustfmt::skip]
 mod whipple;
+#[rustfmt::skip]
+mod whipple_leaning;
+#[rustfmt::skip]
+mod whipple_mechanism;
+#[rustfmt::skip]
+mod whipple_sprung;
+#[rustfmt::skip]
+mod whipple_tyres;
+
+pub use rolling_disc::*;
 
 pub use whipple::*;
+
+pub use whipple_leaning::*;
+
+pub use whipple_mechanism::*;
+
+pub use whipple_sprung::*;
+
+pub use whipple_tyres::*;

@@ -36,6 +36,12 @@ impl Equations {
         )
     }
 
+    /// The rates and forces that follow from a mechanism.
+    pub fn of_kinematics(model: &Model) -> Option<Self> {
+        let outputs = model.kinematics.as_ref()?.formulas().cloned().collect();
+        Some(Self::of_formulas(model.parameters.len(), &model.definitions, outputs))
+    }
+
     /// Any formulas, with the definitions that they depend on, and no others.
     pub fn of_formulas(parameters: usize, definitions: &[(Ident, Expr)], outputs: Vec<Expr>) -> Self {
         let mut needed = vec![false; definitions.len()];

@@ -2,7 +2,12 @@
 //!
 //! ```text
 //! tokens ─ syntax ─ check ─▶ Model ─▶ Equations ─ symbolic ─▶ Program ─ passes ─▶ Program ─ emit ─▶ tokens
+//!                     │ ▲
+//!                 mechanics
 //! ```
+//!
+//! A mechanism becomes definitions and matrices in `check`, by what `mechanics` derives: from there on it is a model like
+//! one whose formulas are written, and held against the same evidence.
 //!
 //! Data flows one way, and each stage has its own type. What a declaration claims of itself is proved in `check`, which
 //! asks the symbolic engine and is told what it found. [`expand`] runs all of it for the ahead-of-time binary, and
@@ -13,6 +18,7 @@ mod emit;
 mod equations;
 #[cfg(feature = "files")]
 pub mod files;
+mod mechanics;
 pub mod model;
 mod nearest;
 pub mod program;
@@ -33,10 +39,19 @@ use crate::report::{Region, Report};
 pub struct Compiled {
     /// The checked model.
     pub model: Model,
-    /// Computes the entries of the declared matrices, row by row.
+    /// What it computes.
+    pub programs: Programs,
+}
+
+/// The programs of a model.
+#[derive(Debug)]
+pub struct Programs {
+    /// Computes the entries of the matrices, row by row.
     pub matrices: Program,
     /// Computes the left-hand sides of the requirements.
     pub requirements: Program,
+    /// Computes the rates and forces that follow from a mechanism, if the model is one.
+    pub kinematics: Option<Program>,
 }
 
 /// Checks a declaration, and makes no programs of it.
@@ -69,11 +84,14 @@ pub fn compile(declaration: TokenStream) -> syn::Result<Compiled> {
 /// As [`compile`], but beside the error there is what is known of the model.
 fn compile_or_model(declaration: TokenStream) -> Result<Compiled, (syn::Error, Option<Box<Model>>)> {
     let model = read(declaration)?;
-    let equations = vec![Equations::of_matrices(&model), Equations::of_requirements(&model)];
-    match symbolic::compile(equations) {
+    let equations = [Equations::of_matrices(&model), Equations::of_requirements(&model)].into_iter();
+    match symbolic::compile(equations.chain(Equations::of_kinematics(&model)).collect()) {
         Ok(programs) => {
-            let [matrices, requirements] = programs.try_into().unwrap_or_else(|_| unreachable!("a program for each"));
-            Ok(Compiled { model, matrices, requirements })
+            let mut programs = programs.into_iter();
+            let mut next = || programs.next().unwrap_or_else(|| unreachable!("a program for each"));
+            let (matrices, requirements) = (next(), next());
+            let kinematics = programs.next();
+            Ok(Compiled { model, programs: Programs { matrices, requirements, kinematics } })
         }
         Err(failure) => Err((report::error(region(&model, &failure), failure), Some(Box::new(model)))),
     }
@@ -85,7 +103,8 @@ fn region(model: &Model, failure: &symbolic::Failure) -> Region {
     match *failure {
         Failure::Undefined { place: Place::Definition(index), .. } => Region::from(&model.definitions[index].0),
         Failure::Undefined { equations: 0, place: Place::Output(index), .. } => model.entries[index],
-        Failure::Undefined { place: Place::Output(index), .. } => model.requirements[index].region,
+        Failure::Undefined { equations: 1, place: Place::Output(index), .. } => model.requirements[index].region,
+        Failure::Undefined { place: Place::Output(_), .. } => Region::from(&model.name),
         Failure::System(_) | Failure::Engine(_) => Region::from(&model.name),
     }
 }
@@ -95,8 +114,7 @@ fn region(model: &Model, failure: &symbolic::Failure) -> Region {
 /// # Errors
 /// As [`compile`].
 pub fn expand(declaration: TokenStream, driver: &Driver) -> syn::Result<TokenStream> {
-    let Compiled { model, matrices, requirements } = compile(declaration)?;
-    Ok(emit::emit(&model, &matrices, &requirements, driver))
+    Ok(emit::emit(&compile(declaration)?, driver))
 }
 
 /// What the macro leaves in the place of a declaration, before which stands in parentheses the path of the runtime:
@@ -108,7 +126,7 @@ pub fn declare(input: TokenStream) -> TokenStream {
     };
     let driver = Driver::Macro { runtime: runtime.stream() };
     match compile_or_model(tokens.collect()) {
-        Ok(Compiled { model, matrices, requirements }) => emit::emit(&model, &matrices, &requirements, &driver),
+        Ok(compiled) => emit::emit(&compiled, &driver),
         Err((error, model)) => {
             let outline = model.map(|model| emit::outline(*model, &driver));
             error.into_compile_error().into_iter().chain(outline.into_iter().flatten()).collect()

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 
 use crate::report::Region;
-use crate::syntax::{Decimal, MatrixName};
+use crate::syntax::{Decimal, Kinematics, MatrixName};
 
 /// A model that passed all checks.
 #[derive(Debug)]
@@ -34,6 +34,8 @@ pub struct Model {
     pub entries: Vec<Region>,
     /// The matrices that are proved to be symmetric.
     pub symmetric: Vec<MatrixName>,
+    /// Rates and forces, of a model that is a mechanism.
+    pub kinematics: Option<Kinematics<Expr>>,
     /// The names in the declaration, for editors.
     pub references: References,
 }
@@ -207,6 +209,21 @@ impl Function {
 }
 
 impl Expr {
+    /// The number zero.
+    pub fn zero() -> Self {
+        Self::Number(Decimal { digits: "0".into(), exponent: 0 })
+    }
+
+    /// The number one.
+    pub fn one() -> Self {
+        Self::Number(Decimal { digits: "1".into(), exponent: 0 })
+    }
+
+    /// Whether it is the number zero as it stands.
+    pub fn is_zero(&self) -> bool {
+        matches!(self, Self::Number(number) if number.is_zero())
+    }
+
     /// The same formula with another position for each definition.
     pub fn renumbered(&self, new: &[usize]) -> Self {
         let all = |parts: &[(bool, Self)]| parts.iter().map(|(sign, part)| (*sign, part.renumbered(new))).collect();

@@ -39,8 +39,9 @@ pub fn matrices(
         let regions = matrix.rows.iter().flat_map(|(_, row)| row.iter().map(|entry| entry.region)).collect();
         matrices.push((matrix.name, rows, regions));
     }
-    if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && !unread {
-        report.error(Region::from(&declaration.name), "no mass matrix: expected `M = [[…], …];`");
+    if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && !unread && declaration.mechanism.is_none() {
+        let message = "no mass matrix: expected `M = [[…], …];`, or a `mechanism { … }` that it is derived from";
+        report.error(Region::from(&declaration.name), message);
     }
     matrices.sort_by_key(|(name, ..)| *name);
     let regions = matrices.iter().flat_map(|(_, _, regions)| regions).copied().collect();

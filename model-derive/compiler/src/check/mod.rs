@@ -5,6 +5,7 @@ mod definitions;
 mod domains;
 mod evidence;
 mod matrices;
+mod mechanism;
 mod names;
 mod references;
 mod resolve;
@@ -18,13 +19,14 @@ use crate::report::Report;
 use crate::syntax::{Declaration, MatrixName, Unit};
 
 /// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
-pub fn check(declaration: Declaration, report: &mut Report) -> Model {
+pub fn check(mut declaration: Declaration, report: &mut Report) -> Model {
     let unread = !report.is_empty();
     if declaration.parameters.is_empty() && !unread {
         report.error(&declaration.name, "no parameters: expected `parameters { … }` with at least one");
     }
     let mut scope = names::Scope::new(&declaration, report);
     let dimensions = units::Dimensions::new(&declaration, report);
+    mechanism::lower(&mut declaration, &mut scope, &dimensions, report);
     let resolved = definitions::resolve(&declaration, &mut scope, report);
     let requirements: Vec<Requirement> = declaration
         .requirements
@@ -43,12 +45,18 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         .map(|assertion| [&assertion.left, &assertion.right].map(|side| resolve::expression(side, &mut scope, report)))
         .collect();
     let (matrices, entries) = matrices::matrices(&declaration, unread, &mut scope, report);
-    let used = unused::parameters(&declaration, &resolved, &requirements, &matrices);
+    let kinematics = declaration
+        .kinematics
+        .as_ref()
+        .map(|kinematics| kinematics.map(|formula| resolve::expression(formula, &mut scope, report)));
+    let outputs: Vec<&Expr> = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).collect();
+    let outputs: Vec<&Expr> = outputs.into_iter().chain(kinematics.iter().flat_map(|k| k.formulas())).collect();
+    let used = unused::parameters(&declaration, &resolved, &requirements, &outputs);
     // Without a mass matrix or a row formulas are missing, and what they would use is no mistake.
     let complete = matrices.iter().any(|(name, _)| *name == MatrixName::M)
         && matrices.iter().all(|(_, rows)| !rows.is_empty() && rows.iter().all(|row| !row.is_empty()));
     if !unread && complete {
-        unused::report(&declaration, &resolved, &requirements, &assertions, &matrices, &scope, report);
+        unused::report(&declaration, &resolved, &requirements, &assertions, &outputs, &scope, report);
     }
 
     // Of definitions in a cycle the first mistake is the cycle.
@@ -67,6 +75,8 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().map(|e| e.renumbered(&new)).collect()).collect()))
         .collect();
 
+    let kinematics = kinematics.map(|kinematics| kinematics.map(|formula| formula.renumbered(&new)));
+
     let own = declaration.parameters.iter().zip(&dimensions.parameters);
     let domains: Vec<_> = own.map(|(parameter, own)| domains::domain(&parameter.bounds, *own, report)).collect();
     let parameters = sets::Parameters { domains: &domains, dimensions: &dimensions.parameters };
@@ -83,6 +93,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
             dimensions: &dimensions,
             domains: &domains,
             matrices: &matrices,
+            kinematics: kinematics.as_ref(),
             entries: &entries,
             assertions: &assertions,
             sets: &sets,
@@ -121,6 +132,7 @@ pub fn check(declaration: Declaration, report: &mut Report) -> Model {
         matrices,
         entries,
         symmetric,
+        kinematics,
         references,
     }
 }

@@ -68,6 +68,11 @@ impl Scope {
         }
     }
 
+    /// A name that the declaration does not have yet.
+    pub fn derived(&mut self, name: &Ident, definition: usize) {
+        self.names.insert(name.to_string(), Meaning::Definition(definition));
+    }
+
     pub fn get(&self, name: &Ident) -> Option<Meaning> {
         self.names.get(&name.to_string()).copied()
     }

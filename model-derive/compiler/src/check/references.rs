@@ -16,10 +16,16 @@ pub fn references(declaration: &Declaration, scope: &Scope, dimensions: &[Option
         Some(Meaning::Definition(_)) => uses.push((Target::Definition, name.clone())),
         Some(Meaning::Coordinate | Meaning::Refused) | None => {}
     };
+    if let Some(mechanism) = &declaration.mechanism {
+        mechanism.formulas().for_each(|formula| formula.names(&mut note));
+    }
     let Declaration { definitions, requirements, assertions, matrices, sets, .. } = declaration;
-    let formulas = definitions.iter().map(|definition| &definition.value);
+    let written = || definitions.iter().filter(|definition| !definition.derived);
+    let formulas = written().map(|definition| &definition.value);
     let formulas = formulas.chain(requirements.iter().map(|requirement| &requirement.value));
     let asserted = assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
+    // Those of a mechanism are written nowhere.
+    let matrices = if declaration.mechanism.is_some() { &[] } else { &matrices[..] };
     let entries = matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
     formulas.chain(asserted).chain(entries).for_each(|formula| formula.names(&mut note));
     for entry in sets.iter().flat_map(|set| &set.values) {
@@ -35,7 +41,7 @@ pub fn references(declaration: &Declaration, scope: &Scope, dimensions: &[Option
     // A second definition of one name is a mistake, and reported.
     let first = |index: &usize| scope.get(&definitions[*index].name) == Some(Meaning::Definition(*index));
     References {
-        definitions: (0..definitions.len()).filter(first).map(definition).collect(),
+        definitions: (0..written().count()).filter(first).map(definition).collect(),
         uses,
         matrices: matrices.iter().map(|matrix| (matrix.name, matrix.span)).collect(),
     }

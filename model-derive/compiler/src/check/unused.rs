@@ -4,21 +4,19 @@ use super::definitions::{Resolved, uses};
 use super::names::Scope;
 use crate::model::{Expr, Requirement};
 use crate::report::Report;
-use crate::syntax::{Declaration, MatrixName};
-
-type Matrices = [(MatrixName, Vec<Vec<Expr>>)];
+use crate::syntax::Declaration;
 
 /// For each parameter whether a matrix depends on it, directly or through definitions.
 pub fn parameters(
     declaration: &Declaration,
     resolved: &Resolved,
     requirements: &[Requirement],
-    matrices: &Matrices,
+    outputs: &[&Expr],
 ) -> Vec<bool> {
-    let reached = reached(resolved, entries(matrices).chain(requirements.iter().map(|r| &r.value)));
+    let reached = reached(resolved, outputs.iter().copied().chain(requirements.iter().map(|r| &r.value)));
     let live = resolved.definitions.iter().enumerate().filter(|(index, _)| reached[*index]).map(|(_, expr)| expr);
     let mut used = vec![false; declaration.parameters.len()];
-    mark(live.chain(entries(matrices)), &mut used);
+    mark(live.chain(outputs.iter().copied()), &mut used);
     used
 }
 
@@ -28,11 +26,11 @@ pub fn report(
     resolved: &Resolved,
     requirements: &[Requirement],
     assertions: &[[Expr; 2]],
-    matrices: &Matrices,
+    outputs: &[&Expr],
     scope: &Scope,
     report: &mut Report,
 ) {
-    let roots = || entries(matrices).chain(requirements.iter().map(|r| &r.value));
+    let roots = || outputs.iter().copied().chain(requirements.iter().map(|r| &r.value));
     let used = reached(resolved, roots());
     // A definition may serve claims alone. A parameter may not: no value of it would change anything.
     let claimed = reached(resolved, assertions.iter().flatten());
@@ -71,10 +69,6 @@ pub fn report(
             _ => {}
         }
     }
-}
-
-fn entries(matrices: &Matrices) -> impl Iterator<Item = &Expr> {
-    matrices.iter().flat_map(|(_, rows)| rows.iter().flatten())
 }
 
 /// For each definition whether a root depends on it.

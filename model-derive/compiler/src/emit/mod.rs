@@ -2,6 +2,7 @@
 
 mod evaluator;
 mod info;
+mod kinematics;
 mod names;
 mod outline;
 mod references;
@@ -13,11 +14,12 @@ use quote::quote;
 
 use self::names::Names;
 use crate::model::Model;
-use crate::program::Program;
+use crate::{Compiled, Programs};
 
-/// The Rust of a model: one struct of its parameters, one of its matrices, and what they can do.
-pub fn emit(model: &Model, matrices: &Program, requirements: &Program, driver: &Driver) -> TokenStream {
-    emit_with(model, Some(matrices), Some(requirements), driver)
+/// The Rust of a model: one struct of its parameters, one of its matrices, one of the rates that follow from a
+/// mechanism, and what they can do.
+pub fn emit(Compiled { model, programs }: &Compiled, driver: &Driver) -> TokenStream {
+    emit_with(model, Some(programs), driver)
 }
 
 /// For whom the code is written.
@@ -37,23 +39,20 @@ pub enum Driver {
 pub fn outline(model: Model, driver: &Driver) -> TokenStream {
     let model = outline::sound(model);
     // Nothing could be generic in the type of the parameters.
-    if model.parameters.is_empty() { TokenStream::new() } else { emit_with(&model, None, None, driver) }
+    if model.parameters.is_empty() { TokenStream::new() } else { emit_with(&model, None, driver) }
 }
 
-fn emit_with(
-    model: &Model,
-    matrices: Option<&Program>,
-    requirements: Option<&Program>,
-    driver: &Driver,
-) -> TokenStream {
+fn emit_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> TokenStream {
     let names = Names::new(model, driver);
     let structure = structure::emit(model, &names);
     // Without coordinates, which is a mistake, there is no size of the matrices.
     let sized = !model.coordinates.is_empty();
-    let evaluator = sized.then(|| evaluator::emit(model, &names, matrices));
-    let trait_impl = sized.then(|| trait_impl::emit(model, &names, requirements));
+    let evaluator = sized.then(|| evaluator::emit(model, &names, programs.map(|programs| &programs.matrices)));
+    let kinematics = programs.and_then(|programs| programs.kinematics.as_ref());
+    let kinematics = if sized { kinematics::emit(model, &names, kinematics) } else { None };
+    let trait_impl = sized.then(|| trait_impl::emit(model, &names, programs.map(|programs| &programs.requirements)));
     let references = names.among_items.then(|| references::emit(model, &names));
-    quote! { #structure #evaluator #trait_impl #references }
+    quote! { #structure #evaluator #kinematics #trait_impl #references }
 }
 
 /// What generated items are allowed: names as in the formulas, and parts that a crate does not use.

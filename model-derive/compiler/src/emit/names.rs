@@ -15,6 +15,7 @@ pub struct Names {
     pub runtime: TokenStream,
     pub model: Ident,
     pub matrices: Ident,
+    pub kinematics: Ident,
     /// The type parameter; another letter for a model that is called `T` itself.
     pub scalar: Ident,
     /// A second type parameter.
@@ -34,6 +35,7 @@ impl Names {
                 Driver::File => quote!(::carvallo),
             },
             matrices: format_ident!("{name}Matrices", span = name.span()),
+            kinematics: format_ident!("{name}Kinematics", span = name.span()),
             scalar: unless_taken("T", "S"),
             other: unless_taken("U", "S"),
             model: name,

@@ -65,6 +65,11 @@ impl Engine {
         Form(parameter(index).to_atom())
     }
 
+    /// The stand-in for the value of a definition, behind so many parameters.
+    pub fn definition(&self, parameters: usize, index: usize) -> Form {
+        Form(symbol_at(parameters + 1 + index).to_atom())
+    }
+
     /// Stand-ins for the values of definitions, behind so many parameters.
     pub(super) fn definitions(&self, parameters: usize, count: usize) -> Vec<Form> {
         let all: Vec<Form> = (0..=parameters + count).map(|index| Form(symbol_at(index).to_atom())).collect();

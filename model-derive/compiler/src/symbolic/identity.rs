@@ -56,12 +56,12 @@ impl Form {
     }
 
     /// Whether the symbol of `other` occurs.
-    pub(super) fn mentions(&self, other: &Self) -> bool {
+    pub fn mentions(&self, other: &Self) -> bool {
         matches!(other.0.as_view(), AtomView::Var(symbol) if self.0.contains_symbol(symbol.get_symbol()))
     }
 
     /// With a formula in the place of the symbol `name`.
-    pub(super) fn replace(&self, name: &Self, value: &Self) -> Self {
+    pub fn replace(&self, name: &Self, value: &Self) -> Self {
         Self(self.0.replace(name.0.to_pattern()).with(value.0.to_pattern()))
     }
 }

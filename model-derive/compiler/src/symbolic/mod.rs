@@ -1,5 +1,6 @@
 //! Equations to a [`Program`](crate::program::Program). This folder is the one door to Symbolica: nothing outside it names Symbolica.
 
+mod algebra;
 mod angles;
 mod door;
 mod form;

@@ -6,10 +6,11 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 
 use super::declaration::{
-    Assertion, Declaration, Definition, Doc, Matrix, MatrixName, ParameterSet, Printed, Published, Requirement,
-    SetValue,
+    Assertion, Declaration, Definition, Doc, Matrix, MatrixName, Mechanism, ParameterSet, Printed, Published,
+    Requirement, SetValue,
 };
 use super::expression::expression;
+use super::mechanism;
 use super::number::Decimal;
 use super::parameters::{self, comparison, coordinate, parameter, value};
 use super::tokens::{declared, docs, expected, name, semicolon, skip_statement, text};
@@ -42,6 +43,8 @@ pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<D
         sets: Vec::new(),
         coordinates: Vec::new(),
         matrices: Vec::new(),
+        mechanism: None,
+        kinematics: None,
         unread: Vec::new(),
     };
     statements(&content, report, starts, |input, report| statement(input, &mut declaration, report));
@@ -76,7 +79,7 @@ fn statements(
 }
 
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
-                          `set name { … }`, `coordinates { … }`, `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, \
+                          `set name { … }`, `coordinates { … }`, `mechanism { … }`, `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, \
                           `K0`, `K2`, with `symmetric` before it if that is to be proved";
 
 fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
@@ -120,8 +123,22 @@ fn starts(input: ParseStream<'_>) -> bool {
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 13] =
-    ["source", "parameters", "coordinates", "require", "assert", "set", "symmetric", "M", "C0", "C1", "Kc", "K0", "K2"];
+const KEYWORDS: [&str; 14] = [
+    "source",
+    "parameters",
+    "coordinates",
+    "mechanism",
+    "require",
+    "assert",
+    "set",
+    "symmetric",
+    "M",
+    "C0",
+    "C1",
+    "Kc",
+    "K0",
+    "K2",
+];
 
 fn statement_after(
     word: &str,
@@ -143,6 +160,7 @@ fn statement_after(
             parameter(input, &mut model.parameters, &mut model.unread, report)
         }),
         "coordinates" => coordinates(input, keyword, model, report),
+        "mechanism" => mechanism(input, keyword, model, report),
         "require" => {
             let value = expression(input)?;
             let Some(bound) = comparison(input)? else {
@@ -212,6 +230,29 @@ fn coordinates(
     block(input, "the coordinates", report, parameters::starts, |input, report| coordinate(input, coordinates, report))
 }
 
+fn mechanism(
+    input: ParseStream<'_>,
+    keyword: &syn::Ident,
+    model: &mut Declaration,
+    report: &mut Report,
+) -> syn::Result<()> {
+    let mut mechanism = Mechanism::new(keyword.span());
+    let mut unread = false;
+    let read = block(input, "the parts of the mechanism", report, mechanism::starts, |input, report| {
+        let start = input.span();
+        if !docs(input, "what it is about", report)?.is_empty() {
+            report.error(start, LOST);
+        }
+        mechanism::statement(input, &mut mechanism, report).inspect_err(|_| unread = true)
+    });
+    mechanism.unread = unread || read.is_err();
+    if model.mechanism.is_some() {
+        report.error(keyword, "a second `mechanism`: expected one");
+    }
+    model.mechanism.get_or_insert(mechanism);
+    read
+}
+
 fn definition(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
     input.parse::<Token![let]>()?;
     let what = "the name of a definition";
@@ -230,7 +271,7 @@ fn definition(input: ParseStream<'_>, model: &mut Declaration, report: &mut Repo
         Ok(value)
     };
     match value() {
-        Ok(value) => model.definitions.push(Definition { name, value }),
+        Ok(value) => model.definitions.push(Definition { name, value, derived: false }),
         Err(error) => {
             model.unread.push(name);
             return Err(error);
@@ -340,7 +381,7 @@ fn rows<T>(
 }
 
 /// A list in brackets, with where it stands.
-fn list<T>(
+pub fn list<T>(
     input: ParseStream<'_>,
     what: &str,
     item: impl Fn(ParseStream<'_>) -> syn::Result<T>,

@@ -1,16 +1,18 @@
 //! Tokens to a syntax tree, spans kept: afterwards the declaration parses, and nothing is resolved.
 
+mod attributes;
 mod declaration;
 mod expression;
 mod items;
+mod mechanism;
 mod number;
 mod parameters;
 mod tokens;
 mod unit;
 
 pub use declaration::{
-    Assertion, Bound, Coordinate, Declaration, Direction, Matrix, MatrixName, ParameterSet, Printed, Published,
-    Relation, Requirement, Value,
+    Assertion, Bound, Coordinate, Declaration, Definition, Direction, Freedom, Inertia, JointKind, Kinematics, Matrix,
+    MatrixName, Mechanism, ParameterSet, Printed, Published, Rate, Relation, Requirement, Value, Vector,
 };
 pub use expression::{Expression, Factor, Kind, Term, constant};
 pub use number::Decimal;

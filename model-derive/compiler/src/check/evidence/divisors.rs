@@ -14,7 +14,7 @@ use crate::equations::Equations;
 use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
 use crate::report::{Region, Report};
 use crate::symbolic::{self, Depth, Proof, Sign};
-use crate::syntax::{Decimal, Declaration, Expression, Kind};
+use crate::syntax::{Decimal, Declaration, Expression, Kind, Kinematics};
 
 /// A checked declaration, before it is a model.
 pub struct Checked<'a> {
@@ -24,6 +24,7 @@ pub struct Checked<'a> {
     pub definitions: &'a [(Ident, Expr)],
     pub requirements: &'a [Requirement],
     pub matrices: &'a Matrices,
+    pub kinematics: Option<&'a Kinematics<Expr>>,
     /// Both sides of each assertion.
     pub assertions: &'a [[Expr; 2]],
 }
@@ -48,10 +49,12 @@ impl Need {
 /// has a value itself if those before it hold.
 pub fn requirements(checked: &Checked<'_>, scope: &mut Scope, report: &mut Report) -> Vec<Requirement> {
     let mut search = Search::new(checked, scope, report);
-    let Checked { declaration, requirements, matrices, .. } = *checked;
-    let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
+    let Checked { declaration, requirements, matrices, kinematics, .. } = *checked;
+    let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten());
+    let entries = entries.chain(kinematics.iter().flat_map(|kinematics| kinematics.formulas())).cloned().collect();
     let conditions = requirements.iter().map(|requirement| requirement.value.clone()).collect();
     let written = declaration.matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    let written = written.chain(declaration.kinematics.iter().flat_map(|kinematics| kinematics.formulas()));
     search.settle(Origin::Matrices, search.equations(entries).origins, written);
     let written = declaration.requirements.iter().map(|requirement| &requirement.value);
     search.settle(Origin::Requirements, search.equations(conditions).origins, written);

@@ -19,7 +19,7 @@ use super::units::Dimensions;
 use super::{resolve, sets};
 use crate::model::{Domain, Expr, Matrices, ParameterSet, Requirement};
 use crate::report::{Region, Report};
-use crate::syntax::{Assertion, Declaration};
+use crate::syntax::{Assertion, Declaration, Kinematics};
 
 /// A declaration, and what became of its formulas; definitions are numbered in their order.
 #[derive(Debug)]
@@ -29,6 +29,7 @@ pub struct Evidence<'a> {
     pub dimensions: &'a Dimensions,
     pub domains: &'a [Domain],
     pub matrices: &'a Matrices,
+    pub kinematics: Option<&'a Kinematics<Expr>>,
     /// Where the entries of the matrices stand, row by row.
     pub entries: &'a [Region],
     /// Both sides of each assertion.
@@ -45,7 +46,7 @@ impl Evidence<'_> {
         scope: &mut Scope,
         report: &mut Report,
     ) -> Vec<Requirement> {
-        let Self { declaration, resolved, domains, matrices, assertions, sets, .. } = *self;
+        let Self { declaration, resolved, domains, matrices, kinematics, assertions, sets, .. } = *self;
         let definitions = &resolved.in_order(declaration);
         let checked = divisors::Checked {
             declaration,
@@ -54,6 +55,7 @@ impl Evidence<'_> {
             definitions,
             requirements: &requirements,
             matrices,
+            kinematics,
             assertions,
         };
         // Whatever is needed for a requirement to have a value comes before it.

@@ -8,9 +8,11 @@ mod analysis;
 mod declared;
 mod dimension;
 mod known;
+mod mechanism;
 
 pub use declared::{Dimensions, Quantity};
 pub use dimension::Dimension;
+pub use mechanism::check_mechanism;
 
 use self::analysis::{Analysis, short};
 use super::constants::Constant;
@@ -30,7 +32,8 @@ pub fn check(
     gravity(declaration, dimensions, report);
     let definitions = vec![None; declaration.definitions.len()];
     let mut analysis = Analysis { declaration, scope, dimensions, definitions };
-    for index in order {
+    // What comes from a mechanism is in the units of that, which are checked there.
+    for index in order.iter().filter(|index| !declaration.definitions[**index].derived) {
         analysis.definitions[*index] = analysis.dimension(&declaration.definitions[*index].value, report);
     }
     for requirement in &declaration.requirements {
@@ -39,7 +42,7 @@ pub fn check(
     for assertion in &declaration.assertions {
         analysis.check_equal(assertion, report);
     }
-    for matrix in &declaration.matrices {
+    for matrix in declaration.matrices.iter().filter(|_| declaration.mechanism.is_none()) {
         check_matrix(&analysis, matrix, report);
     }
     analysis.definitions

@@ -1,0 +1,358 @@
+// @generated from generated/models/rolling_disc.rs by carvallo-compiler 0.1.0; do not edit.
+// To write it anew: cargo regenerate
+// Hash of the source: 6f1c6e0088b2bcc5
+
+/// A disc that rolls without slip on level ground, upright and straight but for small lean and yaw.
+///
+/// Its spin balances it: it falls over, slowly, unless v^2 > g r It m r^2/(Ia (Ia + m r^2)), which is g r/3 for a
+/// uniform disc and g r/4 for a hoop. Axes: origin at the contact point, x forward, y to the right, z down.
+///
+/// Source: Mechanism: Neimark & Fufaev (1972), Dynamics of Nonholonomic Systems
+///
+/// The fields are the parameters. The coordinates are `phi` (lean) in rad, `psi` (yaw) in rad.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDisc<T = ::core::primitive::f64> {
+    /// Radius.
+    ///
+    /// `r` in m: > 0.
+    pub r: T,
+    /// Mass.
+    ///
+    /// `m` in kg: > 0.
+    pub m: T,
+    /// Axial moment of inertia, about the axle.
+    ///
+    /// `Ia` in kg*m^2: >= 0.
+    pub Ia: T,
+    /// Transverse moment of inertia, about a diameter.
+    ///
+    /// `It` in kg*m^2: > 0.
+    pub It: T,
+    /// Gravitational field strength.
+    ///
+    /// `g` in N/kg: >= 0.
+    pub g: T,
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl RollingDisc<::core::primitive::f64> {
+    /// The parameter set `uniform`.
+    ///
+    /// Source: A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4
+    pub const UNIFORM: Self = Self {
+        r: 0.3,
+        m: 1.0,
+        Ia: 0.045,
+        It: 0.0225,
+        g: 9.81,
+    };
+    /// The parameter set `hoop`.
+    ///
+    /// Source: A hoop of 1 kg: Ia = m r^2, It = m r^2/2
+    pub const HOOP: Self = Self {
+        r: 0.3,
+        m: 1.0,
+        Ia: 0.09,
+        It: 0.045,
+        g: 9.81,
+    };
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> RollingDisc<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 5]) -> Self {
+        Self {
+            r: values[0],
+            m: values[1],
+            Ia: values[2],
+            It: values[3],
+            g: values[4],
+        }
+    }
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 5] {
+        [self.r, self.m, self.Ia, self.It, self.g]
+    }
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: ::carvallo::Scalar>(&self) -> RollingDisc<U> {
+        RollingDisc {
+            r: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.r)),
+            m: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.m)),
+            Ia: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.Ia)),
+            It: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.It)),
+            g: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.g)),
+        }
+    }
+}
+/// The coefficient matrices of [`RollingDisc`], each 2 x 2 and row by row, in SI units.
+///
+/// Matrices that the model does not declare are zero and left out.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDiscMatrices<T = ::core::primitive::f64> {
+    /// Mass matrix M, the coefficient of q''. Symmetric, proved.
+    pub m: [[T; 2]; 2],
+    /// Damping C1, a coefficient of v q'.
+    pub c1: [[T; 2]; 2],
+    /// Stiffness K0, a coefficient of g q. Symmetric, proved.
+    pub k0: [[T; 2]; 2],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> RollingDisc<T> {
+    /// The coefficient matrices, from one straight-line program:
+    /// 2 additions, 3 multiplications, 1 division and 2 negations: 8 operations.
+    ///
+    /// The parameters are not validated.
+    #[inline]
+    #[must_use]
+    pub fn matrices(&self) -> RollingDiscMatrices<T> {
+        let Jxx_all = self.It + (self.m * (self.r * self.r));
+        let h_spin_D = self.Ia / self.r;
+        let t9 = self.r * self.m;
+        let t10 = h_spin_D + t9;
+        let t11 = -h_spin_D;
+        let t12 = -t9;
+        RollingDiscMatrices {
+            m: [
+                [Jxx_all, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [<T as ::carvallo::Scalar>::from_f64(0.0), self.It],
+            ],
+            c1: [
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t10],
+                [t11, <T as ::carvallo::Scalar>::from_f64(0.0)],
+            ],
+            k0: [
+                [t12, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                ],
+            ],
+        }
+    }
+}
+/// Rates and forces of [`RollingDisc`] that follow from its coordinates q = (`phi`, `psi`), to first order and in SI units.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDiscKinematics<T = ::core::primitive::f64> {
+    /// Lateral velocity, to the right, in m/s: of the point of `D` that is at the origin.
+    pub lateral: ::carvallo::Rate<T, 2>,
+    /// Spin of the wheel `D`, disc: about the y axis, so negative in forward motion, in rad/s.
+    pub wheel_D: ::carvallo::Rate<T, 2>,
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> RollingDisc<T> {
+    /// Rates and forces that follow from the coordinates:
+    /// 1 division and 1 negation: 2 operations.
+    ///
+    /// The parameters are not validated.
+    #[inline]
+    #[must_use]
+    pub fn kinematics(&self) -> RollingDiscKinematics<T> {
+        let t4 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.r);
+        RollingDiscKinematics {
+            lateral: ::carvallo::Rate {
+                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                rates: [
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                ],
+                coordinates: [
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                ],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+            wheel_D: ::carvallo::Rate {
+                speed: t4,
+                rates: [
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                ],
+                coordinates: [
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                ],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+        }
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RollingDisc<T> {
+    type Scalar = T;
+    const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
+        name: "RollingDisc",
+        docs: "A disc that rolls without slip on level ground, upright and straight but for small lean and yaw.\n\nIts spin balances it: it falls over, slowly, unless v^2 > g r It m r^2/(Ia (Ia + m r^2)), which is g r/3 for a\nuniform disc and g r/4 for a hoop. Axes: origin at the contact point, x forward, y to the right, z down.",
+        source: "Mechanism: Neimark & Fufaev (1972), Dynamics of Nonholonomic Systems",
+        parameters: &[
+            ::carvallo::ParameterInfo {
+                name: "r",
+                symbol: "r",
+                docs: "Radius.",
+                unit: "m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "m",
+                symbol: "m",
+                docs: "Mass.",
+                unit: "kg",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "Ia",
+                symbol: "Ia",
+                docs: "Axial moment of inertia, about the axle.",
+                unit: "kg*m^2",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "It",
+                symbol: "It",
+                docs: "Transverse moment of inertia, about a diameter.",
+                unit: "kg*m^2",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "g",
+                symbol: "g",
+                docs: "Gravitational field strength.",
+                unit: "N/kg",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+        ],
+        coordinates: &[
+            ::carvallo::CoordinateInfo {
+                name: "phi",
+                label: "lean",
+                docs: "Lean, positive to the right.",
+                unit: "rad",
+            },
+            ::carvallo::CoordinateInfo {
+                name: "psi",
+                label: "yaw",
+                docs: "Yaw, positive to the right.",
+                unit: "rad",
+            },
+        ],
+        sets: &[
+            ::carvallo::SetInfo {
+                name: "uniform",
+                docs: "",
+                source: "A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4",
+                values: &[0.3, 1.0, 0.045, 0.0225, 9.81],
+            },
+            ::carvallo::SetInfo {
+                name: "hoop",
+                docs: "",
+                source: "A hoop of 1 kg: Ia = m r^2, It = m r^2/2",
+                values: &[0.3, 1.0, 0.09, 0.045, 9.81],
+            },
+        ],
+        gravity: ::core::option::Option::Some(4),
+    };
+    fn from_slice(
+        values: &[T],
+    ) -> ::core::result::Result<Self, ::carvallo::LengthError> {
+        if values.len() != 5 {
+            return ::core::result::Result::Err(::carvallo::LengthError {
+                model: "RollingDisc",
+                expected: 5,
+                found: values.len(),
+            });
+        }
+        ::core::result::Result::Ok(Self {
+            r: values[0],
+            m: values[1],
+            Ia: values[2],
+            It: values[3],
+            g: values[4],
+        })
+    }
+    fn write_to(
+        &self,
+        values: &mut [T],
+    ) -> ::core::result::Result<(), ::carvallo::LengthError> {
+        if values.len() != 5 {
+            return ::core::result::Result::Err(::carvallo::LengthError {
+                model: "RollingDisc",
+                expected: 5,
+                found: values.len(),
+            });
+        }
+        values.copy_from_slice(&self.to_array());
+        ::core::result::Result::Ok(())
+    }
+    fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
+        let info = <Self as ::carvallo::Model<2>>::INFO;
+        info.validate(
+            &[
+                ::carvallo::Scalar::to_f64(self.r),
+                ::carvallo::Scalar::to_f64(self.m),
+                ::carvallo::Scalar::to_f64(self.Ia),
+                ::carvallo::Scalar::to_f64(self.It),
+                ::carvallo::Scalar::to_f64(self.g),
+            ],
+        )?;
+        ::core::result::Result::Ok(())
+    }
+    #[inline]
+    fn coefficients(&self) -> ::carvallo::Coefficients<T, 2> {
+        let matrices = self.matrices();
+        ::carvallo::Coefficients::from_rows([
+            matrices.m,
+            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+            matrices.c1,
+            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+            matrices.k0,
+            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+        ])
+    }
+    fn gravity(&self) -> ::core::option::Option<T> {
+        ::core::option::Option::Some(self.g)
+    }
+}

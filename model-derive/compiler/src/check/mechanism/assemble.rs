@@ -1,0 +1,275 @@
+//! The parts of a mechanism, resolved and in the order of its tree.
+
+use proc_macro2::Ident;
+
+use super::tree::{Role, Tree};
+use crate::check::names::Scope;
+use crate::check::resolve;
+use crate::mechanics::{self, Motion, Root};
+use crate::model::Expr;
+use crate::nearest::nearest;
+use crate::report::Report;
+use crate::syntax::{Declaration, Freedom, Inertia, JointKind, Mechanism, Vector};
+
+/// The mechanism that the derivation takes, if there is a tree; formulas are resolved in any case, for their mistakes.
+pub fn assemble(
+    declaration: &Declaration,
+    mechanism: &Mechanism,
+    tree: Option<&Tree>,
+    new: &[usize],
+    scope: &mut Scope,
+    report: &mut Report,
+) -> Option<mechanics::Mechanism<Expr>> {
+    let mut formulas = Formulas { new, scope, report };
+    let joints: Vec<_> = mechanism
+        .joints
+        .iter()
+        .map(|joint| Held {
+            point: joint.through.as_ref().map_or(origin(), |point| formulas.vector(point)),
+            axis: formulas.vector(&joint.along),
+            stiffness: joint.spring.as_ref().map(|spring| formulas.of(spring)),
+            damping: joint.damper.as_ref().map(|damper| formulas.of(damper)),
+        })
+        .collect();
+    let masses: Vec<_> = mechanism
+        .bodies
+        .iter()
+        .map(|body| {
+            let (mass, centre, inertia) = body.mass.as_ref()?;
+            Some((formulas.of(mass), formulas.vector(centre), formulas.inertia(inertia)))
+        })
+        .collect();
+    let wheels: Vec<_> = mechanism
+        .wheels
+        .iter()
+        .map(|wheel| Rolling {
+            mass: formulas.of(&wheel.mass),
+            centre: formulas.vector(&wheel.centre),
+            radius: formulas.of(&wheel.radius),
+            tyre: wheel.tyre.as_ref().map(|tyre| formulas.of(tyre)),
+            axial: formulas.of(&wheel.axial),
+            radial: formulas.of(&wheel.radial),
+        })
+        .collect();
+    let named = named(declaration, mechanism, report);
+    let tree = tree?;
+
+    let parts = tree.joints.iter().map(|node| {
+        let joint = |name: String, motion, held: Held| mechanics::Joint {
+            name,
+            parent: node.parent,
+            motion,
+            point: held.point,
+            axis: held.axis,
+            stiffness: held.stiffness,
+            damping: held.damping,
+        };
+        match node.role {
+            Role::Forward => joint("forward".into(), Motion::Slides, Held::at_origin(0)),
+            Role::Freedom(freedom) => {
+                let (motion, axis) = direction(freedom);
+                joint(freedom_name(mechanism, freedom), motion, Held::at_origin(axis))
+            }
+            Role::Joint(index) => {
+                let declared = &mechanism.joints[index];
+                let motion = if declared.kind == JointKind::Revolute { Motion::Turns } else { Motion::Slides };
+                joint(declared.name.to_string(), motion, joints[index].clone())
+            }
+            Role::Spin(index) => {
+                let point = wheels[index].centre.clone();
+                let name = format!("spin_{}", mechanism.wheels[index].name);
+                joint(name, Motion::Turns, Held { point, ..Held::at_origin(1) })
+            }
+        }
+    });
+    let joints: Vec<_> = parts.collect();
+    let bodies = masses.into_iter().enumerate().filter_map(|(index, mass)| {
+        let (mass, centre, inertia) = mass?;
+        Some(mechanics::Body { joint: tree.moved_by[index], mass, centre, inertia })
+    });
+    let spin = |index: usize| tree.moved_by[mechanism.bodies.len() + index];
+    let rims = wheels.iter().enumerate().map(|(index, wheel)| {
+        let [axial, radial] = [&wheel.axial, &wheel.radial].map(Clone::clone);
+        let inertia = diagonal([radial.clone(), axial, radial]);
+        mechanics::Body { joint: spin(index), mass: wheel.mass.clone(), centre: wheel.centre.clone(), inertia }
+    });
+    let bodies = bodies.chain(rims).collect();
+    let position = |role: Role| tree.joints.iter().position(|node| node.role == role);
+    let root = position(Role::Forward).zip(position(Role::Freedom(Freedom::Yaw)));
+    let find = |name: &Ident| {
+        let (_, role) = named.iter().find(|(known, _)| *known == name)?;
+        position(*role)
+    };
+    let coordinates = declaration.coordinates.iter().map(|coordinate| find(&coordinate.name)).collect::<Option<_>>()?;
+    let forces = mechanism.forces.iter().map(|force| find(&force.on)).collect::<Option<_>>()?;
+    Some(mechanics::Mechanism {
+        joints,
+        bodies,
+        wheels: wheels
+            .into_iter()
+            .enumerate()
+            .map(|(index, wheel)| mechanics::Wheel {
+                spin: spin(index),
+                centre: wheel.centre,
+                radius: wheel.radius,
+                tyre: wheel.tyre,
+                axial: wheel.axial,
+            })
+            .collect(),
+        root: root.map(|(forward, yaw)| Root { count: tree.root(), forward, yaw }),
+        coordinates,
+        forces,
+        has_weight: declaration.parameters.iter().any(|parameter| parameter.gravity.is_some()),
+    })
+}
+
+/// The names of joints and of freedoms; those that are no coordinates of the declaration, or not the other way round, are
+/// reported.
+fn named<'a>(declaration: &Declaration, mechanism: &'a Mechanism, report: &mut Report) -> Vec<(&'a Ident, Role)> {
+    let joints = mechanism.joints.iter().enumerate().map(|(index, joint)| (&joint.name, Role::Joint(index)));
+    let freedoms = mechanism.free.iter().flat_map(|free| &free.names);
+    let freedoms = freedoms.map(|(freedom, name)| (name, Role::Freedom(*freedom)));
+    let mut named: Vec<(&Ident, Role)> = Vec::new();
+    for (name, role) in joints.chain(freedoms) {
+        if named.iter().any(|(known, _)| *known == name) {
+            report.error(name, format!("`{name}` is the coordinate of two joints: expected one of each name"));
+        } else if named.iter().any(|(_, known)| *known == role) {
+            report.error(name, format!("a second name, `{name}`, of one freedom: expected one"));
+        } else {
+            named.push((name, role));
+        }
+    }
+    let hint = |name: &Ident| {
+        let known: Vec<String> = named.iter().map(|(known, _)| known.to_string()).collect();
+        let near = nearest(&name.to_string(), known.iter().map(String::as_str));
+        near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default()
+    };
+    if mechanism.unread {
+        return named;
+    }
+    for coordinate in &declaration.coordinates {
+        let name = &coordinate.name;
+        let Some((_, role)) = named.iter().find(|(known, _)| *known == name) else {
+            let message = format!(
+                "`{name}` is no joint of the mechanism: expected the name of a joint, or of a freedom as in `free B: lean \
+                 {name}`{}",
+                hint(name)
+            );
+            report.error(name, message);
+            continue;
+        };
+        let turns = match role {
+            Role::Joint(index) => mechanism.joints[*index].kind == JointKind::Revolute,
+            Role::Freedom(freedom) => direction(*freedom).0 == Motion::Turns,
+            Role::Forward | Role::Spin(_) => continue,
+        };
+        let (what, expected) = if turns { ("turns", "rad") } else { ("slides", "m") };
+        if let Some(unit) = coordinate.unit.as_ref().filter(|unit| unit.text != expected) {
+            report.error(unit.region, format!("`{name}` {what}: expected `{expected}`"));
+        }
+        if coordinate.direction.is_some() {
+            let message = format!("the mechanism says how `{name}` {what}: expected no direction here");
+            report.error(name, message);
+        }
+    }
+    for force in &mechanism.forces {
+        if !named.iter().any(|(known, _)| **known == force.on) {
+            let message = format!(
+                "`{}` is no joint of the mechanism: expected the coordinate of one{}",
+                force.on,
+                hint(&force.on)
+            );
+            report.error(&force.on, message);
+        }
+    }
+    for (index, force) in mechanism.forces.iter().enumerate() {
+        if mechanism.forces[..index].iter().any(|known| known.name == force.name) {
+            report.error(&force.name, format!("`{}` is declared twice: expected one force of each name", force.name));
+        }
+    }
+    named
+}
+
+fn freedom_name(mechanism: &Mechanism, freedom: Freedom) -> String {
+    let names = mechanism.free.iter().flat_map(|free| &free.names);
+    let mut names = names.filter(|(known, _)| *known == freedom);
+    names.next().map_or(freedom.word().to_string(), |(_, name)| name.to_string())
+}
+
+/// How a freedom moves, and along or about which axis.
+fn direction(freedom: Freedom) -> (Motion, usize) {
+    match freedom {
+        Freedom::Lateral => (Motion::Slides, 1),
+        Freedom::Vertical => (Motion::Slides, 2),
+        Freedom::Yaw => (Motion::Turns, 2),
+        Freedom::Lean => (Motion::Turns, 0),
+        Freedom::Pitch => (Motion::Turns, 1),
+    }
+}
+
+fn origin() -> [Expr; 3] {
+    [(); 3].map(|()| Expr::zero())
+}
+
+fn diagonal([x, y, z]: [Expr; 3]) -> [[Expr; 3]; 3] {
+    let zero = Expr::zero;
+    [[x, zero(), zero()], [zero(), y, zero()], [zero(), zero(), z]]
+}
+
+/// Where a joint is and what holds it.
+#[derive(Clone)]
+struct Held {
+    point: [Expr; 3],
+    axis: [Expr; 3],
+    stiffness: Option<Expr>,
+    damping: Option<Expr>,
+}
+
+impl Held {
+    fn at_origin(axis: usize) -> Self {
+        let axis = [0, 1, 2].map(|other| if other == axis { Expr::one() } else { Expr::zero() });
+        Self { point: origin(), axis, stiffness: None, damping: None }
+    }
+}
+
+struct Rolling {
+    mass: Expr,
+    centre: [Expr; 3],
+    radius: Expr,
+    tyre: Option<Expr>,
+    axial: Expr,
+    radial: Expr,
+}
+
+struct Formulas<'a> {
+    /// For each definition of the declaration its place in the order of definitions.
+    new: &'a [usize],
+    scope: &'a mut Scope,
+    report: &'a mut Report,
+}
+
+impl Formulas<'_> {
+    fn of(&mut self, formula: &crate::syntax::Expression) -> Expr {
+        resolve::expression(formula, self.scope, self.report).renumbered(self.new)
+    }
+
+    fn vector(&mut self, vector: &Vector) -> [Expr; 3] {
+        vector.components.each_ref().map(|component| self.of(component))
+    }
+
+    fn inertia(&mut self, inertia: &Inertia) -> [[Expr; 3]; 3] {
+        match inertia {
+            Inertia::None => diagonal(origin()),
+            Inertia::Principal(moments) => diagonal(moments.each_ref().map(|moment| self.of(moment))),
+            Inertia::Full(rows, region) => {
+                let rows = rows.each_ref().map(|row| row.each_ref().map(|entry| self.of(entry)));
+                if [(0, 1), (0, 2), (1, 2)].into_iter().any(|(row, column)| rows[row][column] != rows[column][row]) {
+                    let message = "an inertia matrix that is not symmetric: expected the same formula on both sides of the \
+                                   diagonal";
+                    self.report.error(*region, message);
+                }
+                rows
+            }
+        }
+    }
+}

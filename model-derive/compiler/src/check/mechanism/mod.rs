@@ -1,0 +1,201 @@
+//! A mechanism to definitions, matrices and rates, as if these were written in the declaration.
+
+mod assemble;
+mod faults;
+mod tree;
+mod written;
+
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+
+use self::tree::{Role, Tree};
+use self::written::Names;
+use super::definitions::{self, uses};
+use super::names::Scope;
+use super::units::{self, Dimensions};
+use crate::mechanics::{self, Derived};
+use crate::model::Expr;
+use crate::report::{Region, Report};
+use crate::syntax::{Declaration, Definition, Freedom, JointKind, Kinematics, Matrix, Mechanism, Rate};
+
+/// Puts what follows from the mechanism of a declaration into it. Mistakes are reported.
+pub fn lower(declaration: &mut Declaration, scope: &mut Scope, dimensions: &Dimensions, report: &mut Report) {
+    let Some(mechanism) = declaration.mechanism.take() else { return };
+    lower_mechanism(declaration, &mechanism, scope, dimensions, report);
+    declaration.mechanism = Some(mechanism);
+}
+
+fn lower_mechanism(
+    declaration: &mut Declaration,
+    mechanism: &Mechanism,
+    scope: &mut Scope,
+    dimensions: &Dimensions,
+    report: &mut Report,
+) {
+    if let Some(matrix) = declaration.matrices.first() {
+        let message =
+            format!("`{}` beside a mechanism, from which it follows: expected one of both", matrix.name.name());
+        report.error(matrix.span, message);
+    }
+    let tree = tree::tree(mechanism, report);
+    // Mistakes of the definitions are reported where all definitions are checked.
+    let mut elsewhere = Report::default();
+    let resolved = definitions::resolve(declaration, scope, &mut elsewhere);
+    let order = if resolved.cyclic { &[] } else { &resolved.order[..] };
+    let defined = units::check(declaration, dimensions, scope, order, &mut elsewhere);
+    units::check_mechanism(declaration, mechanism, dimensions, scope, defined, report);
+    let assembled = assemble::assemble(declaration, mechanism, tree.as_ref(), &resolved.new_positions(), scope, report);
+    let (Some(tree), Some(assembled), true, true) = (tree, assembled, report.is_empty(), elsewhere.finish().is_ok())
+    else {
+        return;
+    };
+    let known = resolved.in_order(declaration);
+    let (known_names, known_values): (Vec<Ident>, Vec<Expr>) = known.into_iter().unzip();
+    let parameters: Vec<Ident> = declaration.parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    let mut names = Names { parameters, definitions: known_names, span: mechanism.span };
+    match mechanics::derive(assembled, names.parameters.len(), known_values) {
+        Err(failure) => report.error(mechanism.span, failure),
+        Ok(Err(faults)) => {
+            let place = faults::Place { declaration, mechanism, tree: &tree, names: &names };
+            faults.iter().for_each(|fault| place.report(fault, report));
+        }
+        Ok(Ok(derived)) => {
+            let taken = declared(declaration);
+            let kept = kept(&derived, names.definitions.len());
+            names.definitions.extend(unique(&derived, taken, mechanism));
+            let first = names.definitions.len() - derived.definitions.len();
+            let definitions = derived.definitions.iter().enumerate().filter(|(index, _)| kept[*index]);
+            let definitions = definitions.map(|(index, (_, value))| Definition {
+                name: names.definitions[first + index].clone(),
+                value: names.expression(value),
+                derived: true,
+            });
+            for definition in definitions {
+                scope.derived(&definition.name, declaration.definitions.len());
+                declaration.definitions.push(definition);
+            }
+            declaration.matrices = matrices(&derived, mechanism, &names);
+            declaration.kinematics = Some(kinematics(&derived, mechanism, &tree, &names));
+        }
+    }
+}
+
+/// For each definition of the derivation whether a result depends on it; those of the model stand before them.
+fn kept(derived: &Derived, first: usize) -> Vec<bool> {
+    let mut kept = vec![false; derived.definitions.len()];
+    let entries = derived.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten());
+    let rates = derived
+        .rates
+        .iter()
+        .flat_map(|rate| [&rate.speed, &rate.heading].into_iter().chain(&rate.rates).chain(&rate.coordinates));
+    let mut open: Vec<usize> = entries.chain(rates).chain(derived.forces.iter().flatten()).flat_map(uses).collect();
+    while let Some(index) = open.pop() {
+        if index >= first && !std::mem::replace(&mut kept[index - first], true) {
+            open.extend(uses(&derived.definitions[index - first].1));
+        }
+    }
+    kept
+}
+
+/// All names of a declaration.
+fn declared(declaration: &Declaration) -> HashSet<String> {
+    let Declaration { parameters, definitions, coordinates, .. } = declaration;
+    let names = parameters.iter().map(|parameter| &parameter.name);
+    let names = names.chain(definitions.iter().map(|definition| &definition.name));
+    names.chain(coordinates.iter().map(|coordinate| &coordinate.name)).map(Ident::to_string).collect()
+}
+
+/// Names for the definitions of the derivation that no other has.
+fn unique(derived: &Derived, mut taken: HashSet<String>, mechanism: &Mechanism) -> Vec<Ident> {
+    let name = |(name, _): &(String, Expr)| {
+        let mut unique = name.clone();
+        while !taken.insert(unique.clone()) {
+            unique.push('_');
+        }
+        Ident::new(&unique, mechanism.span)
+    };
+    derived.definitions.iter().map(name).collect()
+}
+
+fn matrices(derived: &Derived, mechanism: &Mechanism, names: &Names) -> Vec<Matrix> {
+    let region = Region::from(mechanism.span);
+    let matrices = derived.matrices.iter().map(|(name, rows)| Matrix {
+        name: *name,
+        symmetric: (0..rows.len()).all(|row| (0..row).all(|column| rows[row][column] == rows[column][row])),
+        span: mechanism.span,
+        rows: rows.iter().map(|row| (region, row.iter().map(|entry| names.expression(entry)).collect())).collect(),
+        region,
+    });
+    matrices.collect()
+}
+
+fn kinematics(derived: &Derived, mechanism: &Mechanism, tree: &Tree, names: &Names) -> Kinematics {
+    let formula = |expr: &Expr| names.expression(expr);
+    let all = |row: &[Expr]| row.iter().map(formula).collect();
+    let rates = derived.rates.iter().filter_map(|rate| {
+        let (name, docs) = called(tree.joints[rate.joint].role, mechanism)?;
+        Some(Rate {
+            name,
+            docs,
+            speed: formula(&rate.speed),
+            rates: all(&rate.rates),
+            coordinates: all(&rate.coordinates),
+            heading: formula(&rate.heading),
+        })
+    });
+    let applied = mechanism.forces.iter().map(|force| {
+        let label = force.label.clone().unwrap_or_else(|| force.name.to_string());
+        [force.name.to_string(), label, force_unit(mechanism, &force.on).into()]
+    });
+    Kinematics {
+        rates: rates.collect(),
+        applied: applied.collect(),
+        forces: derived.forces.iter().map(|row| all(row)).collect(),
+    }
+}
+
+/// The unit of a force or torque on a joint.
+fn force_unit(mechanism: &Mechanism, on: &Ident) -> &'static str {
+    let slides = mechanism.joints.iter().any(|joint| joint.name == *on && joint.kind == JointKind::Prismatic);
+    let mut freedoms = mechanism.free.iter().flat_map(|free| &free.names);
+    let moves = freedoms.any(|(freedom, name)| name == on && matches!(freedom, Freedom::Lateral | Freedom::Vertical));
+    if slides || moves { "N" } else { "N*m" }
+}
+
+/// The name of a rate in generated code, and what it is; none for what does not move in the first order.
+fn called(role: Role, mechanism: &Mechanism) -> Option<(String, String)> {
+    match role {
+        Role::Forward | Role::Freedom(Freedom::Vertical | Freedom::Pitch) => None,
+        Role::Freedom(freedom) => {
+            let body = mechanism.free.first().map(|free| free.body.to_string()).unwrap_or_default();
+            let (name, what) = match freedom {
+                Freedom::Lateral => ("lateral", "Lateral velocity, to the right, in m/s: of the point of"),
+                Freedom::Yaw => ("yaw", "Yaw rate, to the right, in rad/s: of"),
+                _ => (freedom.word(), "Rate, in rad/s: of"),
+            };
+            let at = if freedom == Freedom::Lateral { " that is at the origin" } else { "" };
+            Some((name.into(), format!("{what} `{body}`{at}.")))
+        }
+        Role::Joint(index) => {
+            let joint = &mechanism.joints[index];
+            let unit = if joint.kind == JointKind::Revolute { "rad/s" } else { "m/s" };
+            Some((joint.name.to_string(), format!("Rate of `{}`, in {unit}.", joint.name)))
+        }
+        Role::Spin(index) => {
+            let wheel = &mechanism.wheels[index];
+            let label = wheel.label.clone().map(|label| format!(", {label}")).unwrap_or_default();
+            let what = "about the y axis, so negative in forward motion, in rad/s";
+            Some((format!("wheel_{}", wheel.name), format!("Spin of the wheel `{}`{label}: {what}.", wheel.name)))
+        }
+    }
+}
+
+/// What a freedom is, as a noun.
+fn noun(freedom: Freedom) -> &'static str {
+    match freedom {
+        Freedom::Lateral => "lateral motion",
+        Freedom::Vertical => "vertical motion",
+        other => other.word(),
+    }
+}

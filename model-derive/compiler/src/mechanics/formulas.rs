@@ -1,0 +1,74 @@
+//! The definitions that a derivation leaves behind: each intermediate result once, by name.
+
+use crate::model::Expr;
+use crate::symbolic::{Engine, Form};
+
+/// The definitions of the model, and behind them those of the derivation.
+pub struct Formulas<'e> {
+    engine: &'e Engine,
+    parameters: usize,
+    /// What each definition stands for.
+    values: Vec<Form>,
+    /// The names of those that the derivation made.
+    names: Vec<String>,
+}
+
+impl<'e> Formulas<'e> {
+    /// With the definitions of the model, each in those before it.
+    pub fn new(engine: &'e Engine, parameters: usize, values: Vec<Form>) -> Self {
+        Self { engine, parameters, values, names: Vec::new() }
+    }
+
+    /// A stand-in for a formula, under a name; what is too short for one stays as it is.
+    pub fn name(&mut self, name: impl Into<String>, form: &Form) -> Form {
+        let form = form.simplest();
+        if form.is_short() {
+            return form;
+        }
+        let stand_in = |index| self.engine.definition(self.parameters, index);
+        if let Some(index) = self.values.iter().position(|known| *known == form) {
+            return stand_in(index);
+        }
+        if let Some(index) = self.values.iter().position(|known| *known == (-&form).simplest()) {
+            return -&stand_in(index);
+        }
+        let stand_in = stand_in(self.values.len());
+        self.values.push(form);
+        self.names.push(name.into());
+        stand_in
+    }
+
+    /// Whether a formula is proved to be zero for all parameters.
+    pub fn is_zero(&self, form: &Form) -> bool {
+        if form.is_nothing() || form.is_zero() {
+            return true;
+        }
+        let mut form = form.clone();
+        for (index, value) in self.values.iter().enumerate().rev() {
+            let name = self.engine.definition(self.parameters, index);
+            if form.mentions(&name) {
+                form = form.replace(&name, value);
+                if form.is_zero() {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    /// A formula without the definitions that the derivation made.
+    pub fn inserted(&self, form: &Form) -> Expr {
+        let first = self.values.len() - self.names.len();
+        let made = self.values.iter().enumerate().skip(first).rev();
+        let form = made.fold(form.clone(), |form, (index, value)| {
+            form.replace(&self.engine.definition(self.parameters, index), value)
+        });
+        form.simplest().expr(self.parameters)
+    }
+
+    /// The names and values of the definitions that the derivation made.
+    pub fn made(self) -> Vec<(String, Form)> {
+        let first = self.values.len() - self.names.len();
+        self.names.into_iter().zip(self.values.into_iter().skip(first)).collect()
+    }
+}

@@ -1,0 +1,138 @@
+//! A mechanism in its reference configuration: what is derived from.
+
+/// Bodies in a tree of joints, with formulas of type `V`. The axes are x forward, y to the right, z down; the ground is
+/// at z = 0.
+#[derive(Clone, Debug)]
+pub struct Mechanism<V> {
+    /// Each behind the one that it hangs on.
+    pub joints: Vec<Joint<V>>,
+    pub bodies: Vec<Body<V>>,
+    pub wheels: Vec<Wheel<V>>,
+    /// Of a mechanism that moves over the ground.
+    pub root: Option<Root>,
+    /// The joints whose motions are the coordinates q, in their order.
+    pub coordinates: Vec<usize>,
+    /// The joints that an applied force or torque acts on.
+    pub forces: Vec<usize>,
+    /// Whether there is gravity.
+    pub has_weight: bool,
+}
+
+/// One freedom between two bodies, or between a body and the ground.
+#[derive(Clone, Debug)]
+pub struct Joint<V> {
+    /// The name of the coordinate.
+    pub name: String,
+    /// The joint that it hangs on; none for one that begins at the ground.
+    pub parent: Option<usize>,
+    pub motion: Motion,
+    /// A point of the axis, in m.
+    pub point: [V; 3],
+    /// The direction of the axis, of any length.
+    pub axis: [V; 3],
+    /// In N m/rad or N/m.
+    pub stiffness: Option<V>,
+    /// In N m s/rad or N s/m.
+    pub damping: Option<V>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    Turns,
+    Slides,
+}
+
+/// A rigid body, or a part of one.
+#[derive(Clone, Debug)]
+pub struct Body<V> {
+    /// The joint that moves it.
+    pub joint: usize,
+    pub mass: V,
+    pub centre: [V; 3],
+    /// About the centre of mass.
+    pub inertia: [[V; 3]; 3],
+}
+
+/// What rolls without slip: a disc about an axle along y, with a rim that is a knife edge or a part of a torus. Its mass
+/// is that of the body on its spin joint.
+#[derive(Clone, Debug)]
+pub struct Wheel<V> {
+    /// The joint that is its axle.
+    pub spin: usize,
+    pub centre: [V; 3],
+    /// From the centre to the ground.
+    pub radius: V,
+    /// The radius of the circle that is the cross-section of the tyre.
+    pub tyre: Option<V>,
+    /// The moment of inertia about the axle.
+    pub axial: V,
+}
+
+/// The freedoms of a body that nothing holds to the ground: the first joints, each on the one before.
+#[derive(Clone, Copy, Debug)]
+pub struct Root {
+    pub count: usize,
+    /// The displacement along x, whose rate is the speed v.
+    pub forward: usize,
+    /// The rotation about z, by which the path turns.
+    pub yaw: usize,
+}
+
+impl<V> Mechanism<V> {
+    /// The same with other formulas.
+    pub fn map<W, E>(&self, mut f: impl FnMut(&V) -> Result<W, E>) -> Result<Mechanism<W>, E> {
+        let f = &mut f;
+        let joints = self.joints.iter().map(|joint| {
+            Ok(Joint {
+                name: joint.name.clone(),
+                parent: joint.parent,
+                motion: joint.motion,
+                point: each(&joint.point, f)?,
+                axis: each(&joint.axis, f)?,
+                stiffness: joint.stiffness.as_ref().map(&mut *f).transpose()?,
+                damping: joint.damping.as_ref().map(&mut *f).transpose()?,
+            })
+        });
+        let joints = joints.collect::<Result<_, E>>()?;
+        let bodies = self.bodies.iter().map(|body| {
+            let [x, y, z] = &body.inertia;
+            let inertia = [each(x, f)?, each(y, f)?, each(z, f)?];
+            Ok(Body { joint: body.joint, mass: f(&body.mass)?, centre: each(&body.centre, f)?, inertia })
+        });
+        let bodies = bodies.collect::<Result<_, E>>()?;
+        let wheels = self.wheels.iter().map(|wheel| {
+            Ok(Wheel {
+                spin: wheel.spin,
+                centre: each(&wheel.centre, f)?,
+                radius: f(&wheel.radius)?,
+                tyre: wheel.tyre.as_ref().map(&mut *f).transpose()?,
+                axial: f(&wheel.axial)?,
+            })
+        });
+        let wheels = wheels.collect::<Result<_, E>>()?;
+        let Self { root, coordinates, forces, has_weight, .. } = self;
+        let (coordinates, forces) = (coordinates.clone(), forces.clone());
+        Ok(Mechanism { joints, bodies, wheels, root: *root, coordinates, forces, has_weight: *has_weight })
+    }
+
+    /// What a joint moves, in names of definitions.
+    pub fn moved(&self, joint: usize) -> &str {
+        if self.root.is_some_and(|root| joint < root.count) { "all" } else { &self.joints[joint].name }
+    }
+
+    /// A joint and those that it hangs on, the nearest first.
+    pub fn path(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        std::iter::successors(Some(joint), |joint| self.joints[*joint].parent)
+    }
+
+    /// The one of two joints that is farther from the ground, if it hangs on the other.
+    pub fn farther(&self, one: usize, other: usize) -> Option<usize> {
+        let (near, far) = (one.min(other), one.max(other));
+        self.path(far).any(|joint| joint == near).then_some(far)
+    }
+}
+
+fn each<V, W, E>(vector: &[V; 3], f: &mut impl FnMut(&V) -> Result<W, E>) -> Result<[W; 3], E> {
+    let [x, y, z] = vector;
+    Ok([f(x)?, f(y)?, f(z)?])
+}

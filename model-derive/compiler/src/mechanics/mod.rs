@@ -1,0 +1,172 @@
+//! The linearized equations of motion of a mechanism about upright straight running, exact to first order.
+//!
+//! Each joint, and each of the six freedoms of a body on the ground, has a coordinate. In the reference motion nothing
+//! accelerates, so velocities to first order give the inertial forces; of second order only the heights of the centres of
+//! mass and of the contact points are needed, which gravity and the steady loads of the wheels multiply. The conditions
+//! of rolling without slip are solved for the rates of all joints that are no coordinates, and the equations of motion
+//! are projected on the motions that are left.
+
+mod composite;
+mod contact;
+mod elimination;
+mod formulas;
+mod loads;
+mod matrix;
+mod mechanism;
+mod motion;
+mod projection;
+mod vectors;
+
+pub use self::mechanism::{Body, Joint, Mechanism, Motion, Root, Wheel};
+
+use self::contact::Contact;
+use self::formulas::Formulas;
+use self::motion::Motions;
+use crate::model::Expr;
+use crate::symbolic::{self, Engine, Failure, Form};
+use crate::syntax::MatrixName;
+
+/// Square matrices of formulas, those that are not zero, in the order of the equation of motion.
+type Matrices<V = Form> = Vec<(MatrixName, Vec<Vec<V>>)>;
+
+/// What is derived from a mechanism: formulas in the parameters, the definitions of the model, and behind these in those
+/// of the derivation.
+#[derive(Debug)]
+pub struct Derived {
+    /// Names and formulas; names may occur twice.
+    pub definitions: Vec<(String, Expr)>,
+    pub matrices: Matrices<Expr>,
+    /// For each joint that is no coordinate.
+    pub rates: Vec<Rate>,
+    /// For each coordinate and each applied force: the force on the coordinate that it makes.
+    pub forces: Vec<Vec<Expr>>,
+}
+
+/// The rate of a joint, `v speed + rates · q' + v (coordinates · q + heading psi)`.
+#[derive(Debug)]
+pub struct Rate {
+    pub joint: usize,
+    pub speed: Expr,
+    pub rates: Vec<Expr>,
+    pub coordinates: Vec<Expr>,
+    /// Of the yaw, where that is no coordinate.
+    pub heading: Expr,
+}
+
+/// Why a mechanism has no equations of motion.
+#[derive(Debug)]
+pub enum Fault {
+    /// An axis of no length.
+    NoAxis { joint: usize },
+    /// A wheel that does not touch the ground, and how far its lowest point is below.
+    OffGround { wheel: usize, below: Expr },
+    /// A condition of rolling that only coordinates, at these joints, could satisfy; none for one that says nothing new.
+    Tied { ground: Ground, joints: Vec<usize> },
+    /// Joints that neither are coordinates nor are determined by wheels.
+    Undetermined(Vec<usize>),
+    /// A force of gravity that nothing balances, divided by gravity.
+    Unbalanced { joint: usize, force: Expr },
+    /// A coordinate that speeds the mechanism up or slows it down.
+    Coupled { joint: usize },
+    /// A joint that rolls, and on whose position the motion of the coordinates depends.
+    Remains { joint: usize },
+    /// A damper that makes a stiffness proportional to the speed.
+    Dragged { joint: usize },
+}
+
+/// A condition that a wheel on the ground makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ground {
+    Height(usize),
+    Sideways(usize),
+    Along(usize),
+}
+
+/// Derives the equations of motion.
+///
+/// # Errors
+/// If the engine fails, and if the mechanism has faults.
+pub fn derive(
+    mechanism: Mechanism<Expr>,
+    parameters: usize,
+    definitions: Vec<Expr>,
+) -> Result<Result<Derived, Vec<Fault>>, Failure> {
+    symbolic::enter(move |engine| derive_with(engine, &mechanism, parameters, &definitions))?
+}
+
+fn derive_with(
+    engine: &Engine,
+    mechanism: &Mechanism<Expr>,
+    parameters: usize,
+    definitions: &[Expr],
+) -> Result<Result<Derived, Vec<Fault>>, Failure> {
+    let names: Vec<Form> = (0..definitions.len()).map(|index| engine.definition(parameters, index)).collect();
+    let form = |expr: &Expr| engine.form(expr, &names).map_err(|why| Failure::Engine(why.to_string()));
+    let values = definitions.iter().map(form).collect::<Result<_, _>>()?;
+    let mut formulas = Formulas::new(engine, parameters, values);
+    let mechanism = mechanism.map(form)?;
+    Ok(derived(mechanism, &mut formulas).map(|found| found.export(formulas, parameters)))
+}
+
+struct Found {
+    mechanism: Mechanism<Form>,
+    motions: Motions,
+    matrices: Matrices,
+}
+
+fn derived(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Result<Found, Vec<Fault>> {
+    let mut faults = Vec::new();
+    for (index, joint) in mechanism.joints.iter_mut().enumerate() {
+        let square = vectors::dot(&joint.axis, &joint.axis);
+        if formulas.is_zero(&square) {
+            faults.push(Fault::NoAxis { joint: index });
+        } else if !formulas.is_zero(&(&square - &Form::number(1))) {
+            let length = formulas.name(format!("length_{}", joint.name), &square.root());
+            joint.axis = joint.axis.each_ref().map(|component| component.over(&length));
+        }
+    }
+    for (wheel, Wheel { centre, radius, .. }) in mechanism.wheels.iter().enumerate() {
+        let below = &centre[2] + radius;
+        if !formulas.is_zero(&below) {
+            faults.push(Fault::OffGround { wheel, below: formulas.inserted(&below) });
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let contacts: Vec<Contact<'_>> = mechanism.wheels.iter().map(|wheel| Contact::new(&mechanism, wheel)).collect();
+    let motions = Motions::new(&mechanism, &contacts, formulas)?;
+    let matrices = projection::project(&mechanism, &contacts, &motions, formulas)?;
+    drop(contacts);
+    Ok(Found { mechanism, motions, matrices })
+}
+
+impl Found {
+    /// The formulas without the engine; of the definitions all that are used by others or by results.
+    fn export(self, formulas: Formulas<'_>, parameters: usize) -> Derived {
+        let Self { mechanism, motions, matrices } = self;
+        let expr = |form: &Form| form.expr(parameters);
+        let all = |row: &[Form]| row.iter().map(expr).collect();
+        let n = mechanism.coordinates.len();
+        let rates = (0..mechanism.joints.len()).filter(|joint| !mechanism.coordinates.contains(joint)).map(|joint| {
+            let positions = &motions.positions[joint];
+            Rate {
+                joint,
+                // The forward rate of all is the speed.
+                speed: motions.rates[joint].get(n).map_or(Expr::zero(), expr),
+                rates: all(&motions.rates[joint][..n]),
+                coordinates: mechanism.coordinates.iter().map(|q| expr(&positions[*q])).collect(),
+                heading: match mechanism.root {
+                    Some(root) if !mechanism.coordinates.contains(&root.yaw) => expr(&positions[root.yaw]),
+                    _ => Expr::zero(),
+                },
+            }
+        });
+        let rates = rates.collect();
+        let forces = (0..n).map(|q| mechanism.forces.iter().map(|joint| expr(&motions.rates[*joint][q])).collect());
+        let forces = forces.collect();
+        let matrices = matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect();
+        let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), expr(form))).collect();
+        Derived { definitions, matrices, rates, forces }
+    }
+}

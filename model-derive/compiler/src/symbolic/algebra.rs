@@ -1,0 +1,160 @@
+//! Arithmetic with formulas inside the engine, and the way back out of it.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
+use symbolica::domains::rational::Rational;
+use symbolica::transcendental::{sec, tan};
+
+use super::form::Form;
+use super::identity::call_of;
+use crate::model::{Expr, Function};
+use crate::syntax::Decimal;
+
+impl Form {
+    /// A whole number.
+    pub fn number(value: i64) -> Self {
+        Self(Atom::num(value))
+    }
+
+    /// This divided by a formula that is not zero.
+    pub fn over(&self, divisor: &Self) -> Self {
+        Self(&self.0 / &divisor.0)
+    }
+
+    /// The root of a formula that is not negative.
+    pub fn root(&self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    /// Whether it is the number zero as it stands.
+    pub fn is_nothing(&self) -> bool {
+        self.0.is_zero()
+    }
+
+    /// Whether it is a number, or one factor of a number and a name: nothing that would be worth a name of its own.
+    pub fn is_short(&self) -> bool {
+        let AtomView::Mul(product) = self.0.as_view() else { return self.is_trivial() };
+        let plain = |factor| matches!(factor, AtomView::Num(_) | AtomView::Var(_));
+        product.get_nargs() <= 2 && product.iter().all(plain) && product.iter().any(|f| matches!(f, AtomView::Num(_)))
+    }
+
+    /// The form as a formula of so many parameters and of definitions.
+    pub fn expr(&self, parameters: usize) -> Expr {
+        expr(self.0.as_view(), parameters)
+    }
+}
+
+impl Add for &Form {
+    type Output = Form;
+    fn add(self, other: Self) -> Form {
+        Form(&self.0 + &other.0)
+    }
+}
+
+impl Sub for &Form {
+    type Output = Form;
+    fn sub(self, other: Self) -> Form {
+        Form(&self.0 - &other.0)
+    }
+}
+
+impl Mul for &Form {
+    type Output = Form;
+    fn mul(self, other: Self) -> Form {
+        Form(&self.0 * &other.0)
+    }
+}
+
+impl Neg for &Form {
+    type Output = Form;
+    fn neg(self) -> Form {
+        Form(-&self.0)
+    }
+}
+
+fn expr(view: AtomView<'_>, parameters: usize) -> Expr {
+    match view {
+        AtomView::Num(_) => number(view),
+        AtomView::Var(symbol) => symbol_at(symbol.get_symbol(), parameters),
+        AtomView::Add(sum) => Expr::Sum(sum.iter().map(|term| signed(term, parameters)).collect()),
+        AtomView::Mul(product) => Expr::Product(product.iter().map(|factor| divided(factor, parameters)).collect()),
+        AtomView::Pow(_) => match divided(view, parameters) {
+            (true, divisor) => Expr::Product(vec![(false, whole("1")), (true, divisor)]),
+            (false, power) => power,
+        },
+        AtomView::Fun(_) => {
+            let argument =
+                |function| call_of(view, function).map(|argument| Box::new(expr(argument.as_view(), parameters)));
+            let call = |function, known| argument(function).map(|argument| Expr::Call(known, argument));
+            let known = call(Symbol::SIN, Function::Sin)
+                .or_else(|| call(Symbol::COS, Function::Cos))
+                .or_else(|| call(tan(), Function::Tan));
+            known.unwrap_or_else(|| {
+                let argument = argument(sec()).unwrap_or_else(|| unreachable!("a function that no formula has"));
+                Expr::Product(vec![(false, whole("1")), (true, Expr::Call(Function::Cos, argument))])
+            })
+        }
+    }
+}
+
+/// A term and whether it is subtracted.
+fn signed(term: AtomView<'_>, parameters: usize) -> (bool, Expr) {
+    let factor = match term {
+        AtomView::Num(_) => Rational::try_from(term).ok(),
+        AtomView::Mul(product) => product.iter().find_map(|factor| Rational::try_from(factor).ok()),
+        _ => None,
+    };
+    if factor.is_some_and(|number| number.is_negative()) {
+        (true, expr((-term.to_owned()).as_view(), parameters))
+    } else {
+        (false, expr(term, parameters))
+    }
+}
+
+/// A factor and whether it divides.
+fn divided(factor: AtomView<'_>, parameters: usize) -> (bool, Expr) {
+    let AtomView::Pow(power) = factor else { return (false, expr(factor, parameters)) };
+    let (base, exponent) = power.get_base_exp();
+    let exponent = Rational::try_from(exponent).unwrap_or_else(|_| unreachable!("powers are rational"));
+    let base = expr(base, parameters);
+    // Roots are written with powers of a half.
+    let (base, exponent) = match exponent.is_integer() {
+        true => (base, exponent),
+        false => (Expr::Call(Function::Sqrt, Box::new(base)), exponent * Rational::from(2)),
+    };
+    let exponent = exponent.floor().to_i64().and_then(|exponent| i32::try_from(exponent).ok()).unwrap_or_default();
+    let power = match exponent.abs() {
+        1 => base,
+        other => Expr::Power(Box::new(base), other),
+    };
+    (exponent < 0, power)
+}
+
+fn number(view: AtomView<'_>) -> Expr {
+    let number = Rational::try_from(view).unwrap_or_else(|_| unreachable!("numbers are rational"));
+    let (above, below) = (number.numerator_ref(), number.denominator_ref());
+    let value = match below.is_one() {
+        true => whole(&above.abs().to_string()),
+        false => Expr::Product(vec![(false, whole(&above.abs().to_string())), (true, whole(&below.to_string()))]),
+    };
+    if number.is_negative() { Expr::Sum(vec![(true, value)]) } else { value }
+}
+
+fn whole(digits: &str) -> Expr {
+    let trimmed = digits.trim_end_matches('0');
+    let exponent = (digits.len() - trimmed.len()) as i32;
+    let (digits, exponent) = if trimmed.is_empty() { ("0", 0) } else { (trimmed, exponent) };
+    Expr::Number(Decimal { digits: digits.into(), exponent })
+}
+
+/// Symbols are π, then the parameters, then stand-ins for definitions.
+fn symbol_at(symbol: Symbol, parameters: usize) -> Expr {
+    let position = symbol.get_stripped_name().strip_prefix('x').and_then(|digits| digits.parse::<usize>().ok());
+    match position {
+        Some(0) => Expr::Pi,
+        Some(index) if index <= parameters => Expr::Parameter(index - 1),
+        Some(index) => Expr::Definition(index - 1 - parameters),
+        None => unreachable!("a symbol that no formula has"),
+    }
+}
