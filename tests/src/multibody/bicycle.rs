@@ -14,6 +14,10 @@ pub struct Bicycle {
     pub root: Root,
     /// Steer of the front frame relative to the rear frame.
     pub steer: usize,
+    /// Angle of the rear wheel relative to the rear frame.
+    pub rear_wheel: usize,
+    /// Angle of the front wheel relative to the front frame.
+    pub front_wheel: usize,
     /// Lean of the rider's upper body relative to the rear frame.
     pub rider: Option<usize>,
 }
@@ -67,9 +71,10 @@ impl Bicycle {
         mechanism.body(symmetric(steer, mH, [xH, zH], [IHxx, IHyy, IHzz, IHxz]));
 
         let (x, radius, tyre) = (0.0, rR, extras.rear_tyre);
-        mechanism.wheel(Wheel { carrier: frame, x, y: 0.0, radius, tyre, mass: mR, axial: IRyy, transverse: IRxx });
+        let rear = Wheel { carrier: frame, x, y: 0.0, radius, tyre, mass: mR, axial: IRyy, transverse: IRxx };
         let (x, radius, tyre) = (w, rF, extras.front_tyre);
-        mechanism.wheel(Wheel { carrier: steer, x, y: 0.0, radius, tyre, mass: mF, axial: IFyy, transverse: IFxx });
+        let front = Wheel { carrier: steer, x, y: 0.0, radius, tyre, mass: mF, axial: IFyy, transverse: IFxx };
+        let (rear_wheel, front_wheel) = (mechanism.wheel(rear), mechanism.wheel(front));
 
         let rider = extras.rider.map(|rider| {
             let [x, z] = rider.joint;
@@ -78,7 +83,7 @@ impl Bicycle {
             mechanism.body(symmetric(lean, rider.mass, rider.centre, rider.inertia));
             lean
         });
-        Self { mechanism, root, steer, rider }
+        Self { mechanism, root, steer, rear_wheel, front_wheel, rider }
     }
 }
 

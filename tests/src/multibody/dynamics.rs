@@ -18,16 +18,45 @@ pub struct Drive<const N: usize> {
     pub gravity: f64,
 }
 
+/// A motion in which every coordinate is known: positions from the height of the wheels, the rest from rolling.
+struct Followed {
+    state: State,
+    /// The places of the coordinates that follow.
+    dependent: Vec<usize>,
+    /// Their rates, by rows, for a unit rate of each independent coordinate.
+    shares: DMatrix<f64>,
+}
+
 impl Mechanism {
     /// The generalized forces on the independent coordinates that a motion of them takes, given with its rates and
     /// accelerations.
     ///
-    /// The other coordinates follow: their rates and accelerations from rolling, their positions from the height of the
-    /// wheels. What changes no height, such as the angle of a wheel, is taken to be zero.
-    ///
     /// # Panics
     /// If rolling does not determine the other coordinates.
-    pub fn forces<const N: usize>(&self, drive: &Drive<N>, [q, qd, qdd]: [[f64; N]; 3]) -> DVector<f64> {
+    pub fn forces<const N: usize>(&self, drive: &Drive<N>, motion: [[f64; N]; 3]) -> DVector<f64> {
+        let Followed { state, dependent, shares } = self.follow(drive, motion);
+        let forces = self.forces_on_the_tree(&state, drive.gravity);
+        // In virtual displacements, too, the other coordinates follow; the forces of contact do no work in them.
+        forces.select_rows(&drive.independent) + shares.tr_mul(&forces.select_rows(&dependent))
+    }
+
+    /// Kinetic energy, and potential energy of gravity and springs, in a motion of the independent coordinates.
+    pub fn energy<const N: usize>(&self, drive: &Drive<N>, motion: [[f64; N]; 3]) -> f64 {
+        let state = self.follow(drive, motion).state;
+        let kinematics = Kinematics::new(self, &state);
+        let springs = self.joints.iter().zip(&state.q).map(|(joint, q)| joint.stiffness * q * q / 2.0);
+        let bodies = self.bodies.iter().map(|body| {
+            let link = kinematics.link(body.joint);
+            let centre = link.place(&body.centre);
+            let spin = link.rotation().inverse() * link.spin;
+            let kinetic = body.mass * link.velocity_at(&centre).norm_squared() + spin.dot(&(body.inertia * spin));
+            kinetic / 2.0 - body.mass * drive.gravity * centre.z
+        });
+        springs.chain(bodies).sum()
+    }
+
+    /// All of a motion. What changes no height, such as the angle of a wheel, has no effect and is taken to be zero.
+    fn follow<const N: usize>(&self, drive: &Drive<N>, [q, qd, qdd]: [[f64; N]; 3]) -> Followed {
         let given = |values: [f64; N]| {
             let mut all = DVector::zeros(self.joints.len());
             drive.independent.iter().zip(values).for_each(|(&place, value)| all[place] = value);
@@ -46,17 +75,14 @@ impl Mechanism {
         let by_dependent = rolling.select_columns(&dependent);
         let (conditions, coordinates) = by_dependent.shape();
         assert_eq!(conditions, coordinates, "as many conditions of rolling as coordinates that follow from it");
-        let by_dependent = by_dependent.lu();
-        let follow = |slip: DMatrix<f64>| by_dependent.solve(&-slip).expect("coordinates that follow from rolling");
-        let rates = follow(self.touches(&state, |touch| touch.slip));
+        let inverse = by_dependent.try_inverse().expect("coordinates that follow from rolling");
+        let against = |slip: DMatrix<f64>| -&inverse * slip;
+        let rates = against(self.touches(&state, |touch| touch.slip));
         put(&mut state.qd, &dependent, rates);
-        let accelerations = follow(self.touches(&state, |touch| touch.slip_rate));
+        let accelerations = against(self.touches(&state, |touch| touch.slip_rate));
         put(&mut state.qdd, &dependent, accelerations);
-
-        // In virtual displacements, too, the other coordinates follow; the forces of contact do no work in them.
-        let forces = self.forces_on_the_tree(&state, drive.gravity);
-        let followers = follow(rolling.select_columns(&drive.independent));
-        forces.select_rows(&drive.independent) + followers.tr_mul(&forces.select_rows(&dependent))
+        let shares = against(rolling.select_columns(&drive.independent));
+        Followed { state, dependent, shares }
     }
 
     /// Moves the dependent coordinates, and no more than it takes, until every wheel touches the ground.

@@ -15,6 +15,8 @@ enum Varied {
 
 impl Mechanism {
     /// The coefficient matrices for independent coordinates, while `forward` runs at any constant speed.
+    ///
+    /// Whatever holds the mechanism in the reference motion, such as the preload of a spring, is taken to be constant.
     pub fn linearized<const N: usize>(&self, independent: [usize; N], forward: Option<usize>) -> Coefficients<f64, N> {
         let at = |speed, gravity| self.linearized_at(&Drive { independent, forward, speed, gravity });
         let System { m, c: c0, k: kc } = at(0.0, 0.0);
@@ -27,7 +29,8 @@ impl Mechanism {
     pub fn linearized_at<const N: usize>(&self, drive: &Drive<N>) -> System<N> {
         // The forces are linear in the accelerations and, with the rates that follow, quadratic in the rates, so that
         // central differences over any step are exact; a step of one has no rounding of its own.
-        let slope = |varied, step| (self.varied(drive, varied, step) - self.varied(drive, varied, -step)) / (2.0 * step);
+        let slope =
+            |varied, step| (self.varied(drive, varied, step) - self.varied(drive, varied, -step)) / (2.0 * step);
         let (near, far) = (slope(Varied::Position, STEP), slope(Varied::Position, 2.0 * STEP));
         System {
             m: slope(Varied::Acceleration, 1.0),
@@ -47,5 +50,5 @@ impl Mechanism {
     }
 }
 
-/// In rad or m: errors of the fourth order in it are as small as what rounding leaves of the differences.
-const STEP: f64 = 1e-3;
+/// In rad or m: small enough for errors of the fourth order in it to drown in those of rounding.
+const STEP: f64 = 2e-4;
