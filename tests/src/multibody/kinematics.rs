@@ -31,13 +31,11 @@ pub struct Link {
 }
 
 impl Link {
-    const GROUND: fn() -> Self = || Self {
-        placement: Isometry3::identity(),
-        spin: Vector3::zeros(),
-        spin_rate: Vector3::zeros(),
-        velocity: Vector3::zeros(),
-        acceleration: Vector3::zeros(),
-    };
+    /// What does not move.
+    fn ground() -> Self {
+        let zero = Vector3::zeros();
+        Self { placement: Isometry3::identity(), spin: zero, spin_rate: zero, velocity: zero, acceleration: zero }
+    }
 
     /// Where a point of the reference configuration is.
     pub fn place(&self, reference: &Vector3<f64>) -> Vector3<f64> {
@@ -126,7 +124,7 @@ impl<'a> Kinematics<'a> {
     pub fn new(mechanism: &'a Mechanism, state: &State) -> Self {
         let mut links: Vec<Link> = Vec::with_capacity(mechanism.joints.len());
         for (place, joint) in mechanism.joints.iter().enumerate() {
-            let parent = joint.parent.map_or_else(Link::GROUND, |parent| links[parent].clone());
+            let parent = joint.parent.map_or_else(Link::ground, |parent| links[parent].clone());
             links.push(parent.beyond(joint, state.q[place], state.qd[place], state.qdd[place]));
         }
         Self { mechanism, links }
