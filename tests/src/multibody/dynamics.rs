@@ -55,7 +55,8 @@ impl Mechanism {
         springs.chain(bodies).sum()
     }
 
-    /// All of a motion. What changes no height, such as the angle of a wheel, has no effect and is taken to be zero.
+    /// All of a motion. Coordinates that follow by their rates alone are taken to be zero: yaw, lateral displacement and
+    /// angles of wheels, whose values make no difference on level ground.
     fn follow<const N: usize>(&self, drive: &Drive<N>, [q, qd, qdd]: [[f64; N]; 3]) -> Followed {
         let given = |values: [f64; N]| {
             let mut all = DVector::zeros(self.joints.len());
@@ -88,15 +89,16 @@ impl Mechanism {
     /// Moves the dependent coordinates, and no more than it takes, until every wheel touches the ground.
     fn stand(&self, state: &mut State, dependent: &[usize]) {
         let vertical: Vec<usize> = (0..self.contacts.len()).map(|contact| 3 * contact + 2).collect();
-        // From displacements of a milliradian, Newton's method is at the last digit after three steps.
-        for _ in 0..5 {
-            let heights = self.touches(state, |touch| touch.place).select_rows(&vertical);
+        let heights = |state: &State| self.touches(state, |touch| touch.place).select_rows(&vertical);
+        // Newton's method, which is at the last digit after one step from 1e-4 rad, and after two from half a radian.
+        for _ in 0..3 {
             // A wheel's lowest point goes up and down as the material point there does.
             let slopes = self.rolling(state).select_columns(dependent).select_rows(&vertical);
             let normal = (&slopes * slopes.transpose()).cholesky().expect("wheels that can all touch the ground");
-            let step = slopes.tr_mul(&normal.solve(&heights));
+            let step = slopes.tr_mul(&normal.solve(&heights(state)));
             dependent.iter().zip(&step).for_each(|(&place, step)| state.q[place] -= step);
         }
+        assert!(heights(state).iter().all(|height| height.abs() < 1e-12), "wheels that can all touch the ground");
     }
 
     /// A vector of each contact, one below the other.
