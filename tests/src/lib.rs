@@ -1,16 +1,18 @@
 //! What the tests and benchmarks of Carvallo hold its results against.
 //!
-//! Three ways to the matrices that share no code with the compiler: [`hand_written`] floating point after Appendix A of
-//! Meijaard, Papadopoulos, Ruina & Schwab (2007), [`exact`] arithmetic at 320 bits, and the digits that were
-//! [`published`]. Designs to compare them on come from [`bicycles`] and, at random, from [`designs`]. Eigenvalues are held
-//! against [`roots`] of the characteristic [`quartic`], critical speeds against recomputed [`facts`]. What the compiler's
-//! own checks are worth is measured on `mutants`, declarations with one slip each.
+//! Four ways to the matrices that share no code with the compiler: [`hand_written`] floating point after Appendix A of
+//! Meijaard, Papadopoulos, Ruina & Schwab (2007), [`exact`] arithmetic at 320 bits, differences of nonlinear [`multibody`]
+//! dynamics, and the digits that were [`published`]. Designs to compare them on come from [`bicycles`] and, at random,
+//! from [`designs`]. Eigenvalues are held against [`roots`] of the characteristic [`quartic`], critical speeds against
+//! recomputed [`facts`]. What the compiler's own checks are worth is measured on `mutants`, declarations with one slip
+//! each.
 
 pub mod bicycles;
 pub mod designs;
 pub mod exact;
 pub mod facts;
 pub mod hand_written;
+pub mod multibody;
 #[cfg(feature = "compiler")]
 pub mod mutants;
 pub mod operations;

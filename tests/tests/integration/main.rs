@@ -13,6 +13,7 @@ mod enormous;
 #[cfg(feature = "compiler")]
 mod generation;
 mod modes;
+mod multibody;
 #[cfg(feature = "compiler")]
 mod mutants;
 mod operations;
