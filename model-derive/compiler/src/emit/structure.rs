@@ -74,6 +74,9 @@ fn model_docs(model: &Model) -> String {
     if !model.source.is_empty() {
         text.push_str(&format!("\n\nSource: {}", model.source));
     }
+    if let Some(kinematics) = &model.kinematics {
+        text.push_str(&format!("\n\nDerived from a mechanism: {}.", kinematics.parts.join(", ")));
+    }
     text.push_str("\n\nThe fields are the parameters. The coordinates are");
     for (index, coordinate) in model.coordinates.iter().enumerate() {
         text.push_str(if index == 0 { " " } else { ", " });

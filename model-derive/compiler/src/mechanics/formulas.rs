@@ -11,12 +11,34 @@ pub struct Formulas<'e> {
     values: Vec<Form>,
     /// The names of those that the derivation made.
     names: Vec<String>,
+    /// Some values of the parameters, and those of the definitions for them: what is clearly not zero there needs no
+    /// attempt to prove that it is.
+    sample: (Vec<f64>, Vec<f64>),
 }
+
+/// The size beyond which a value at the sample, whose parameters are about one, is no rounding error.
+const CLEARLY: f64 = 1e-6;
 
 impl<'e> Formulas<'e> {
     /// With the definitions of the model, each in those before it.
     pub fn new(engine: &'e Engine, parameters: usize, values: Vec<Form>) -> Self {
-        Self { engine, parameters, values, names: Vec::new() }
+        const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        let sample = (0..parameters).map(|index| 0.5 + (index as f64 * GOLDEN).fract()).collect();
+        let mut formulas =
+            Self { engine, parameters, values: Vec::new(), names: Vec::new(), sample: (sample, Vec::new()) };
+        values.into_iter().for_each(|value| formulas.push(value));
+        formulas
+    }
+
+    fn push(&mut self, value: Form) {
+        let at_sample = self.at_sample(&value);
+        self.sample.1.push(at_sample);
+        self.values.push(value);
+    }
+
+    /// The value of a formula for some values of the parameters.
+    pub fn at_sample(&self, form: &Form) -> f64 {
+        form.expr(self.parameters).evaluate(&self.sample.0, &self.sample.1)
     }
 
     /// A stand-in for a formula, under a name; what is too short for one stays as it is.
@@ -33,14 +55,20 @@ impl<'e> Formulas<'e> {
             return -&stand_in(index);
         }
         let stand_in = stand_in(self.values.len());
-        self.values.push(form);
+        self.push(form);
         self.names.push(name.into());
         stand_in
     }
 
     /// Whether a formula is proved to be zero for all parameters.
     pub fn is_zero(&self, form: &Form) -> bool {
-        if form.is_nothing() || form.is_zero() {
+        if form.is_nothing() {
+            return true;
+        }
+        if self.at_sample(form).abs() > CLEARLY {
+            return false;
+        }
+        if form.is_zero() {
             return true;
         }
         let mut form = form.clone();

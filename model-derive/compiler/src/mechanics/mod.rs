@@ -70,6 +70,8 @@ pub enum Fault {
     Coupled { joint: usize },
     /// A joint that rolls, and on whose position the motion of the coordinates depends.
     Remains { joint: usize },
+    /// A coordinate that moves no mass.
+    Massless { joint: usize },
     /// A damper that makes a stiffness proportional to the speed.
     Dragged { joint: usize },
 }

@@ -32,21 +32,18 @@ pub fn project(
     let Motions { rates, positions, places, .. } = motions;
     let unreduced = Unreduced::new(mechanism, contacts, formulas)?;
     let virtual_motions = transposed(rates);
-    // A row for each freedom, a column for each joint.
-    let mut projected = |what: &str, matrix: &Matrix| {
+    // A row for each freedom, a column for each joint. Spin stays as it is: it cancels out of sums.
+    let project = |matrix: &Matrix| times(&virtual_motions, matrix);
+    let mut named = |what: &str, matrix: &Matrix| {
         let named = |(freedom, row): (usize, Vec<Form>)| {
             let of = mechanism.coordinates.get(freedom).map_or("forward", |joint| &mechanism.joints[*joint].name);
-            let entries = row.iter().enumerate();
             let name = |column: usize| format!("{what}_{of}_{}", mechanism.joints[column].name);
-            entries.map(|(column, entry)| formulas.name(name(column), entry)).collect()
+            row.iter().enumerate().map(|(column, entry)| formulas.name(name(column), entry)).collect()
         };
-        times(&virtual_motions, matrix).into_iter().enumerate().map(named).collect::<Matrix>()
+        project(matrix).into_iter().enumerate().map(named).collect::<Matrix>()
     };
-    let mass = projected("P", &unreduced.mass);
-    let spin = projected("G", &unreduced.spin);
-    let weight = projected("W", &unreduced.weight);
-    let damping = projected("D", &unreduced.damping);
-    let stiffness = projected("E", &unreduced.stiffness);
+    let (mass, weight) = (named("P", &unreduced.mass), named("W", &unreduced.weight));
+    let [spin, damping, stiffness] = [&unreduced.spin, &unreduced.damping, &unreduced.stiffness].map(project);
 
     let moving = plus(&times(&mass, positions), &spin);
     let by_rates = [
@@ -93,6 +90,28 @@ pub fn project(
         .filter(|(name, matrix)| *name == MatrixName::M || matrix.iter().flatten().any(|entry| !entry.is_nothing()))
         .collect())
 }
+
+/// A coordinate that, with those before it, moves without a kinetic energy, whatever the parameters.
+fn massless(mass: &Matrix, n: usize, formulas: &Formulas<'_>) -> Option<usize> {
+    let mut rows: Vec<Vec<f64>> =
+        mass[..n].iter().map(|row| row[..n].iter().map(|entry| formulas.at_sample(entry)).collect()).collect();
+    for pivot in 0..n {
+        let size = rows[pivot].iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
+        let divisor = rows[pivot][pivot];
+        if divisor.abs() <= ROUNDING * size || divisor == 0.0 {
+            return Some(pivot);
+        }
+        let (done, rest) = rows.split_at_mut(pivot + 1);
+        for row in rest {
+            let factor = row[pivot] / divisor;
+            row.iter_mut().zip(&done[pivot]).skip(pivot).for_each(|(entry, above)| *entry -= factor * above);
+        }
+    }
+    None
+}
+
+/// A pivot that is smaller than this beside its row is a rounding error.
+const ROUNDING: f64 = 1e-9;
 
 /// The shortest form of an entry; zero if it is proved to be.
 fn settled(entry: &Form, formulas: &Formulas<'_>) -> Form {

@@ -328,6 +328,8 @@ pub struct Force {
 /// Rates and forces that are derived from a mechanism beside the matrices.
 #[derive(Debug)]
 pub struct Kinematics<V = Expression> {
+    /// The bodies and wheels, each with what it is.
+    pub parts: Vec<String>,
     pub rates: Vec<Rate<V>>,
     /// The names of applied forces, each with what it is and its unit.
     pub applied: Vec<[String; 3]>,
@@ -361,7 +363,7 @@ impl<V> Kinematics<V> {
         });
         let rates = rates.collect();
         let forces = self.forces.iter().map(|row| row.iter().map(&mut f).collect()).collect();
-        Kinematics { rates, applied: self.applied.clone(), forces }
+        Kinematics { parts: self.parts.clone(), rates, applied: self.applied.clone(), forces }
     }
 
     /// All formulas, in the order of [`Kinematics::map`].

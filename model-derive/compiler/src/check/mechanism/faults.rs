@@ -77,6 +77,14 @@ impl Place<'_> {
                 );
                 (self.region(*joint), message)
             }
+            Fault::Massless { joint } => {
+                let message = format!(
+                    "a singular mass matrix: {} can move without moving any mass; expected masses or moments of inertia \
+                     behind every coordinate",
+                    self.joint(*joint)
+                );
+                (self.region(*joint), message)
+            }
             Fault::Dragged { joint } => {
                 let message = format!(
                     "a damper at a joint that the wheels turn makes a force proportional to v times {}, which the equations \
