@@ -4,7 +4,8 @@
 //! Meijaard, Papadopoulos, Ruina & Schwab (2007), [`exact`] arithmetic at 320 bits, and the digits that were
 //! [`published`]. Designs to compare them on come from [`bicycles`] and, at random, from [`designs`]. Eigenvalues are held
 //! against [`roots`] of the characteristic [`quartic`], critical speeds against recomputed [`facts`]. What the compiler's
-//! own checks are worth is measured on `mutants`, declarations with one slip each.
+//! own checks are worth is measured on `mutants`, declarations with one slip each. Other mechanisms than the bicycle have
+//! their matrices by hand in [`textbook`].
 
 pub mod bicycles;
 pub mod designs;
@@ -18,6 +19,7 @@ pub mod published;
 pub mod quartic;
 pub mod real;
 pub mod roots;
+pub mod textbook;
 
 /// The example of the README, which must compile and run as it stands there.
 #[cfg(all(doctest, feature = "compiler"))]
