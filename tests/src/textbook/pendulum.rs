@@ -38,19 +38,14 @@ pub struct Link {
 pub fn standing<const N: usize>(links: [Link; N]) -> Coefficients<f64, N> {
     let above = |link: usize| links[link + 1..].iter().map(|link| link.m).sum::<f64>();
     let moment = |link: usize| links[link].m * links[link].a + above(link) * links[link].l;
-    let mut m = [[0.0; N]; N];
-    let mut k0 = [[0.0; N]; N];
-    for low in 0..N {
-        let Link { l, a, m: mass, i } = links[low];
-        m[low][low] = i + mass * a * a + above(low) * l * l;
-        k0[low][low] = -moment(low);
-        for high in low + 1..N {
-            m[low][high] = l * moment(high);
-            m[high][low] = m[low][high];
-        }
-    }
-    let zero = [[0.0; N]; N];
-    Coefficients::from_rows([m, zero, zero, zero, k0, zero])
+    let m = Matrix::<f64, N>::from_fn(|row, column| {
+        let (low, high) = (row.min(column), row.max(column));
+        let Link { l, a, m, i } = links[low];
+        if low == high { i + m * a * a + above(low) * l * l } else { l * moment(high) }
+    });
+    let k0 = Matrix::<f64, N>::from_fn(|row, column| if row == column { -moment(row) } else { 0.0 });
+    let zero = Matrix::<f64, N>::zeros();
+    Coefficients { m, c0: zero, c1: zero, kc: zero, k0, k2: zero }
 }
 
 /// The same for the angles at the hinges, each from the link below it: the absolute angle is the sum of all up to it.
