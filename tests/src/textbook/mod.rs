@@ -10,5 +10,6 @@
 
 pub mod disc;
 pub mod pendulum;
+pub mod rider;
 pub mod skateboard;
 pub mod tyres;
