@@ -10,7 +10,9 @@
 //!   lamR from the horizontal, so that tilting to the right by gamma turns the front axle to the right and the rear one
 //!   to the left: tan(steer) = tan(lam) sin(gamma), exactly.
 //! - Wheels do not slip sideways. They turn freely, so nothing holds the speed but the constraint that it is constant.
-//! - A spring holds the board level, with the torsional stiffness k of both trucks together about the tilt axis.
+//! - A spring holds the board level, with the torsional stiffness k of both trucks together about the tilt axis. Tilting
+//!   by gamma turns a truck about its king pin by gamma / cos(lam) relative to the board, so a spring of the stiffness kP
+//!   that works about the king pin adds kP / cos(lam)^2 to k.
 //!
 //! Linearized, tilt gamma to the right positive, x from the **rear axle** forward, L the wheel base, sums over bodies of
 //! mass m at the height h above the tilt axis, with the products of inertia Ixz = -(sum of x z) about their own centres:
