@@ -24,8 +24,8 @@
 //! D = (t / L) sum (Ixz + m h x) - tan(lamR) sum m h
 //! ```
 //!
-//! For one body a behind the front axle and b ahead of the rear one, D is m h (b tan(lamF) - a tan(lamR)) / L. The board is
-//! stable at the speed v if D v > 0 and B v^2 + k > g sum m h: when the spring alone does not hold it, above the critical
+//! For one body without Ixz, a behind the front axle and b ahead of the rear one, D = m h (b tan(lamF) - a tan(lamR)) / L.
+//! The board is stable at v if D v > 0 and B v^2 + k > g sum m h: when the spring alone does not hold it, above the critical
 //! speed of [`Skateboard::critical_speed`], and only with the weight ahead of where D vanishes.
 //!
 //! Sources. That paper and Hubbard's were not at hand beyond their abstracts, which say that there is a critical speed
