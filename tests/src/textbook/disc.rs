@@ -23,9 +23,9 @@
 //! Sources. The edge: the classical result of Routh, Appell, Chaplygin and Korteweg (for example Neimark & Fufaev,
 //! *Dynamics of Nonholonomic Systems*, 1972), written here from the nonlinear equations in H. Nakanishi's note on the
 //! rolling coin, which has general moments of inertia and gives the critical spin (g / 3 r)^(1/2) of the uniform disc;
-//! and for the uniform disc the linearized equations in SymPy's test `test_linearize_rolling_disc_kane` (its wheel rolls
-//! forward at a negative spin, v = -r q3'). The crown: the nonlinear equations of a solid torus in D. L. Peterson's
-//! program Rolling-Torus (2010), linearized by hand; its axes are these. All three were at hand.
+//! and for the uniform disc the linearized equations in SymPy's test `test_linearize_rolling_disc_kane` (its wheel
+//! rolls forward at a negative spin, v = -r q3'). The crown: the nonlinear equations of a solid torus in D. L.
+//! Peterson's program Rolling-Torus (2010), linearized by hand; its axes are these. All three were at hand.
 
 #![allow(non_snake_case)] // The names are the bicycle's, with a for axial and t for transverse.
 

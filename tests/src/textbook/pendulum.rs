@@ -16,8 +16,8 @@
 //! by SymPy. Special cases that were at hand are in the tests: Kibble & Berkshire, *Classical Mechanics* (2004), eq.
 //! 11.21, the double pendulum of unequal weights on unequal strings; Riley, Hobson & Bence, *Mathematical Methods for
 //! Physics and Engineering* (2006), problem 9.7, two equal rods; and chains of equal weights on equal strings, whose
-//! squared frequencies are g / l times the zeros of Laguerre's polynomial (Daniel Bernoulli 1738; the statement is from
-//! memory, the zeros from Abramowitz & Stegun 1964, table 25.9).
+//! squared frequencies are g / l times the zeros of Laguerre's polynomial (Daniel Bernoulli 1738; the statement is
+//! from memory, the zeros from Abramowitz & Stegun 1964, table 25.9).
 
 use carvallo::{Coefficients, Matrix};
 

@@ -1,10 +1,10 @@
 //! The Whipple bicycle with a rider whose upper body leans.
 //!
-//! The upper body is a fifth rigid body, joined to the rear frame by a hinge with a spring and a damper; the axis of the
-//! hinge runs forward, level, in the middle plane at the height h. The third coordinate is the lean beta of the upper body
-//! **relative to the rear frame**, right positive, after the lean phi and the steer delta of the bicycle; the third force
-//! is the torque in the hinge. With the upper body's mass m, its centre at (x, z) in the bicycle's axes, a = -z - h its
-//! height above the hinge and inertia about its centre, with mu = (c / w) cos lam,
+//! The upper body is a fifth rigid body, joined to the rear frame by a hinge with a spring and a damper; the axis of
+//! the hinge runs forward, level, in the middle plane at the height h. The third coordinate is the lean beta of the
+//! upper body **relative to the rear frame**, right positive, after the lean phi and the steer delta of the bicycle;
+//! the third force is the torque in the hinge. With the upper body's mass m, its centre at (x, z) in the bicycle's
+//! axes, a = -z - h its height above the hinge and inertia about its centre, with mu = (c / w) cos lam,
 //!
 //! ```text
 //! M[beta, phi]   = Ixx - m a z              M[beta, delta]  = mu (Ixz + m a x)              M[beta, beta] = Ixx + m a^2
@@ -15,8 +15,8 @@
 //! and nothing else in that row. M and K0 are symmetric; the other two rows of C1 and K2 have nothing in the column of
 //! beta, and their block is Appendix A's, with the upper body in the rear frame.
 //!
-//! Sources. The model is that of J. K. Moore's dissertation *Human control of a bicycle* (Davis 2012), section "Leaning
-//! rider extension". The formulas were derived anew; they agree with his linearized equations as his program
+//! Sources. The model is that of J. K. Moore's dissertation *Human control of a bicycle* (Davis 2012), section
+//! "Leaning rider extension". The formulas were derived anew; they agree with his linearized equations as his program
 //! BicycleParameters 1.5.2 evaluates them (`MooreRiderLean2012Model`, generated from the dissertation's code), to 13
 //! digits at several speeds, with and without spring and damper. Both were at hand.
 

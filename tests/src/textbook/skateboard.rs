@@ -3,19 +3,21 @@
 //! The model is Hubbard's (1979), as in Kremnev & Kuleshov (2008, 2010):
 //!
 //! - Board and rider are one rigid body. Trucks and wheels have neither mass nor inertia.
-//! - Each truck turns about its king pin, which passes **through the middle of its axle** and lies in the middle plane of
-//!   the board. Both wheels of an axle stay on the ground, so the axles stay level, and the board tilts about the line
-//!   through the middles of both axles. How high that line is above the ground does not matter: heights count from it.
-//! - The king pins rise outwards, to the front at the front axle and to the rear at the rear one, by the angles lamF and
-//!   lamR from the horizontal, so that tilting to the right by gamma turns the front axle to the right and the rear one
-//!   to the left: tan(steer) = tan(lam) sin(gamma), exactly.
+//! - Each truck turns about its king pin, which passes **through the middle of its axle** and lies in the middle plane
+//!   of the board. Both wheels of an axle stay on the ground, so the axles stay level, and the board tilts about the
+//!   line through the middles of both axles. How high that line is above the ground does not matter: heights count
+//!   from it.
+//! - The king pins rise outwards, to the front at the front axle and to the rear at the rear one, by the angles lamF
+//!   and lamR from the horizontal, so that tilting to the right by gamma turns the front axle to the right and the
+//!   rear one to the left: tan(steer) = tan(lam) sin(gamma), exactly.
 //! - Wheels do not slip sideways. They turn freely, so nothing holds the speed but the constraint that it is constant.
-//! - A spring holds the board level, with the torsional stiffness k of both trucks together about the tilt axis. Tilting
-//!   by gamma turns a truck about its king pin by gamma / cos(lam) relative to the board, so a spring of the stiffness kP
-//!   that works about the king pin adds kP / cos(lam)^2 to k.
+//! - A spring holds the board level, with the torsional stiffness k of both trucks together about the tilt axis.
+//!   Tilting by gamma turns a truck about its king pin by gamma / cos(lam) relative to the board, so a spring of the
+//!   stiffness kP that works about the king pin adds kP / cos(lam)^2 to k.
 //!
-//! Linearized, tilt gamma to the right positive, x from the **rear axle** forward, L the wheel base, sums over bodies of
-//! mass m at the height h above the tilt axis, with the products of inertia Ixz = -(sum of x z) about their own centres:
+//! Linearized, tilt gamma to the right positive, x from the **rear axle** forward, L the wheel base, sums over bodies
+//! of mass m at the height h above the tilt axis, with the products of inertia Ixz = -(sum of x z) about their own
+//! centres:
 //!
 //! ```text
 //! A gamma'' + D v gamma' + (B v^2 + k - g sum m h) gamma = tilt torque
@@ -24,16 +26,17 @@
 //! D = (t / L) sum (Ixz + m h x) - tan(lamR) sum m h
 //! ```
 //!
-//! For one body without Ixz, a behind the front axle and b ahead of the rear one, D = m h (b tan(lamF) - a tan(lamR)) / L.
-//! The board is stable at v if D v > 0 and B v^2 + k > g sum m h: when the spring alone does not hold it, above the critical
-//! speed of [`Skateboard::critical_speed`], and only with the weight ahead of where D vanishes.
+//! For one body without Ixz, a behind the front axle and b ahead of the rear one, D = m h (b tan(lamF) - a tan(lamR))
+//! / L. The board is stable at v if D v > 0 and B v^2 + k > g sum m h: when the spring alone does not hold it, above
+//! the critical speed of [`Skateboard::critical_speed`], and only with the weight ahead of where D vanishes.
 //!
 //! Sources. That paper and Hubbard's were not at hand beyond their abstracts, which say that there is a critical speed
 //! above which inertia stabilizes the tilt (Hubbard 1979), and that standing ahead of the middle is better (Varszegi,
-//! Takacs, Stepan & Hogan 2016). The form A, B, D and the assumptions are from memory of Kremnev & Kuleshov, *Nonlinear
-//! dynamics and stability of the skateboard*, DCDS-S 3 (2010) 85-103, whose rider and board (in the middle, x = L / 2) are
-//! two bodies here. The coefficients were derived anew, and agree to 20 digits with the nonlinear equations of the
-//! mechanism as described above, king pins and all (Lagrange with multipliers, by SymPy), linearized numerically.
+//! Takacs, Stepan & Hogan 2016). The form A, B, D and the assumptions are from memory of Kremnev & Kuleshov,
+//! *Nonlinear dynamics and stability of the skateboard*, DCDS-S 3 (2010) 85-103, whose rider and board (in the middle,
+//! x = L / 2) are two bodies here. The coefficients were derived anew, and agree to 20 digits with the nonlinear
+//! equations of the mechanism as described above, king pins and all (Lagrange with multipliers, by SymPy), linearized
+//! numerically.
 
 #![allow(non_snake_case)] // The names are the bicycle's.
 

@@ -1,12 +1,12 @@
 //! The Whipple bicycle on tyres of circular cross-section.
 //!
-//! Its wheels are tori: rR and rF stay the outer radii, the heights of the centres of the upright wheels, and the tyres'
-//! crowns have the radii rhoR and rhoF. Contact moves sideways on the tyre by rho times the lean of the wheel, and a
-//! wheel's centre is at the height r - (r - rho) (1 - cos(lean)) instead of r cos(lean). Rolling without slip gives a
-//! wheel's centre the same velocity as an edge does, to first order, as the contact is a radius r below it. So M, C1 and
-//! K2 are those of the edge, Appendix A of Meijaard, Papadopoulos, Ruina & Schwab (2007), and K0 alone changes. It is as
-//! if the ground rose under each wheel by rho / 2 times the square of the wheel's lean, phi at the rear and
-//! phi + delta sin(lam) at the front, against the load on that wheel:
+//! Its wheels are tori: rR and rF stay the outer radii, the heights of the centres of the upright wheels, and the
+//! tyres' crowns have the radii rhoR and rhoF. Contact moves sideways on the tyre by rho times the lean of the wheel,
+//! and a wheel's centre is at the height r - (r - rho) (1 - cos(lean)) instead of r cos(lean). Rolling without slip
+//! gives a wheel's centre the same velocity as an edge does, to first order, as the contact is a radius r below it. So
+//! M, C1 and K2 are those of the edge, Appendix A of Meijaard, Papadopoulos, Ruina & Schwab (2007), and K0 alone
+//! changes. It is as if the ground rose under each wheel by rho / 2 times the square of the wheel's lean, phi at the
+//! rear and phi + delta sin(lam) at the front, against the load on that wheel:
 //!
 //! ```text
 //! mR' = mT (1 - xT / w)        mF' = mT xT / w                      the masses on the wheels
@@ -17,11 +17,12 @@
 //! ```
 //!
 //! Sources. Meijaard & Schwab, *Linearized equations for an extended bicycle model*, III European Conference on
-//! Computational Mechanics, Lisbon (2006), treat such tyres; that paper was not at hand, and this was derived anew. The
-//! model is that of Peterson's dissertation (Davis 2013, chapter 2), which was at hand: its nonlinear equations (four
-//! bodies, tori, one configuration and four rolling constraints, by SymPy), linearized numerically at 50 digits, have
-//! these matrices to 22 digits for the benchmark and for random designs at random speeds. Its conversion of parameters
-//! says, too, that the outer radii take the place of the radii (there r + t). A wheel alone agrees with [`super::disc`].
+//! Computational Mechanics, Lisbon (2006), treat such tyres; that paper was not at hand, and this was derived anew.
+//! The model is that of Peterson's dissertation (Davis 2013, chapter 2), which was at hand: its nonlinear equations
+//! (four bodies, tori, one configuration and four rolling constraints, by SymPy), linearized numerically at 50 digits,
+//! have these matrices to 22 digits for the benchmark and for random designs at random speeds. Its conversion of
+//! parameters says, too, that the outer radii take the place of the radii (there r + t). A wheel alone agrees with
+//! [`super::disc`].
 
 #![allow(non_snake_case)] // The names are the paper's.
 

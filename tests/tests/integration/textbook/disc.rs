@@ -40,8 +40,8 @@ fn discs_stay_upright_above_their_published_critical_speeds() {
 
 /// The square of the speed at which the lean of Peterson's Rolling-Torus, linearized, has no stiffness.
 ///
-/// There (3/2 R^2 + 2 R r + 13/8 r^2) phi'' = g R phi + (2 R^2 + 2 R r + 7/4 r^2) u6 u7 with the spin u6 and the yaw rate
-/// u7, and (R^2 / 2 + 5/8 r^2) u7' = -(R^2 + 3/4 r^2) u6 phi'.
+/// There (3/2 R^2 + 2 R r + 13/8 r^2) phi'' = g R phi + (2 R^2 + 2 R r + 7/4 r^2) u6 u7 with the spin u6 and the yaw
+/// rate u7, and (R^2 / 2 + 5/8 r^2) u7' = -(R^2 + 3/4 r^2) u6 phi'.
 fn torus_square(major: f64, minor: f64) -> f64 {
     let [major2, minor2] = [major * major, minor * minor];
     let roll = 2.0 * major2 + 2.0 * major * minor + 1.75 * minor2;

@@ -18,8 +18,8 @@ fn a_double_pendulum_has_the_published_frequencies() {
     assert!((found[0] * found[1] - product).abs() < 1e-13 * product);
 }
 
-/// Riley, Hobson & Bence, problem 9.7: T = M l^2 (8/3 q1'^2 + 2 q1' q2' + 2/3 q2'^2), V = M g l (3/2 q1^2 + 1/2 q2^2) for
-/// two rods of the mass M and the length 2 l each, hanging.
+/// Riley, Hobson & Bence, problem 9.7: T = M l^2 (8/3 q1'^2 + 2 q1' q2' + 2/3 q2'^2), V = M g l (3/2 q1^2 + 1/2 q2^2)
+/// for two rods of the mass M and the length 2 l each, hanging.
 #[test]
 fn two_equal_rods_have_the_published_energies() {
     let [mass, l] = [2.0, 0.3];

@@ -6,8 +6,8 @@ use nalgebra::Matrix3;
 
 use super::G;
 
-/// A measured bicycle with the legs of its rider, and his upper body: parameter sets `meijaard2007_browser_jasonlegs` and
-/// `mooreriderlean2012_browser_jason` of BicycleParameters 1.5.2, the second in the terms of the first.
+/// A measured bicycle with the legs of its rider, and his upper body: parameter sets `meijaard2007_browser_jasonlegs`
+/// and `mooreriderlean2012_browser_jason` of BicycleParameters 1.5.2, the second in the terms of the first.
 fn browser_with_a_leaning_rider() -> (Whipple, UpperBody) {
     let bicycle = Whipple {
         w: 1.121,
@@ -51,8 +51,8 @@ fn browser_with_a_leaning_rider() -> (Whipple, UpperBody) {
     (bicycle, upper)
 }
 
-/// What `eval_linear` of BicycleParameters 1.5.2 gives for it at 4 m/s, lean, steer and lean of the rider taken out. At
-/// zero stiffness and damping, these are the matrices that are printed in its documentation.
+/// What `eval_linear` of BicycleParameters 1.5.2 gives for it at 4 m/s, lean, steer and lean of the rider taken out.
+/// At zero stiffness and damping, these are the matrices that are printed in its documentation.
 #[test]
 fn a_leaning_rider_accelerates_as_in_moores_dissertation() {
     let (bicycle, upper) = browser_with_a_leaning_rider();

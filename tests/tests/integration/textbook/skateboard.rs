@@ -11,8 +11,8 @@ use super::{G, largest_real_part, same};
 const RIDDEN: [Body; 2] =
     [Body { m: 3.0, x: 0.4, h: 0.05, Ixx: 0.02, Ixz: 0.0 }, Body { m: 72.0, x: 0.45, h: 0.95, Ixx: 9.0, Ixz: -0.3 }];
 
-/// One body of 75 kg; the nonlinear equations of the mechanism with its king pins, from SymPy and with multipliers for the
-/// constraints, linearized at 50 digits by central differences.
+/// One body of 75 kg; the nonlinear equations of the mechanism with its king pins, from SymPy and with multipliers for
+/// the constraints, linearized at 50 digits by central differences.
 #[test]
 fn a_skateboard_has_the_linearization_of_its_nonlinear_equations() {
     let bodies = [Body { m: 75.0, x: 0.45, h: 0.9, Ixx: 9.0, Ixz: -0.3 }];
