@@ -18,11 +18,11 @@
 //!
 //! Sources. Meijaard & Schwab, *Linearized equations for an extended bicycle model*, III European Conference on
 //! Computational Mechanics, Lisbon (2006), treat such tyres; that paper was not at hand, and this was derived anew.
-//! The model is that of Peterson's dissertation (Davis 2013, chapter 2), which was at hand: its nonlinear equations
-//! (four bodies, tori, one configuration and four rolling constraints, by SymPy), linearized numerically at 50 digits,
-//! have these matrices to 22 digits for the benchmark and for random designs at random speeds. Its conversion of
-//! parameters says, too, that the outer radii take the place of the radii (there r + t). A wheel alone agrees with
-//! [`super::disc`].
+//! The model is that of Peterson's dissertation (Davis 2013, chapter 2), which was at hand, but has no linearized
+//! matrices in print. Nonlinear equations of it, formed anew (four bodies, tori, one configuration and four rolling
+//! constraints, by SymPy) and linearized numerically at 50 digits, have these matrices to 21 digits for the benchmark
+//! and four other designs. Its conversion of parameters says, too, that the outer radii take the place of the radii
+//! (there r + t). A wheel alone agrees with [`super::disc`].
 
 #![allow(non_snake_case)] // The names are the paper's.
 
