@@ -5,7 +5,7 @@
 //! dynamics, and the digits that were [`published`]. Designs to compare them on come from [`bicycles`] and, at random,
 //! from [`designs`]. Eigenvalues are held against [`roots`] of the characteristic [`quartic`], critical speeds against
 //! recomputed [`facts`]. What the compiler's own checks are worth is measured on `mutants`, declarations with one slip
-//! each.
+//! each. Other mechanisms than the bicycle have their matrices by hand in [`textbook`].
 
 pub mod bicycles;
 pub mod designs;
@@ -20,6 +20,7 @@ pub mod published;
 pub mod quartic;
 pub mod real;
 pub mod roots;
+pub mod textbook;
 
 /// The example of the README, which must compile and run as it stands there.
 #[cfg(all(doctest, feature = "compiler"))]

@@ -9,6 +9,8 @@
 ///
 /// Source: Mechanism: Neimark & Fufaev (1972), Dynamics of Nonholonomic Systems
 ///
+/// Derived from a mechanism: wheel `D` (disc).
+///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `psi` (yaw) in rad.
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(

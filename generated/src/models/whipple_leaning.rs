@@ -10,6 +10,8 @@
 ///
 /// Source: Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3
 ///
+/// Derived from a mechanism: body `B` (rear frame and legs), body `H` (front frame), body `U` (upper body), wheel `R` (rear wheel), wheel `F` (front wheel).
+///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad, `theta` (upper body) in rad.
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
@@ -364,7 +366,7 @@ pub struct WhippleLeaningMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 62 additions, 70 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 141 operations.
+    /// 61 additions, 70 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 140 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -419,19 +421,16 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
         let t144 = h_wheels_all - Sz_all;
         let t148 = h_spin_F * t60;
         let t149 = ((yaw_by_delta * t144) + (yaw_per_v_delta * Jxz_all)) + t148;
-        let G_delta_yaw = h_spin_F * t46;
         let Sx_all = ((Sx_theta + Sx_delta) + (self.xB * self.mB)) + t112;
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t159 = P_delta_lateral + G_delta_yaw;
-        let t163 = (yaw_by_delta * (t159 - G_delta_yaw))
-            + (yaw_per_v_delta * P_delta_yaw);
-        let t166 = (yaw_per_v_delta * Jxz_theta) - (yaw_by_delta * Sz_theta);
-        let t169 = yaw_per_v_delta * t144;
-        let t170 = yaw_per_v_delta * t159;
-        let t172 = -(t148 + (yaw_by_delta * h_wheels_all));
-        let t173 = -P_delta_lateral;
-        let t174 = -(t46 * P_delta_lateral);
-        let t175 = -(yaw_per_v_delta * Sz_theta);
+        let t160 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t163 = (yaw_per_v_delta * Jxz_theta) - (yaw_by_delta * Sz_theta);
+        let t166 = yaw_per_v_delta * t144;
+        let t169 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t46));
+        let t171 = -(t148 + (yaw_by_delta * h_wheels_all));
+        let t172 = -P_delta_lateral;
+        let t173 = -(t46 * P_delta_lateral);
+        let t174 = -(yaw_per_v_delta * Sz_theta);
         WhippleLeaningMatrices {
             m: [
                 [t44, t84, M_phi_theta],
@@ -461,10 +460,10 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
                     t149,
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                 ],
-                [t172, t163, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [t171, t160, <T as ::carvallo::Scalar>::from_f64(0.0)],
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
-                    t166,
+                    t163,
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                 ],
             ],
@@ -486,11 +485,16 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
                 ],
             ],
             k0: [
-                [Sz_all, t173, Sz_theta],
-                [t173, t174, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [Sz_all, t172, Sz_theta],
+                [t172, t173, <T as ::carvallo::Scalar>::from_f64(0.0)],
                 [Sz_theta, <T as ::carvallo::Scalar>::from_f64(0.0), Sz_theta],
             ],
             k2: [
+                [
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    t166,
+                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                ],
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                     t169,
@@ -498,12 +502,7 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
                 ],
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
-                    t170,
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                ],
-                [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    t175,
+                    t174,
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                 ],
             ],

@@ -11,6 +11,8 @@
 ///
 /// Source: Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3
 ///
+/// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
+///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad.
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
@@ -312,7 +314,7 @@ pub struct WhippleMechanismMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 47 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 108 operations.
+    /// 46 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 107 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -357,24 +359,21 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
         let t109 = h_wheels_all - Sz_all;
         let t113 = h_spin_F * t42;
         let t114 = ((yaw_by_delta * t109) + (yaw_per_v_delta * Jxz_all)) + t113;
-        let G_delta_yaw = h_spin_F * t28;
         let Sx_all = (Sx_delta + (self.xB * self.mB)) + t84;
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t123 = P_delta_lateral + G_delta_yaw;
-        let t127 = (yaw_by_delta * (t123 - G_delta_yaw))
-            + (yaw_per_v_delta * P_delta_yaw);
-        let t129 = yaw_per_v_delta * t109;
-        let t130 = yaw_per_v_delta * t123;
-        let t131 = -(t113 + (yaw_by_delta * h_wheels_all));
-        let t132 = -P_delta_lateral;
-        let t133 = -(t28 * P_delta_lateral);
+        let t124 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t126 = yaw_per_v_delta * t109;
+        let t129 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
+        let t130 = -(t113 + (yaw_by_delta * h_wheels_all));
+        let t131 = -P_delta_lateral;
+        let t132 = -(t28 * P_delta_lateral);
         WhippleMechanismMatrices {
             m: [[t26, t58], [t58, t99]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t114], [t131, t127]],
-            k0: [[Sz_all, t132], [t132, t133]],
+            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t114], [t130, t124]],
+            k0: [[Sz_all, t131], [t131, t132]],
             k2: [
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t126],
                 [<T as ::carvallo::Scalar>::from_f64(0.0), t129],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t130],
             ],
         }
     }

@@ -10,6 +10,8 @@
 ///
 /// Source: Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3
 ///
+/// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
+///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad.
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
@@ -333,7 +335,7 @@ pub struct WhippleSprungMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> WhippleSprung<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 47 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 108 operations.
+    /// 46 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 107 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -378,17 +380,14 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
         let t110 = h_wheels_all - Sz_all;
         let t114 = h_spin_F * t42;
         let t115 = ((yaw_by_delta * t110) + (yaw_per_v_delta * Jxz_all)) + t114;
-        let G_delta_yaw = h_spin_F * t28;
         let Sx_all = (Sx_delta + (self.xB * self.mB)) + t84;
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t124 = P_delta_lateral + G_delta_yaw;
-        let t128 = (yaw_by_delta * (t124 - G_delta_yaw))
-            + (yaw_per_v_delta * P_delta_yaw);
-        let t131 = yaw_per_v_delta * t110;
-        let t132 = yaw_per_v_delta * t124;
-        let t133 = -(t114 + (yaw_by_delta * h_wheels_all));
-        let t134 = -P_delta_lateral;
-        let t135 = -(t28 * P_delta_lateral);
+        let t125 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t128 = yaw_per_v_delta * t110;
+        let t131 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
+        let t132 = -(t114 + (yaw_by_delta * h_wheels_all));
+        let t133 = -P_delta_lateral;
+        let t134 = -(t28 * P_delta_lateral);
         WhippleSprungMatrices {
             m: [[t26, t58], [t58, t99]],
             c0: [
@@ -398,7 +397,7 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
                 ],
                 [<T as ::carvallo::Scalar>::from_f64(0.0), self.d],
             ],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t115], [t133, t128]],
+            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t115], [t132, t125]],
             kc: [
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
@@ -406,10 +405,10 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
                 ],
                 [<T as ::carvallo::Scalar>::from_f64(0.0), self.k],
             ],
-            k0: [[Sz_all, t134], [t134, t135]],
+            k0: [[Sz_all, t133], [t133, t134]],
             k2: [
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t128],
                 [<T as ::carvallo::Scalar>::from_f64(0.0), t131],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t132],
             ],
         }
     }

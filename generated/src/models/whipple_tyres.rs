@@ -11,6 +11,8 @@
 ///
 /// Source: Mechanism: Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics
 ///
+/// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
+///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad.
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
@@ -330,7 +332,7 @@ pub struct WhippleTyresMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 55 additions, 60 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 122 operations.
+    /// 54 additions, 60 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 121 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -376,28 +378,25 @@ impl<T: ::carvallo::Scalar> WhippleTyres<T> {
         let t110 = h_wheels_all - Sz_all;
         let t114 = h_spin_F * t42;
         let t115 = ((yaw_by_delta * t110) + (yaw_per_v_delta * Jxz_all)) + t114;
-        let G_delta_yaw = h_spin_F * t28;
         let Sx_all = (Sx_delta + (self.xB * self.mB)) + t85;
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t124 = P_delta_lateral + G_delta_yaw;
-        let t128 = (yaw_by_delta * (t124 - G_delta_yaw))
-            + (yaw_per_v_delta * P_delta_yaw);
-        let t130 = Sx_all * t45;
-        let t138 = (Sz_all + (self.rhoF * t130))
-            + (self.rhoR * (((self.mR + self.mB) + m_delta) - t130));
-        let t142 = t130 * ((self.rhoF * t28) - (self.c * t42));
-        let t145 = yaw_per_v_delta * t110;
-        let t146 = yaw_per_v_delta * t124;
-        let t147 = -(t114 + (yaw_by_delta * h_wheels_all));
-        let t148 = t142 - py_delta;
-        let t149 = -(t28 * (py_delta - t142));
+        let t125 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t127 = Sx_all * t45;
+        let t135 = (Sz_all + (self.rhoF * t127))
+            + (self.rhoR * (((self.mR + self.mB) + m_delta) - t127));
+        let t139 = t127 * ((self.rhoF * t28) - (self.c * t42));
+        let t142 = yaw_per_v_delta * t110;
+        let t145 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
+        let t146 = -(t114 + (yaw_by_delta * h_wheels_all));
+        let t147 = t139 - py_delta;
+        let t148 = -(t28 * (py_delta - t139));
         WhippleTyresMatrices {
             m: [[t26, t59], [t59, t100]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t115], [t147, t128]],
-            k0: [[t138, t148], [t148, t149]],
+            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t115], [t146, t125]],
+            k0: [[t135, t147], [t147, t148]],
             k2: [
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t142],
                 [<T as ::carvallo::Scalar>::from_f64(0.0), t145],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t146],
             ],
         }
     }

@@ -22,5 +22,6 @@ mod published;
 mod regenerate;
 mod stability;
 mod state_space;
+mod textbook;
 #[cfg(feature = "compiler")]
 mod ui;

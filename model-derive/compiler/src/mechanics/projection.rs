@@ -73,6 +73,7 @@ pub fn project(
     let dragged = times(&damping, positions);
     let joints = (0..mechanism.joints.len()).filter(|joint| dragged.iter().any(|row| stays(&row[*joint])));
     faults.extend(joints.map(|joint| Fault::Dragged { joint }));
+    faults.extend(massless(&by_rates[0].1, n, formulas).map(|q| Fault::Massless { joint: mechanism.coordinates[q] }));
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -119,15 +120,13 @@ fn settled(entry: &Form, formulas: &Formulas<'_>) -> Form {
 }
 
 /// With the same form for entries that mirror each other, where they are equal.
-fn mirrored(mut matrix: Matrix, formulas: &Formulas<'_>) -> Matrix {
-    for row in 0..matrix.len() {
-        for column in 0..row {
-            if formulas.is_zero(&(&matrix[row][column] - &matrix[column][row])) {
-                matrix[row][column] = matrix[column][row].clone();
-            }
-        }
-    }
-    matrix
+fn mirrored(matrix: Matrix, formulas: &Formulas<'_>) -> Matrix {
+    let size = matrix.len();
+    matrix::new(size, size, |row, column| {
+        let (entry, mirrored) = (&matrix[row][column], &matrix[column][row]);
+        let equal = row > column && formulas.is_zero(&(entry - mirrored));
+        if equal { mirrored.clone() } else { entry.clone() }
+    })
 }
 
 /// The matrices of all joints, as if there were no contacts but for their loads.

@@ -144,7 +144,8 @@ fn inertia(input: ParseStream<'_>) -> syn::Result<Inertia> {
         let (region, moments) = list(input, "the principal moments", expression)?;
         let found = moments.len();
         let message = format!("{found} moments of inertia: expected three, `[Ixx, Iyy, Izz]`");
-        return Ok(Inertia::Principal(moments.try_into().map_err(|_| error(region, message))?));
+        let moments = moments.try_into().map_err(|_| error(region, message))?;
+        return Ok(Inertia::Principal(Box::new(moments)));
     }
     let (region, rows) = list(input, "the rows", |input| list(input, "a row `[…]`", expression))?;
     let message = "expected 3 rows of 3 entries, `[[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]]`";

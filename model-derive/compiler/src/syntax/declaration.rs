@@ -228,7 +228,7 @@ pub struct Vector {
 pub enum Inertia {
     /// Of a point mass.
     None,
-    Principal([Expression; 3]),
+    Principal(Box<[Expression; 3]>),
     Full(Box<[[Expression; 3]; 3]>, Region),
 }
 

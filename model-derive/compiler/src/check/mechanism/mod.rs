@@ -148,7 +148,14 @@ fn kinematics(derived: &Derived, mechanism: &Mechanism, tree: &Tree, names: &Nam
         let label = force.label.clone().unwrap_or_else(|| force.name.to_string());
         [force.name.to_string(), label, force_unit(mechanism, &force.on).into()]
     });
+    let called = |name: &Ident, label: &Option<String>| match label {
+        Some(label) => format!("`{name}` ({label})"),
+        None => format!("`{name}`"),
+    };
+    let bodies = mechanism.bodies.iter().map(|body| format!("body {}", called(&body.name, &body.label)));
+    let wheels = mechanism.wheels.iter().map(|wheel| format!("wheel {}", called(&wheel.name, &wheel.label)));
     Kinematics {
+        parts: bodies.chain(wheels).collect(),
         rates: rates.collect(),
         applied: applied.collect(),
         forces: derived.forces.iter().map(|row| all(row)).collect(),
