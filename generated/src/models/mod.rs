@@ -3,7 +3,13 @@
 //! The models compiled ahead of time.
 
 #[rustfmt::skip]
+mod double_pendulum;
+#[rustfmt::skip]
+mod rear_steered;
+#[rustfmt::skip]
 mod rolling_disc;
+#[rustfmt::skip]
+mod skateboard;
 #[rustfmt::skip]
 mod whipple;
 #[rustfmt::skip]
@@ -15,7 +21,13 @@ mod whipple_sprung;
 #[rustfmt::skip]
 mod whipple_tyres;
 
+pub use double_pendulum::*;
+
+pub use rear_steered::*;
+
 pub use rolling_disc::*;
+
+pub use skateboard::*;
 
 pub use whipple::*;
 

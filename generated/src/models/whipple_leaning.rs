@@ -366,7 +366,7 @@ pub struct WhippleLeaningMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 61 additions, 70 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 140 operations.
+    /// 61 additions, 71 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 141 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -399,42 +399,41 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
             - (Sx_theta * self.zP)) - (Sz_delta * t55);
         let t84 = hx_delta + (yaw_by_delta * Jxz_all);
         let M_phi_theta = Jxx_theta + (self.zP * Sz_theta);
-        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * (t56 * t56)))
-            + (self.mF * (self.c * self.c));
-        let hz_delta = (Jxz_delta * t46) + (Jzz_delta * t60);
+        let t94 = self.IHzz + self.IFxx;
+        let hz_delta = (Jxz_delta * t46)
+            + (t60 * (((self.mH * (t56 * t56)) + (self.mF * (self.c * self.c))) + t94));
         let Sx_delta = t57 - (self.c * self.mF);
         let py_delta = (Sx_delta * t60) - (Sz_delta * t46);
         let M_yaw_delta = hz_delta + (py_delta * t55);
-        let m_delta = self.mH + self.mF;
-        let t112 = m_delta * t55;
-        let t122 = (((((self.IRxx + self.IBzz) + self.IUzz) + Jzz_delta)
-            + ((<T as ::carvallo::Scalar>::from_f64(2.0) * t55)
-                * (Sx_delta + (<T as ::carvallo::Scalar>::from_f64(0.5) * t112))))
-            + (self.mB * (self.xB * self.xB))) + (self.mU * (self.xU * self.xU));
-        let P_delta_yaw = M_yaw_delta + (yaw_by_delta * t122);
-        let t130 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t46))
+        let t118 = (((((self.IRxx + self.IBzz) + self.IUzz) + t94)
+            + (self.mB * (self.xB * self.xB))) + (self.mH * (self.xH * self.xH)))
+            + (self.mF * (self.w * self.w));
+        let P_delta_yaw = M_yaw_delta
+            + (yaw_by_delta * (t118 + (self.mU * (self.xU * self.xU))));
+        let t129 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t46))
             + (hz_delta * t60);
         let P_delta_theta = yaw_by_delta * Jxz_theta;
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
         let Sz_all = (((Sz_theta + Sz_delta) + t73) - (self.rR * self.mR)) + t30;
-        let t144 = h_wheels_all - Sz_all;
-        let t148 = h_spin_F * t60;
-        let t149 = ((yaw_by_delta * t144) + (yaw_per_v_delta * Jxz_all)) + t148;
-        let Sx_all = ((Sx_theta + Sx_delta) + (self.xB * self.mB)) + t112;
+        let t143 = h_wheels_all - Sz_all;
+        let t147 = h_spin_F * t60;
+        let t148 = ((yaw_by_delta * t143) + (yaw_per_v_delta * Jxz_all)) + t147;
+        let Sx_all = ((Sx_theta + Sx_delta) + (self.xB * self.mB))
+            + (t55 * (self.mH + self.mF));
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t160 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t163 = (yaw_per_v_delta * Jxz_theta) - (yaw_by_delta * Sz_theta);
-        let t166 = yaw_per_v_delta * t144;
-        let t169 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t46));
-        let t171 = -(t148 + (yaw_by_delta * h_wheels_all));
-        let t172 = -P_delta_lateral;
-        let t173 = -(t46 * P_delta_lateral);
-        let t174 = -(yaw_per_v_delta * Sz_theta);
+        let t161 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t164 = (yaw_per_v_delta * Jxz_theta) - (yaw_by_delta * Sz_theta);
+        let t167 = yaw_per_v_delta * t143;
+        let t170 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t46));
+        let t172 = -(t147 + (yaw_by_delta * h_wheels_all));
+        let t173 = -P_delta_lateral;
+        let t174 = -(t46 * P_delta_lateral);
+        let t175 = -(yaw_per_v_delta * Sz_theta);
         WhippleLeaningMatrices {
             m: [
                 [t44, t84, M_phi_theta],
-                [t84, t130, P_delta_theta],
+                [t84, t129, P_delta_theta],
                 [M_phi_theta, P_delta_theta, Jxx_theta],
             ],
             c0: [
@@ -457,13 +456,13 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
             c1: [
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
-                    t149,
+                    t148,
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                 ],
-                [t171, t160, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [t172, t161, <T as ::carvallo::Scalar>::from_f64(0.0)],
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
-                    t163,
+                    t164,
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                 ],
             ],
@@ -485,24 +484,24 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
                 ],
             ],
             k0: [
-                [Sz_all, t172, Sz_theta],
-                [t172, t173, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [Sz_all, t173, Sz_theta],
+                [t173, t174, <T as ::carvallo::Scalar>::from_f64(0.0)],
                 [Sz_theta, <T as ::carvallo::Scalar>::from_f64(0.0), Sz_theta],
             ],
             k2: [
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
-                    t166,
+                    t167,
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                 ],
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
-                    t169,
+                    t170,
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                 ],
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
-                    t174,
+                    t175,
                     <T as ::carvallo::Scalar>::from_f64(0.0),
                 ],
             ],

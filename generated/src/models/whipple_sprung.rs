@@ -335,7 +335,7 @@ pub struct WhippleSprungMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> WhippleSprung<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 46 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 107 operations.
+    /// 46 additions, 54 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 108 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -358,38 +358,34 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
         let Sz_delta = (self.zH * self.mH) - t32;
         let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t50)) - (Sz_delta * t37);
         let t58 = hx_delta + (yaw_by_delta * Jxz_all);
-        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * (t38 * t38)))
-            + (self.mF * (self.c * self.c));
-        let hz_delta = (Jxz_delta * t28) + (Jzz_delta * t42);
+        let t66 = self.IHzz + self.IFxx;
+        let hz_delta = (Jxz_delta * t28)
+            + (t42 * (((self.mH * (t38 * t38)) + (self.mF * (self.c * self.c))) + t66));
         let Sx_delta = t39 - (self.c * self.mF);
         let py_delta = (Sx_delta * t42) - (Sz_delta * t28);
         let M_yaw_delta = hz_delta + (py_delta * t37);
-        let m_delta = self.mH + self.mF;
-        let t84 = m_delta * t37;
-        let t92 = yaw_by_delta
-            * ((((self.IRxx + self.IBzz) + Jzz_delta)
-                + ((<T as ::carvallo::Scalar>::from_f64(2.0) * t37)
-                    * (Sx_delta + (<T as ::carvallo::Scalar>::from_f64(0.5) * t84))))
-                + (self.mB * (self.xB * self.xB)));
-        let P_delta_yaw = M_yaw_delta + t92;
-        let t99 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
+        let t89 = yaw_by_delta
+            * (((((self.IRxx + self.IBzz) + t66) + (self.mB * (self.xB * self.xB)))
+                + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w)));
+        let P_delta_yaw = M_yaw_delta + t89;
+        let t96 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
             + (hz_delta * t42);
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
         let Sz_all = (Sz_delta + t50) - (self.rR * self.mR);
-        let t110 = h_wheels_all - Sz_all;
-        let t114 = h_spin_F * t42;
-        let t115 = ((yaw_by_delta * t110) + (yaw_per_v_delta * Jxz_all)) + t114;
-        let Sx_all = (Sx_delta + (self.xB * self.mB)) + t84;
+        let t107 = h_wheels_all - Sz_all;
+        let t111 = h_spin_F * t42;
+        let t112 = ((yaw_by_delta * t107) + (yaw_per_v_delta * Jxz_all)) + t111;
+        let Sx_all = (Sx_delta + (self.xB * self.mB)) + (t37 * (self.mH + self.mF));
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t125 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t128 = yaw_per_v_delta * t110;
-        let t131 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
-        let t132 = -(t114 + (yaw_by_delta * h_wheels_all));
-        let t133 = -P_delta_lateral;
-        let t134 = -(t28 * P_delta_lateral);
+        let t124 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t127 = yaw_per_v_delta * t107;
+        let t130 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
+        let t131 = -(t111 + (yaw_by_delta * h_wheels_all));
+        let t132 = -P_delta_lateral;
+        let t133 = -(t28 * P_delta_lateral);
         WhippleSprungMatrices {
-            m: [[t26, t58], [t58, t99]],
+            m: [[t26, t58], [t58, t96]],
             c0: [
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
@@ -397,7 +393,7 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
                 ],
                 [<T as ::carvallo::Scalar>::from_f64(0.0), self.d],
             ],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t115], [t132, t125]],
+            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t112], [t131, t124]],
             kc: [
                 [
                     <T as ::carvallo::Scalar>::from_f64(0.0),
@@ -405,10 +401,10 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
                 ],
                 [<T as ::carvallo::Scalar>::from_f64(0.0), self.k],
             ],
-            k0: [[Sz_all, t133], [t133, t134]],
+            k0: [[Sz_all, t132], [t132, t133]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t128],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t131],
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t127],
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t130],
             ],
         }
     }

@@ -332,7 +332,7 @@ pub struct WhippleTyresMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 54 additions, 60 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 121 operations.
+    /// 54 additions, 61 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 122 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -356,47 +356,44 @@ impl<T: ::carvallo::Scalar> WhippleTyres<T> {
         let Sz_delta = (self.zH * self.mH) - t32;
         let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t51)) - (Sz_delta * t37);
         let t59 = hx_delta + (yaw_by_delta * Jxz_all);
-        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * (t38 * t38)))
-            + (self.mF * (self.c * self.c));
-        let hz_delta = (Jxz_delta * t28) + (Jzz_delta * t42);
+        let t67 = self.IHzz + self.IFxx;
+        let hz_delta = (Jxz_delta * t28)
+            + (t42 * (((self.mH * (t38 * t38)) + (self.mF * (self.c * self.c))) + t67));
         let Sx_delta = t39 - (self.c * self.mF);
         let py_delta = (Sx_delta * t42) - (Sz_delta * t28);
         let M_yaw_delta = hz_delta + (py_delta * t37);
-        let m_delta = self.mH + self.mF;
-        let t85 = m_delta * t37;
-        let t93 = yaw_by_delta
-            * ((((self.IRxx + self.IBzz) + Jzz_delta)
-                + ((<T as ::carvallo::Scalar>::from_f64(2.0) * t37)
-                    * (Sx_delta + (<T as ::carvallo::Scalar>::from_f64(0.5) * t85))))
-                + (self.mB * (self.xB * self.xB)));
-        let P_delta_yaw = M_yaw_delta + t93;
-        let t100 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
+        let t90 = yaw_by_delta
+            * (((((self.IRxx + self.IBzz) + t67) + (self.mB * (self.xB * self.xB)))
+                + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w)));
+        let P_delta_yaw = M_yaw_delta + t90;
+        let t97 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
             + (hz_delta * t42);
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
         let Sz_all = (Sz_delta + t51) - (self.rR * self.mR);
-        let t110 = h_wheels_all - Sz_all;
-        let t114 = h_spin_F * t42;
-        let t115 = ((yaw_by_delta * t110) + (yaw_per_v_delta * Jxz_all)) + t114;
-        let Sx_all = (Sx_delta + (self.xB * self.mB)) + t85;
+        let t107 = h_wheels_all - Sz_all;
+        let t111 = h_spin_F * t42;
+        let t112 = ((yaw_by_delta * t107) + (yaw_per_v_delta * Jxz_all)) + t111;
+        let m_delta = self.mH + self.mF;
+        let Sx_all = (Sx_delta + (self.xB * self.mB)) + (m_delta * t37);
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t125 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t127 = Sx_all * t45;
-        let t135 = (Sz_all + (self.rhoF * t127))
-            + (self.rhoR * (((self.mR + self.mB) + m_delta) - t127));
-        let t139 = t127 * ((self.rhoF * t28) - (self.c * t42));
-        let t142 = yaw_per_v_delta * t110;
-        let t145 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
-        let t146 = -(t114 + (yaw_by_delta * h_wheels_all));
-        let t147 = t139 - py_delta;
-        let t148 = -(t28 * (py_delta - t139));
+        let t124 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t126 = Sx_all * t45;
+        let t134 = (Sz_all + (self.rhoF * t126))
+            + (self.rhoR * (((self.mR + self.mB) + m_delta) - t126));
+        let t138 = t126 * ((self.rhoF * t28) - (self.c * t42));
+        let t141 = yaw_per_v_delta * t107;
+        let t144 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
+        let t145 = -(t111 + (yaw_by_delta * h_wheels_all));
+        let t146 = t138 - py_delta;
+        let t147 = -(t28 * (py_delta - t138));
         WhippleTyresMatrices {
-            m: [[t26, t59], [t59, t100]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t115], [t146, t125]],
-            k0: [[t135, t147], [t147, t148]],
+            m: [[t26, t59], [t59, t97]],
+            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t112], [t145, t124]],
+            k0: [[t134, t146], [t146, t147]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t142],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t145],
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t141],
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t144],
             ],
         }
     }

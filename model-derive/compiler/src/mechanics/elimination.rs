@@ -36,11 +36,8 @@ impl Solved {
         };
         let divisor = -&row[pivot];
         for (column, entry) in row.iter_mut().enumerate() {
-            *entry = match column == pivot {
-                true => Form::number(-1),
-                false if formulas.is_zero(entry) => Form::number(0),
-                false => formulas.name(name(pivot, column), &entry.over(&divisor)),
-            };
+            let solved = if column == pivot { Form::number(-1) } else { entry.over(&divisor) };
+            *entry = formulas.name(name(pivot, column), &solved);
         }
         for (unknown, known) in &mut self.rows {
             let factor = known[pivot].clone();

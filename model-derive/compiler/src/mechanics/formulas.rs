@@ -19,6 +19,9 @@ pub struct Formulas<'e> {
 /// The size beyond which a value at the sample, whose parameters are about one, is no rounding error.
 const CLEARLY: f64 = 1e-6;
 
+/// Formulas that take more operations than this with what their names stand for keep the names.
+const MAX_OPENED: usize = 40;
+
 impl<'e> Formulas<'e> {
     /// With the definitions of the model, each in those before it.
     pub fn new(engine: &'e Engine, parameters: usize, values: Vec<Form>) -> Self {
@@ -41,9 +44,12 @@ impl<'e> Formulas<'e> {
         form.expr(self.parameters).evaluate(&self.sample.0, &self.sample.1)
     }
 
-    /// A stand-in for a formula, under a name; what is too short for one stays as it is.
+    /// A stand-in for a formula, under a name; zero, and what is too short for a name, stays as it is.
     pub fn name(&mut self, name: impl Into<String>, form: &Form) -> Form {
-        let form = form.simplest();
+        if self.is_zero(form) {
+            return Form::number(0);
+        }
+        let form = self.shortest(form);
         if form.is_short() {
             return form;
         }
@@ -58,6 +64,31 @@ impl<'e> Formulas<'e> {
         self.push(form);
         self.names.push(name.into());
         stand_in
+    }
+
+    /// The shortest form of a formula that is found as it stands, or with what its names stand for: names hide what cancels.
+    pub fn shortest(&self, form: &Form) -> Form {
+        let mut shortest = form.simplest();
+        let mut open = form.clone();
+        let first = self.values.len() - self.names.len();
+        for index in (first..self.values.len()).rev() {
+            if shortest.is_short() {
+                break;
+            }
+            let name = self.engine.definition(self.parameters, index);
+            if !open.mentions(&name) {
+                continue;
+            }
+            open = open.replace(&name, &self.values[index]);
+            if open.operations() > MAX_OPENED {
+                break;
+            }
+            let simplest = open.simplest();
+            if simplest.operations() < shortest.operations() {
+                shortest = simplest;
+            }
+        }
+        shortest
     }
 
     /// Whether a formula is proved to be zero for all parameters.

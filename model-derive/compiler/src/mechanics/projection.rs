@@ -116,7 +116,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// The shortest form of an entry; zero if it is proved to be.
 fn settled(entry: &Form, formulas: &Formulas<'_>) -> Form {
-    if formulas.is_zero(entry) { Form::number(0) } else { entry.simplest() }
+    if formulas.is_zero(entry) { Form::number(0) } else { formulas.shortest(entry) }
 }
 
 /// With the same form for entries that mirror each other, where they are equal.

@@ -1,0 +1,647 @@
+// @generated from generated/models/skateboard.rs by carvallo-compiler 0.1.0; do not edit.
+// To write it anew: cargo regenerate
+// Hash of the source: 1287935754ece2c2
+
+/// A skateboard with a rider who stands still on it: one degree of freedom, the tilt of the board.
+///
+/// Each truck turns about its king pin, which passes through the middle of its axle, with a wheel at either end. All
+/// four wheels stay on the ground and do not slip, so that tilting steers both axles. Trucks and wheels have no mass;
+/// board and rider are one rigid body. Axes: origin on the ground below the rear axle, x forward, y to the right, z
+/// down.
+///
+/// Source: Mechanism: Hubbard (1979), J. Appl. Mech. 46, 931-936; Kremnev & Kuleshov (2010), DCDS-S 3, 85-103
+///
+/// Derived from a mechanism: body `B` (board and rider), body `TF` (front truck), body `TR` (rear truck), wheel `FL` (front left), wheel `FR` (front right), wheel `RL` (rear left), wheel `RR` (rear right).
+///
+/// The fields are the parameters. The coordinates are `gamma` (tilt) in rad.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct Skateboard<T = ::core::primitive::f64> {
+    /// Wheel base, from axle to axle.
+    ///
+    /// `L` in m: > 0.
+    pub L: T,
+    /// Half of the track, from the middle of an axle to a wheel.
+    ///
+    /// `b` in m: > 0.
+    pub b: T,
+    /// Radius of the wheels.
+    ///
+    /// `r` in m: > 0.
+    pub r: T,
+    /// Angle of the front king pin above the horizontal, rising forward.
+    ///
+    /// `lamF`, λF, in rad: > 0 and < 1.5707963267948966.
+    pub lamF: T,
+    /// Angle of the rear king pin above the horizontal, rising backward.
+    ///
+    /// `lamR`, λR, in rad: > 0 and < 1.5707963267948966.
+    pub lamR: T,
+    /// Stiffness of the front truck about its king pin.
+    ///
+    /// `kF` in N*m: >= 0.
+    pub kF: T,
+    /// Stiffness of the rear truck about its king pin.
+    ///
+    /// `kR` in N*m: >= 0.
+    pub kR: T,
+    /// Mass of board and rider.
+    ///
+    /// `m` in kg: > 0.
+    pub m: T,
+    /// Centre of mass, forward of the rear axle.
+    ///
+    /// `x` in m: any finite value.
+    pub x: T,
+    /// Centre of mass, above the axles.
+    ///
+    /// `h` in m: any finite value.
+    pub h: T,
+    /// Moment of inertia of board and rider about their centre of mass, in roll.
+    ///
+    /// `Ixx` in kg*m^2: >= 0.
+    pub Ixx: T,
+    /// Moment of inertia of board and rider about their centre of mass, in pitch.
+    ///
+    /// `Iyy` in kg*m^2: >= 0. No matrix depends on it.
+    pub Iyy: T,
+    /// Moment of inertia of board and rider about their centre of mass, in yaw.
+    ///
+    /// `Izz` in kg*m^2: >= 0. No matrix depends on it.
+    pub Izz: T,
+    /// Product of inertia of board and rider about their centre of mass.
+    ///
+    /// `Ixz` in kg*m^2: any finite value.
+    pub Ixz: T,
+    /// Gravitational field strength.
+    ///
+    /// `g` in N/kg: >= 0.
+    pub g: T,
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl Skateboard<::core::primitive::f64> {
+    /// The parameter set `example`.
+    ///
+    /// Source: An adult on a board; the figures are an example
+    pub const EXAMPLE: Self = Self {
+        L: 0.8,
+        b: 0.1,
+        r: 0.03,
+        lamF: 0.7853981633974483,
+        lamR: 0.7853981633974483,
+        kF: 50.0,
+        kR: 50.0,
+        m: 75.0,
+        x: 0.42,
+        h: 0.9,
+        Ixx: 9.0,
+        Iyy: 9.0,
+        Izz: 1.0,
+        Ixz: 0.0,
+        g: 9.81,
+    };
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Skateboard<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 15]) -> Self {
+        Self {
+            L: values[0],
+            b: values[1],
+            r: values[2],
+            lamF: values[3],
+            lamR: values[4],
+            kF: values[5],
+            kR: values[6],
+            m: values[7],
+            x: values[8],
+            h: values[9],
+            Ixx: values[10],
+            Iyy: values[11],
+            Izz: values[12],
+            Ixz: values[13],
+            g: values[14],
+        }
+    }
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 15] {
+        [
+            self.L,
+            self.b,
+            self.r,
+            self.lamF,
+            self.lamR,
+            self.kF,
+            self.kR,
+            self.m,
+            self.x,
+            self.h,
+            self.Ixx,
+            self.Iyy,
+            self.Izz,
+            self.Ixz,
+            self.g,
+        ]
+    }
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: ::carvallo::Scalar>(&self) -> Skateboard<U> {
+        Skateboard {
+            L: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.L)),
+            b: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.b)),
+            r: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.r)),
+            lamF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.lamF)),
+            lamR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.lamR)),
+            kF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.kF)),
+            kR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.kR)),
+            m: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.m)),
+            x: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.x)),
+            h: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.h)),
+            Ixx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.Ixx)),
+            Iyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.Iyy)),
+            Izz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.Izz)),
+            Ixz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.Ixz)),
+            g: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.g)),
+        }
+    }
+}
+/// The coefficient matrices of [`Skateboard`], each 1 x 1 and row by row, in SI units.
+///
+/// Matrices that the model does not declare are zero and left out.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SkateboardMatrices<T = ::core::primitive::f64> {
+    /// Mass matrix M, the coefficient of q''. Symmetric, proved.
+    pub m: [[T; 1]; 1],
+    /// Damping C1, a coefficient of v q'. Symmetric, proved.
+    pub c1: [[T; 1]; 1],
+    /// Stiffness Kc, a coefficient of q. Symmetric, proved.
+    pub kc: [[T; 1]; 1],
+    /// Stiffness K0, a coefficient of g q. Symmetric, proved.
+    pub k0: [[T; 1]; 1],
+    /// Stiffness K2, a coefficient of v^2 q. Symmetric, proved.
+    pub k2: [[T; 1]; 1],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Skateboard<T> {
+    /// The coefficient matrices, from one straight-line program:
+    /// 9 additions, 17 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 34 operations.
+    ///
+    /// The parameters are not validated.
+    #[inline]
+    #[must_use]
+    pub fn matrices(&self) -> SkateboardMatrices<T> {
+        let P_gamma_lateral = self.m * self.h;
+        let t10 = (self.Ixx - (self.r * P_gamma_lateral))
+            + (self.h * (P_gamma_lateral + (self.r * self.m)));
+        let (t14, t12) = ::carvallo::Scalar::sin_cos(self.lamR);
+        let t13 = <T as ::carvallo::Scalar>::from_f64(1.0) / t12;
+        let t15 = t13 * t14;
+        let t25 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
+        let (t30, t28) = ::carvallo::Scalar::sin_cos(self.lamF);
+        let t29 = <T as ::carvallo::Scalar>::from_f64(1.0) / t28;
+        let t33 = (t25 * t15) + (t29 * (t30 * t25));
+        let t35 = ((self.Ixz + ((self.m * self.x) * ((self.r + self.h) - self.r))) * t33)
+            - (P_gamma_lateral * t15);
+        let t42 = (self.kF * (t29 * t29)) + (self.kR * (t13 * t13));
+        let t43 = P_gamma_lateral * t33;
+        let t44 = -P_gamma_lateral;
+        SkateboardMatrices {
+            m: [[t10]],
+            c1: [[t35]],
+            kc: [[t42]],
+            k0: [[t44]],
+            k2: [[t43]],
+        }
+    }
+}
+/// Rates and forces of [`Skateboard`] that follow from its coordinates q = (`gamma`), to first order and in SI units.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SkateboardKinematics<T = ::core::primitive::f64> {
+    /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
+    pub lateral: ::carvallo::Rate<T, 1>,
+    /// Yaw rate, to the right, in rad/s: of `B`.
+    pub yaw: ::carvallo::Rate<T, 1>,
+    /// Rate of `deltaF`, in rad/s.
+    pub deltaF: ::carvallo::Rate<T, 1>,
+    /// Rate of `deltaR`, in rad/s.
+    pub deltaR: ::carvallo::Rate<T, 1>,
+    /// Spin of the wheel `FL`, front left: about the y axis, so negative in forward motion, in rad/s.
+    pub wheel_FL: ::carvallo::Rate<T, 1>,
+    /// Spin of the wheel `FR`, front right: about the y axis, so negative in forward motion, in rad/s.
+    pub wheel_FR: ::carvallo::Rate<T, 1>,
+    /// Spin of the wheel `RL`, rear left: about the y axis, so negative in forward motion, in rad/s.
+    pub wheel_RL: ::carvallo::Rate<T, 1>,
+    /// Spin of the wheel `RR`, rear right: about the y axis, so negative in forward motion, in rad/s.
+    pub wheel_RR: ::carvallo::Rate<T, 1>,
+    /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `T` (tilt torque) in N*m.
+    pub forces: [[T; 1]; 1],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Skateboard<T> {
+    /// Rates and forces that follow from the coordinates:
+    /// 2 additions, 13 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 31 operations.
+    ///
+    /// The parameters are not validated.
+    #[inline]
+    #[must_use]
+    pub fn kinematics(&self) -> SkateboardKinematics<T> {
+        let (t6, t4) = ::carvallo::Scalar::sin_cos(self.lamR);
+        let t5 = <T as ::carvallo::Scalar>::from_f64(1.0) / t4;
+        let t7 = t5 * t6;
+        let (t9, t13) = ::carvallo::Scalar::sin_cos(self.lamF);
+        let t11 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
+        let t12 = t9 * t11;
+        let t14 = <T as ::carvallo::Scalar>::from_f64(1.0) / t13;
+        let t16 = t11 * t6;
+        let t18 = (t12 * t14) + (t5 * t16);
+        let t19 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.r;
+        let t21 = self.b * t19;
+        let t23 = (t21 * t14) * t9;
+        let spin_FL_per_v_deltaF = t21 * t12;
+        let spin_FL_per_v_deltaR = t21 * t16;
+        let t28 = (spin_FL_per_v_deltaF * t14) + (t5 * spin_FL_per_v_deltaR);
+        let spin_RL_by_gamma = t21 * t7;
+        let t30 = -self.r;
+        let t31 = -t7;
+        let t32 = -t14;
+        let t33 = -t5;
+        let t34 = -t19;
+        let t35 = -t23;
+        let t36 = -t28;
+        let t37 = -spin_RL_by_gamma;
+        SkateboardKinematics {
+            lateral: ::carvallo::Rate {
+                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                rates: [t30],
+                coordinates: [t31],
+                heading: <T as ::carvallo::Scalar>::from_f64(1.0),
+            },
+            yaw: ::carvallo::Rate {
+                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                rates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
+                coordinates: [t18],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+            deltaF: ::carvallo::Rate {
+                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                rates: [t32],
+                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+            deltaR: ::carvallo::Rate {
+                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                rates: [t33],
+                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+            wheel_FL: ::carvallo::Rate {
+                speed: t34,
+                rates: [t35],
+                coordinates: [t36],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+            wheel_FR: ::carvallo::Rate {
+                speed: t34,
+                rates: [t23],
+                coordinates: [t28],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+            wheel_RL: ::carvallo::Rate {
+                speed: t34,
+                rates: [spin_RL_by_gamma],
+                coordinates: [t36],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+            wheel_RR: ::carvallo::Rate {
+                speed: t34,
+                rates: [t37],
+                coordinates: [t28],
+                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+            },
+            forces: [[<T as ::carvallo::Scalar>::from_f64(1.0)]],
+        }
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
+    type Scalar = T;
+    const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
+        name: "Skateboard",
+        docs: "A skateboard with a rider who stands still on it: one degree of freedom, the tilt of the board.\n\nEach truck turns about its king pin, which passes through the middle of its axle, with a wheel at either end. All\nfour wheels stay on the ground and do not slip, so that tilting steers both axles. Trucks and wheels have no mass;\nboard and rider are one rigid body. Axes: origin on the ground below the rear axle, x forward, y to the right, z\ndown.",
+        source: "Mechanism: Hubbard (1979), J. Appl. Mech. 46, 931-936; Kremnev & Kuleshov (2010), DCDS-S 3, 85-103",
+        parameters: &[
+            ::carvallo::ParameterInfo {
+                name: "L",
+                symbol: "L",
+                docs: "Wheel base, from axle to axle.",
+                unit: "m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "b",
+                symbol: "b",
+                docs: "Half of the track, from the middle of an axle to a wheel.",
+                unit: "m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "r",
+                symbol: "r",
+                docs: "Radius of the wheels.",
+                unit: "m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "lamF",
+                symbol: "λF",
+                docs: "Angle of the front king pin above the horizontal, rising forward.",
+                unit: "rad",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Open(1.5707963267948966),
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "lamR",
+                symbol: "λR",
+                docs: "Angle of the rear king pin above the horizontal, rising backward.",
+                unit: "rad",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Open(1.5707963267948966),
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "kF",
+                symbol: "kF",
+                docs: "Stiffness of the front truck about its king pin.",
+                unit: "N*m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "kR",
+                symbol: "kR",
+                docs: "Stiffness of the rear truck about its king pin.",
+                unit: "N*m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "m",
+                symbol: "m",
+                docs: "Mass of board and rider.",
+                unit: "kg",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "x",
+                symbol: "x",
+                docs: "Centre of mass, forward of the rear axle.",
+                unit: "m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Unbounded,
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "h",
+                symbol: "h",
+                docs: "Centre of mass, above the axles.",
+                unit: "m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Unbounded,
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "Ixx",
+                symbol: "Ixx",
+                docs: "Moment of inertia of board and rider about their centre of mass, in roll.",
+                unit: "kg*m^2",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "Iyy",
+                symbol: "Iyy",
+                docs: "Moment of inertia of board and rider about their centre of mass, in pitch.",
+                unit: "kg*m^2",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: false,
+            },
+            ::carvallo::ParameterInfo {
+                name: "Izz",
+                symbol: "Izz",
+                docs: "Moment of inertia of board and rider about their centre of mass, in yaw.",
+                unit: "kg*m^2",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: false,
+            },
+            ::carvallo::ParameterInfo {
+                name: "Ixz",
+                symbol: "Ixz",
+                docs: "Product of inertia of board and rider about their centre of mass.",
+                unit: "kg*m^2",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Unbounded,
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "g",
+                symbol: "g",
+                docs: "Gravitational field strength.",
+                unit: "N/kg",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+        ],
+        coordinates: &[
+            ::carvallo::CoordinateInfo {
+                name: "gamma",
+                label: "tilt",
+                docs: "Tilt of the board, to the right.",
+                unit: "rad",
+            },
+        ],
+        sets: &[
+            ::carvallo::SetInfo {
+                name: "example",
+                docs: "",
+                source: "An adult on a board; the figures are an example",
+                values: &[
+                    0.8,
+                    0.1,
+                    0.03,
+                    0.7853981633974483,
+                    0.7853981633974483,
+                    50.0,
+                    50.0,
+                    75.0,
+                    0.42,
+                    0.9,
+                    9.0,
+                    9.0,
+                    1.0,
+                    0.0,
+                    9.81,
+                ],
+            },
+        ],
+        gravity: ::core::option::Option::Some(14),
+    };
+    fn from_slice(
+        values: &[T],
+    ) -> ::core::result::Result<Self, ::carvallo::LengthError> {
+        if values.len() != 15 {
+            return ::core::result::Result::Err(::carvallo::LengthError {
+                model: "Skateboard",
+                expected: 15,
+                found: values.len(),
+            });
+        }
+        ::core::result::Result::Ok(Self {
+            L: values[0],
+            b: values[1],
+            r: values[2],
+            lamF: values[3],
+            lamR: values[4],
+            kF: values[5],
+            kR: values[6],
+            m: values[7],
+            x: values[8],
+            h: values[9],
+            Ixx: values[10],
+            Iyy: values[11],
+            Izz: values[12],
+            Ixz: values[13],
+            g: values[14],
+        })
+    }
+    fn write_to(
+        &self,
+        values: &mut [T],
+    ) -> ::core::result::Result<(), ::carvallo::LengthError> {
+        if values.len() != 15 {
+            return ::core::result::Result::Err(::carvallo::LengthError {
+                model: "Skateboard",
+                expected: 15,
+                found: values.len(),
+            });
+        }
+        values.copy_from_slice(&self.to_array());
+        ::core::result::Result::Ok(())
+    }
+    fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
+        let info = <Self as ::carvallo::Model<1>>::INFO;
+        info.validate(
+            &[
+                ::carvallo::Scalar::to_f64(self.L),
+                ::carvallo::Scalar::to_f64(self.b),
+                ::carvallo::Scalar::to_f64(self.r),
+                ::carvallo::Scalar::to_f64(self.lamF),
+                ::carvallo::Scalar::to_f64(self.lamR),
+                ::carvallo::Scalar::to_f64(self.kF),
+                ::carvallo::Scalar::to_f64(self.kR),
+                ::carvallo::Scalar::to_f64(self.m),
+                ::carvallo::Scalar::to_f64(self.x),
+                ::carvallo::Scalar::to_f64(self.h),
+                ::carvallo::Scalar::to_f64(self.Ixx),
+                ::carvallo::Scalar::to_f64(self.Iyy),
+                ::carvallo::Scalar::to_f64(self.Izz),
+                ::carvallo::Scalar::to_f64(self.Ixz),
+                ::carvallo::Scalar::to_f64(self.g),
+            ],
+        )?;
+        ::core::result::Result::Ok(())
+    }
+    #[inline]
+    fn coefficients(&self) -> ::carvallo::Coefficients<T, 1> {
+        let matrices = self.matrices();
+        ::carvallo::Coefficients::from_rows([
+            matrices.m,
+            [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+            matrices.c1,
+            matrices.kc,
+            matrices.k0,
+            matrices.k2,
+        ])
+    }
+    fn gravity(&self) -> ::core::option::Option<T> {
+        ::core::option::Option::Some(self.g)
+    }
+}
