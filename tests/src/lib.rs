@@ -8,9 +8,12 @@
 //! each. Other mechanisms than the bicycle have their matrices by hand in [`textbook`].
 
 pub mod bicycles;
+pub mod chain;
 pub mod designs;
 pub mod exact;
 pub mod facts;
+#[cfg(feature = "compiler")]
+pub mod fractions;
 pub mod hand_written;
 pub mod multibody;
 #[cfg(feature = "compiler")]

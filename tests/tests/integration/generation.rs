@@ -41,7 +41,7 @@ fn bits<T: carvallo::Scalar>(matrices: carvallo::Coefficients<T, 2>) -> Vec<u64>
 
 #[test]
 fn generated_code_does_what_its_program_says() {
-    let program = compile(declaration()).expect("the model compiles").matrices;
+    let program = compile(declaration()).expect("the model compiles").programs.matrices;
     for number in 0..200 {
         let design = designs::numbered(number);
         let matrices = design.matrices();

@@ -12,6 +12,7 @@ mod eigenvalues;
 mod enormous;
 #[cfg(feature = "compiler")]
 mod generation;
+mod mechanisms;
 mod modes;
 mod multibody;
 #[cfg(feature = "compiler")]

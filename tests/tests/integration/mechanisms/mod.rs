@@ -1,0 +1,23 @@
+//! Models that are derived from mechanisms, against formulas, figures and dynamics from elsewhere.
+
+mod bicycles;
+#[cfg(feature = "compiler")]
+mod chains;
+#[cfg(feature = "compiler")]
+mod identity;
+mod kinematics;
+mod others;
+
+use carvallo::{Coefficients, Matrix};
+
+/// Whether each matrix agrees with another one, to a part of the largest entry of that.
+fn assert_close<const N: usize>(found: &Coefficients<f64, N>, expected: &Coefficients<f64, N>, part: f64, what: &str) {
+    let matrices = |c: &Coefficients<f64, N>| [c.m, c.c0, c.c1, c.kc, c.k0, c.k2];
+    let names = ["M", "C0", "C1", "Kc", "K0", "K2"];
+    for ((found, expected), name) in matrices(found).into_iter().zip(matrices(expected)).zip(names) {
+        let size = |matrix: Matrix<f64, N>| matrix.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
+        let error = size(found - expected);
+        // What is zero in exact arithmetic is compared with what it is the difference of.
+        assert!(error <= part * size(expected).max(1.0), "{what}: {name} is {found}, not {expected}: {error:e}");
+    }
+}
