@@ -3,6 +3,40 @@
 //! The models compiled ahead of time.
 
 #[rustfmt::skip]
+mod pendulum;
+#[rustfmt::skip]
+mod three_pipes;
+#[rustfmt::skip]
+mod two_pipes;
+#[rustfmt::skip]
 mod whipple;
 
+pub use pendulum::*;
+pub use three_pipes::*;
+pub use two_pipes::*;
 pub use whipple::*;
+
+/// What a function makes of each model, as an array: `each_model!(f)` is `[f::<_, A>(), f::<_, B>(), …]`.
+///
+/// The function is generic over the number of coordinates and the model.
+///
+/// ```
+/// use carvallo::Model;
+///
+/// fn name<const N: usize, M: Model<N, Scalar = f64>>() -> (&'static str, usize) {
+///     (M::INFO.name, N)
+/// }
+///
+/// assert!(carvallo_models::each_model!(name).contains(&("Whipple", 2)));
+/// ```
+#[macro_export]
+macro_rules! each_model {
+    ($($function:tt)+) => {
+        [
+            $($function)+::<_, $crate::Pendulum>(),
+            $($function)+::<_, $crate::ThreePipes>(),
+            $($function)+::<_, $crate::TwoPipes>(),
+            $($function)+::<_, $crate::Whipple>(),
+        ]
+    };
+}
