@@ -3,7 +3,7 @@ carvallo::model! {
     ///
     /// Rigid pipes of equal length, the first hinged to a wall and each other one to the one before it, each hinge with a
     /// spring and a damper. The speed v is that of the fluid, which leaves at the free end along the last pipe; above a
-    /// critical speed the pipes flutter.
+    /// critical speed the pipes buckle or flutter.
     pub model ThreePipes {
         source "Hamilton's principle for a fluid that leaves the system, as Benjamin (1961) has it: Proc. R. Soc. A 261, 457-486";
 

@@ -1,12 +1,12 @@
 // @generated from generated/models/three_pipes.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 8801bc27e27d178e
+// Hash of the source: 1aef6f1a5924c401
 
 /// Three pipes in a row that carry a fluid, hanging: a garden hose with three hinges.
 ///
 /// Rigid pipes of equal length, the first hinged to a wall and each other one to the one before it, each hinge with a
 /// spring and a damper. The speed v is that of the fluid, which leaves at the free end along the last pipe; above a
-/// critical speed the pipes flutter.
+/// critical speed the pipes buckle or flutter.
 ///
 /// Source: Hamilton's principle for a fluid that leaves the system, as Benjamin (1961) has it: Proc. R. Soc. A 261, 457-486
 ///
@@ -198,7 +198,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for ThreePipes<T> {
     type Scalar = T;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "ThreePipes",
-        docs: "Three pipes in a row that carry a fluid, hanging: a garden hose with three hinges.\n\nRigid pipes of equal length, the first hinged to a wall and each other one to the one before it, each hinge with a\nspring and a damper. The speed v is that of the fluid, which leaves at the free end along the last pipe; above a\ncritical speed the pipes flutter.",
+        docs: "Three pipes in a row that carry a fluid, hanging: a garden hose with three hinges.\n\nRigid pipes of equal length, the first hinged to a wall and each other one to the one before it, each hinge with a\nspring and a damper. The speed v is that of the fluid, which leaves at the free end along the last pipe; above a\ncritical speed the pipes buckle or flutter.",
         source: "Hamilton's principle for a fluid that leaves the system, as Benjamin (1961) has it: Proc. R. Soc. A 261, 457-486",
         parameters: &[
             ::carvallo::ParameterInfo {

@@ -1,12 +1,12 @@
 // @generated from generated/models/two_pipes.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 139f66ee252e0627
+// Hash of the source: bde37c98167ee8c2
 
 /// Two pipes in a row that carry a fluid, hanging: a garden hose with two hinges.
 ///
 /// Rigid pipes of equal length, the first hinged to a wall and the second to the first, each hinge with a spring and
 /// a damper. The speed v is that of the fluid, which leaves at the free end along the second pipe; above a critical
-/// speed the pipes flutter.
+/// speed the pipes buckle or flutter.
 ///
 /// Source: Hamilton's principle for a fluid that leaves the system, as Benjamin (1961) has it: Proc. R. Soc. A 261, 457-486
 ///
@@ -164,7 +164,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for TwoPipes<T> {
     type Scalar = T;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "TwoPipes",
-        docs: "Two pipes in a row that carry a fluid, hanging: a garden hose with two hinges.\n\nRigid pipes of equal length, the first hinged to a wall and the second to the first, each hinge with a spring and\na damper. The speed v is that of the fluid, which leaves at the free end along the second pipe; above a critical\nspeed the pipes flutter.",
+        docs: "Two pipes in a row that carry a fluid, hanging: a garden hose with two hinges.\n\nRigid pipes of equal length, the first hinged to a wall and the second to the first, each hinge with a spring and\na damper. The speed v is that of the fluid, which leaves at the free end along the second pipe; above a critical\nspeed the pipes buckle or flutter.",
         source: "Hamilton's principle for a fluid that leaves the system, as Benjamin (1961) has it: Proc. R. Soc. A 261, 457-486",
         parameters: &[
             ::carvallo::ParameterInfo {
