@@ -1,5 +1,6 @@
 //! What is computed for a design, once, for every way of showing it.
 
+use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use carvallo::{Complex, CriticalSpeed, ModeValue, Modes, Stability, StableRange, SystemError, Verdict};
@@ -14,6 +15,9 @@ const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
 /// A real part that is so much smaller than the largest eigenvalue may be zero: two eigenvalues that are equal come out
 /// with half of the digits.
 const NEGLIGIBLE: f64 = 1e-7;
+
+/// Real parts that differ by less than this, relative to the largest eigenvalue, differ by rounding.
+pub const ROUNDING: f64 = 1e-12;
 
 /// The coordinates of a bicycle; only for them the modes have names.
 const BICYCLE: [&str; 2] = ["lean", "steer"];
@@ -36,7 +40,8 @@ pub struct Row<V> {
 /// Castering, capsize, weave and weave at one speed.
 pub type ModeRow = Row<[ModeValue; 4]>;
 
-/// The eigenvalues at one speed, sorted by real part, then by imaginary part.
+/// The eigenvalues at one speed, sorted by real part, and where real parts are equal up to rounding, by the size of the
+/// imaginary part: so their order is the same on every machine, and pairs stay together.
 pub struct Eigenvalues {
     pub values: Vec<Complex<f64>>,
     pub verdict: Verdict,
@@ -97,7 +102,10 @@ impl Analysis {
     }
 
     fn eigenvalues(&self, speed: f64) -> Result<Eigenvalues, SystemError> {
-        let values = self.design.equations.eigenvalues(speed, self.design.gravity().unwrap_or(0.0))?;
+        let mut values = self.design.equations.eigenvalues(speed, self.design.gravity().unwrap_or(0.0))?;
+        let unit = (ROUNDING * largest(&values)).max(f64::MIN_POSITIVE);
+        let key = |value: &Complex<f64>| [(value.re / unit).round(), value.im.abs(), value.im];
+        values.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
         let verdict = match &self.stability {
             Some(stability) => stability.verdict(speed)?,
             None => verdict(&values),
@@ -106,11 +114,15 @@ impl Analysis {
     }
 }
 
+/// The size of the largest eigenvalue.
+pub fn largest(values: &[Complex<f64>]) -> f64 {
+    values.iter().map(|value| value.norm()).fold(0.0, f64::max)
+}
+
 /// Whether motion with these eigenvalues is stable, as far as their digits tell.
 fn verdict(values: &[Complex<f64>]) -> Verdict {
-    let largest = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
     let rightmost = values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
-    if rightmost.abs() <= NEGLIGIBLE * largest {
+    if rightmost.abs() <= NEGLIGIBLE * largest(values) {
         Verdict::Marginal
     } else if rightmost < 0.0 {
         Verdict::Stable

@@ -79,8 +79,9 @@ fn analyze(request: &Request, speeds: Option<Vec<f64>>, format: Format, plot: Op
     let model = analysis.design.model;
     if !model.depends_on_speed() {
         if let Some(path) = plot {
-            let (name, path) = (model.info.name, path.display());
-            let message = format!("nothing in the model {name} depends on the speed: expected no --plot {path}");
+            let (path, name) = (path.display(), model.info.name);
+            let reason = "so there is no graph against it";
+            let message = format!("--plot {path}: nothing in the model {name} depends on the speed, {reason}");
             return Err(Failure::usage(message));
         }
         if speeds.is_some() {

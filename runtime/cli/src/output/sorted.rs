@@ -7,11 +7,8 @@ use carvallo::{Complex, Verdict};
 
 use super::table::{LINE, speeds, width};
 use super::{FAINT, GOOD, HEADING};
-use crate::analysis::{Analysis, Eigenvalues, Row};
+use crate::analysis::{Analysis, Eigenvalues, ROUNDING, Row, largest};
 use crate::number::fixed;
-
-/// Real parts smaller than this, relative to the largest eigenvalue, are rounding of zero.
-const ROUNDING: f64 = 1e-12;
 
 /// A real eigenvalue, or a pair with the size of its imaginary parts.
 struct Entry {
@@ -58,10 +55,10 @@ pub fn eigenvalues(analysis: &Analysis, rows: &[Row<Eigenvalues>], text: &mut St
 
 /// Pairs stand where their half with the negative imaginary part does.
 fn entries(values: &[Complex<f64>]) -> Vec<Entry> {
-    let largest = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
+    let rounding = ROUNDING * largest(values);
     let lower_half = values.iter().filter(|value| value.im <= 0.0);
     let entry = |value: &Complex<f64>| {
-        let re = if value.re.abs() < ROUNDING * largest { 0.0 } else { value.re };
+        let re = if value.re.abs() < rounding { 0.0 } else { value.re };
         Entry { re: fixed(re, 6), im: (value.im < 0.0).then(|| fixed(-value.im, 6)) }
     };
     lower_half.map(entry).collect()
