@@ -5,6 +5,8 @@ mod extremes;
 mod formats;
 mod hints;
 mod mistakes;
+mod mistakes_of_models;
+mod models;
 mod pictures;
 mod process;
 mod show;

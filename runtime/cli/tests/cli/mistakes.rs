@@ -151,8 +151,6 @@ fn files_that_are_not_in_their_format() {
     let principal = "bike.yml:1: the parameterization is `principal`; only `benchmark` can be read";
     let indented = yaml.lines().map(|line| format!("  {line}\n")).collect::<String>();
     check_file("bike.yml", format!("parameterization: principal\nvalues:\n{indented}"), principal);
-    let model = BENCHMARK.replace("[parameters]", "model = \"Motorcycle\"\n[parameters]");
-    check_file("bike.toml", model, "bike.toml: the parameters are for the model `Motorcycle`; only Whipple is known");
     let outside = BENCHMARK.replace("[parameters]", "mass = 3\n[parameters]");
     check_file("bike.toml", outside, "bike.toml:5: `mass` stands outside of [parameters]");
 }
