@@ -94,8 +94,10 @@ impl Analysis {
         let row = |&speed: &f64| match values(speed) {
             Ok(values) => Ok(Row { speed, values }),
             Err(error) => {
-                let (name, speed, hint) = (self.design.title(), shortest(speed), extremes(&self.design));
-                Err(Failure::Run(format!("{name} at {speed} m/s: {error}{hint}")))
+                let (name, hint) = (self.design.title(), extremes(&self.design));
+                let at = format!(" at {} m/s", shortest(speed));
+                let at = if self.design.model.depends_on_speed() { at } else { String::new() };
+                Err(Failure::Run(format!("{name}{at}: {error}{hint}")))
             }
         };
         speeds.iter().map(row).collect()
