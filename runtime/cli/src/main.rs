@@ -78,18 +78,13 @@ fn analyze(request: &Request, speeds: Option<Vec<f64>>, format: Format, plot: Op
     let analysis = Analysis::new(load(request)?)?;
     let model = analysis.design.model;
     if !model.depends_on_speed() {
+        let nothing = format!("nothing in the model {} depends on the speed", model.info.name);
         if let Some(path) = plot {
-            let (path, name) = (path.display(), model.info.name);
-            let reason = "so there is no graph against it";
-            let message = format!("--plot {path}: nothing in the model {name} depends on the speed, {reason}");
-            return Err(Failure::usage(message));
+            let path = path.display();
+            return Err(Failure::usage(format!("--plot {path}: {nothing}, so there is no graph against it")));
         }
         if speeds.is_some() {
-            note(
-                WARNING,
-                "note",
-                &format!("nothing in the model {} depends on the speed: --speeds is ignored", model.info.name),
-            );
+            note(WARNING, "note", &format!("{nothing}: --speeds is ignored"));
         }
     }
     let speeds_or = |default| speeds.clone().map_or_else(|| default_speeds(default), Ok);

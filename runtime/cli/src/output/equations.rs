@@ -1,8 +1,13 @@
 //! The equations of motion: the terms that a model has, and its matrices with their units.
 
+use std::fmt::Write as _;
+
 use carvallo::{CoordinateInfo, ModelInfo};
 
+use super::HEADING;
+use super::table::{LINE, width};
 use crate::input::Design;
+use crate::number::{fixed, shortest};
 
 /// A matrix that the model has.
 pub struct Matrix {
@@ -18,8 +23,45 @@ pub fn matrices(design: &Design) -> Vec<Matrix> {
     all.map(|(name, rows)| Matrix { name, unit: unit(name, info.coordinates), rows }).collect()
 }
 
+/// The equations with their matrices, for people. Writing to a string cannot fail, so that the results of `write!` are
+/// dropped.
+pub fn equations(design: &Design, text: &mut String) {
+    let info = design.info();
+    let coordinates: Vec<String> = info.coordinates.iter().map(coordinate).collect();
+    let gravity = design.gravity().map(|gravity| format!(" and g = {} N/kg", shortest(gravity))).unwrap_or_default();
+    let _ = writeln!(text, "\n{HEADING}Equations of motion{HEADING:#}  {}", equation(info));
+    let _ = writeln!(text, "  with q = ({}){gravity}", coordinates.join(", "));
+    // Adding zero turns -0 into 0.
+    let exact = |value: f64| shortest(value + 0.0);
+    let rounded = |value: f64| if value == 0.0 { exact(value) } else { fixed(value, 6) };
+    let matrices = matrices(design);
+    // All digits, unless that would make the lines long.
+    let lines = matrix_lines(&matrices, exact);
+    let is_long = lines.iter().any(|line| line.chars().count() > LINE);
+    for line in if is_long { matrix_lines(&matrices, rounded) } else { lines } {
+        let _ = writeln!(text, "{line}");
+    }
+}
+
+fn matrix_lines(matrices: &[Matrix], number: impl Fn(f64) -> String) -> Vec<String> {
+    let row = |row: &Vec<f64>| row.iter().map(|value| number(*value)).collect::<Vec<String>>();
+    let rows: Vec<Vec<Vec<String>>> = matrices.iter().map(|matrix| matrix.rows.iter().map(row).collect()).collect();
+    // The fewer columns there are, the wider they may be.
+    let least = matrices.first().map_or(0, |matrix| 44 / matrix.rows.len().max(2));
+    let width = width(rows.iter().flatten().flatten(), least);
+    let mut lines = Vec::new();
+    for (Matrix { name, unit, .. }, rows) in matrices.iter().zip(&rows) {
+        for (index, row) in rows.iter().enumerate() {
+            let (name, unit) = if index == 0 { (*name, *unit) } else { ("", "") };
+            let row: String = row.iter().map(|value| format!("{value:>width$}")).collect();
+            lines.push(format!("  {name:<3}{unit:<7}{row}"));
+        }
+    }
+    lines
+}
+
 /// `M q'' + (C0 + v C1) q' + (Kc + g K0 + v² K2) q = f` with the terms that the model has.
-pub fn equation(info: &ModelInfo) -> String {
+fn equation(info: &ModelInfo) -> String {
     let sum = |terms: &[(&str, &'static str)], factor: &str| {
         let terms = terms.iter().filter(|(matrix, _)| info.matrices.contains(matrix));
         match terms.map(|(_, term)| *term).collect::<Vec<_>>()[..] {

@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 
 use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, StableRange};
 
-use super::equations::{Matrix, coordinate, equation, matrices};
-use super::{FAINT, GOOD, HEADING, is_stable, sorted};
+use super::{FAINT, GOOD, HEADING, equations, is_stable, sorted};
 use crate::analysis::{Analysis, ModeRow, Row, Rows};
 use crate::number::{fixed, shortest};
 
@@ -16,7 +15,7 @@ pub const LINE: usize = 124;
 pub fn table(analysis: &Analysis, rows: &Rows) -> String {
     let mut text = String::new();
     heading(analysis, &mut text);
-    write_matrices(analysis, &mut text);
+    equations::equations(&analysis.design, &mut text);
     if analysis.design.model.depends_on_speed() {
         critical_speeds(analysis, &mut text);
     }
@@ -33,32 +32,6 @@ fn heading(analysis: &Analysis, text: &mut String) {
     let _ = writeln!(text, "{HEADING}{}{HEADING:#}{kind}", design.title());
     if let Some(source) = &design.source {
         let _ = writeln!(text, "{FAINT}{source}{FAINT:#}");
-    }
-}
-
-fn write_matrices(analysis: &Analysis, text: &mut String) {
-    let design = &analysis.design;
-    let info = design.info();
-    let coordinates: Vec<String> = info.coordinates.iter().map(coordinate).collect();
-    let gravity = design.gravity().map(|gravity| format!(" and g = {} N/kg", shortest(gravity))).unwrap_or_default();
-    let _ = writeln!(text, "\n{HEADING}Equations of motion{HEADING:#}  {}", equation(info));
-    let _ = writeln!(text, "  with q = ({}){gravity}", coordinates.join(", "));
-    let matrices = matrices(design);
-    let entries = || matrices.iter().flat_map(|matrix| matrix.rows.iter().flatten());
-    // Adding zero turns -0 into 0.
-    let exact = |value: f64| shortest(value + 0.0);
-    let rounded = |value: f64| if value == 0.0 { exact(value) } else { fixed(value, 6) };
-    let [room, least] = [(LINE - 12) / coordinates.len(), 44 / coordinates.len().max(2)];
-    let widest = |text: &dyn Fn(f64) -> String| width(&entries().map(|value| text(*value)).collect::<Vec<_>>(), least);
-    // All digits, unless that would make the lines long.
-    let number: &dyn Fn(f64) -> String = if widest(&exact) <= room { &exact } else { &rounded };
-    let width = widest(number);
-    for Matrix { name, unit, rows } in &matrices {
-        for (index, row) in rows.iter().enumerate() {
-            let (name, unit) = if index == 0 { (*name, *unit) } else { ("", "") };
-            let row: String = row.iter().map(|value| format!("{:>width$}", number(*value))).collect();
-            let _ = writeln!(text, "  {name:<3}{unit:<7}{row}");
-        }
     }
 }
 
