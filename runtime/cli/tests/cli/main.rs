@@ -36,6 +36,12 @@ impl Directory {
         Self(path)
     }
 
+    /// For what several tests call: each of them runs in a thread of its own name.
+    fn of_this_test() -> Self {
+        let thread = std::thread::current();
+        Self::new(&thread.name().unwrap_or_default().replace("::", "-"))
+    }
+
     fn write(&self, name: &str, text: impl AsRef<[u8]>) -> &Self {
         std::fs::write(self.0.join(name), text).unwrap();
         self

@@ -17,7 +17,7 @@ pub fn check(test: &str, line: &str, by: &str, message: &str) {
 /// A file, and everything that is said about it.
 #[track_caller]
 pub fn check_file(name: &str, text: impl AsRef<[u8]>, message: &str) {
-    let directory = Directory::new(&format!("mistake-file-{name}"));
+    let directory = Directory::of_this_test();
     directory.write(name, text);
     directory.run(&["analyze", name]).fails(2, &format!("error: {message}\n"));
 }
@@ -25,7 +25,7 @@ pub fn check_file(name: &str, text: impl AsRef<[u8]>, message: &str) {
 /// The benchmark with options of the command line.
 #[track_caller]
 pub fn check_options(options: &[&str], message: &str) {
-    let directory = Directory::new("mistake-options");
+    let directory = Directory::of_this_test();
     directory.run(&[&["analyze"], options].concat()).fails(2, &format!("error: {message}\n"));
 }
 

@@ -10,7 +10,7 @@ fn texts(svg: &str) -> Vec<String> {
 
 #[track_caller]
 fn picture(arguments: &[&str]) -> Vec<String> {
-    let directory = Directory::new(&arguments.join("-"));
+    let directory = Directory::of_this_test();
     let run = directory.run(&[arguments, &["--plot", "picture.svg"]].concat());
     assert_eq!(run.code, Some(0), "{}", run.stderr);
     assert!(run.stderr.ends_with("wrote: picture.svg\n"), "{}", run.stderr);
