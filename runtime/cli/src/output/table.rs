@@ -38,8 +38,10 @@ fn heading(analysis: &Analysis, text: &mut String) {
 fn critical_speeds(analysis: &Analysis, text: &mut String) {
     let Some(stability) = &analysis.stability else {
         let n = analysis.design.info().coordinates.len();
-        let _ =
-            writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} are computed for two coordinates only; here are {n}");
+        let _ = writeln!(
+            text,
+            "\n{HEADING}Critical speeds{HEADING:#} are computed for two coordinates only; this model has {n}"
+        );
         return;
     };
     let _ = writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} (m/s)");

@@ -120,7 +120,7 @@ fn tables_say_what_there_is() {
     let text = directory.run(&["analyze", "--model", "ThreePipes"]).ok();
     assert!(text.starts_with("ThreePipes hose\n"), "{text}");
     assert!(text.contains("M q'' + (C0 + v C1) q' + (Kc + g K0 + v² K2) q = f\n"), "{text}");
-    assert!(text.contains("\nCritical speeds are computed for two coordinates only; here are 3\n"), "{text}");
+    assert!(text.contains("\nCritical speeds are computed for two coordinates only; this model has 3\n"), "{text}");
     let row = "        3  stable     -3.498710 ± 17.291833 i   -3.048812 ±  7.384452 i   -2.101709 ±  2.317984 i\n";
     assert!(text.contains(row), "{text}");
     for unit in ["M  kg m² ", "C0 N m s ", "C1 kg m ", "Kc N m ", "K0 kg m ", "K2 kg "] {
