@@ -6,4 +6,4 @@ mod bicycles;
 mod models;
 
 pub use bicycles::{BICYCLES, Bicycle};
-pub use models::{Whipple, WhippleMatrices};
+pub use models::*;

@@ -17,6 +17,8 @@ pub struct ModelInfo {
     pub parameters: &'static [ParameterInfo],
     /// The coordinates q, in the order of the rows of the matrices.
     pub coordinates: &'static [CoordinateInfo],
+    /// The matrices that the model has, in the order `M`, `C0`, `C1`, `Kc`, `K0`, `K2`; the others are zero.
+    pub matrices: &'static [&'static str],
     /// The named parameter sets that the declaration carries.
     pub sets: &'static [SetInfo],
     /// The position of the parameter that is the gravitational field strength g, if there is one.

@@ -62,7 +62,7 @@ fn measure(definitions: usize) {
     let seconds = processor_seconds() - start;
     let peak = peak();
     assert!(!expanded.is_empty());
-    let operations = Counts::of(&compile(parse()).expect("it compiles").matrices).total();
+    let operations = Counts::of(&compile(parse()).expect("it compiles").programs.matrices).total();
     println!("{operations} {seconds} {peak}");
 }
 

@@ -300,6 +300,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for DoublePendulum<T> {
                 unit: "rad",
             },
         ],
+        matrices: &["M", "K0"],
         sets: &[
             ::carvallo::SetInfo {
                 name: "rods",

@@ -5,11 +5,17 @@
 #[rustfmt::skip]
 mod double_pendulum;
 #[rustfmt::skip]
+mod pendulum;
+#[rustfmt::skip]
 mod rear_steered;
 #[rustfmt::skip]
 mod rolling_disc;
 #[rustfmt::skip]
 mod skateboard;
+#[rustfmt::skip]
+mod three_pipes;
+#[rustfmt::skip]
+mod two_pipes;
 #[rustfmt::skip]
 mod whipple;
 #[rustfmt::skip]
@@ -22,19 +28,47 @@ mod whipple_sprung;
 mod whipple_tyres;
 
 pub use double_pendulum::*;
-
+pub use pendulum::*;
 pub use rear_steered::*;
-
 pub use rolling_disc::*;
-
 pub use skateboard::*;
-
+pub use three_pipes::*;
+pub use two_pipes::*;
 pub use whipple::*;
-
 pub use whipple_leaning::*;
-
 pub use whipple_mechanism::*;
-
 pub use whipple_sprung::*;
-
 pub use whipple_tyres::*;
+
+/// What a function makes of each model, as an array: `each_model!(f)` is `[f::<_, A>(), f::<_, B>(), …]`.
+///
+/// The function is generic over the number of coordinates and the model.
+///
+/// ```
+/// use carvallo::Model;
+///
+/// fn name<const N: usize, M: Model<N, Scalar = f64>>() -> (&'static str, usize) {
+///     (M::INFO.name, N)
+/// }
+///
+/// assert!(carvallo_models::each_model!(name).contains(&("Whipple", 2)));
+/// ```
+#[macro_export]
+macro_rules! each_model {
+    ($($function:tt)+) => {
+        [
+            $($function)+::<_, $crate::DoublePendulum>(),
+            $($function)+::<_, $crate::Pendulum>(),
+            $($function)+::<_, $crate::RearSteered>(),
+            $($function)+::<_, $crate::RollingDisc>(),
+            $($function)+::<_, $crate::Skateboard>(),
+            $($function)+::<_, $crate::ThreePipes>(),
+            $($function)+::<_, $crate::TwoPipes>(),
+            $($function)+::<_, $crate::Whipple>(),
+            $($function)+::<_, $crate::WhippleLeaning>(),
+            $($function)+::<_, $crate::WhippleMechanism>(),
+            $($function)+::<_, $crate::WhippleSprung>(),
+            $($function)+::<_, $crate::WhippleTyres>(),
+        ]
+    };
+}

@@ -281,6 +281,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RollingDisc<T> {
                 unit: "rad",
             },
         ],
+        matrices: &["M", "C1", "K0"],
         sets: &[
             ::carvallo::SetInfo {
                 name: "uniform",

@@ -538,6 +538,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
                 unit: "rad",
             },
         ],
+        matrices: &["M", "C1", "Kc", "K0", "K2"],
         sets: &[
             ::carvallo::SetInfo {
                 name: "example",

@@ -713,6 +713,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 unit: "rad",
             },
         ],
+        matrices: &["M", "C1", "K0", "K2"],
         sets: &[
             ::carvallo::SetInfo {
                 name: "benchmark",

@@ -1079,6 +1079,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
                 unit: "rad",
             },
         ],
+        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
         sets: &[
             ::carvallo::SetInfo {
                 name: "example",

@@ -798,6 +798,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
                 unit: "rad",
             },
         ],
+        matrices: &["M", "C1", "K0", "K2"],
         sets: &[
             ::carvallo::SetInfo {
                 name: "benchmark",

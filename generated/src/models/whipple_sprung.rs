@@ -857,6 +857,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleSprung<T> {
                 unit: "rad",
             },
         ],
+        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
         sets: &[
             ::carvallo::SetInfo {
                 name: "benchmark",

@@ -1,67 +1,161 @@
-//! What is computed for a bicycle, once, for every way of showing it.
+//! What is computed for a design, once, for every way of showing it.
 
+use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-use carvallo::{Coefficients, ModeValue, Model, Modes, Stability, SystemError};
+use carvallo::{Complex, CriticalSpeed, ModeValue, Modes, Stability, StableRange, SystemError, Verdict};
 
 use crate::failure::Failure;
-use crate::input::Bicycle;
+use crate::input::Design;
 use crate::number::shortest;
 
 /// Sizes beyond which a parameter makes the others vanish in rounding, or leaves the range of doubles.
 const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
 
-/// A bicycle with everything about it along speed.
+/// A real part that is so much smaller than the largest eigenvalue may be zero: two eigenvalues that are equal come out
+/// with half of the digits.
+const NEGLIGIBLE: f64 = 1e-7;
+
+/// Real parts that differ by less than this, relative to the largest eigenvalue, differ by rounding.
+pub const ROUNDING: f64 = 1e-12;
+
+/// The coordinates of a bicycle; only for them the modes have names.
+const BICYCLE: [&str; 2] = ["lean", "steer"];
+
+/// A design with everything about it along speed.
 pub struct Analysis {
-    pub bicycle: Bicycle,
-    /// The gravitational field strength in N/kg.
-    pub gravity: f64,
-    pub coefficients: Coefficients<f64, 2>,
-    pub stability: Stability,
-    modes: Modes,
+    pub design: Design,
+    /// For models with two coordinates.
+    pub stability: Option<Stability>,
+    /// For bicycles.
+    modes: Option<Modes>,
 }
 
-/// The eigenvalues at one speed.
-pub struct Row {
+/// What there is at one speed.
+pub struct Row<V> {
     pub speed: f64,
-    /// Castering, capsize, weave and weave.
-    pub values: [ModeValue; 4],
+    pub values: V,
+}
+
+/// Castering, capsize, weave and weave at one speed.
+pub type ModeRow = Row<[ModeValue; 4]>;
+
+/// The eigenvalues at one speed, sorted by real part, and where real parts are equal up to rounding, by the size of the
+/// imaginary part: so their order is the same on every machine, and pairs stay together.
+pub struct Eigenvalues {
+    pub values: Vec<Complex<f64>>,
+    pub verdict: Verdict,
+}
+
+/// The eigenvalues at several speeds; for a model that does not depend on the speed there is one row.
+pub enum Rows {
+    /// Followed mode by mode.
+    Modes(Vec<ModeRow>),
+    Sorted(Vec<Row<Eigenvalues>>),
 }
 
 impl Analysis {
     /// # Errors
     /// If the equations of motion have no answer, such as for a singular mass matrix.
-    pub fn new(bicycle: Bicycle) -> Result<Self, Failure> {
-        let coefficients = bicycle.model.coefficients();
-        // A model without gravity as its parameter has no terms with it either.
-        let gravity = bicycle.model.gravity().unwrap_or(0.0);
-        let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", bicycle.name, extremes(&bicycle)));
-        let stability = Stability::new(&coefficients, gravity).map_err(fail)?;
-        let modes = Modes::new(&coefficients, gravity).map_err(fail)?;
-        Ok(Self { bicycle, gravity, coefficients, stability, modes })
+    pub fn new(design: Design) -> Result<Self, Failure> {
+        let gravity = design.gravity().unwrap_or(0.0);
+        let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
+        let two = design.equations.of_two();
+        let stability = two.map(|coefficients| Stability::new(coefficients, gravity)).transpose().map_err(fail)?;
+        let is_bicycle = design.info().coordinates.iter().map(|coordinate| coordinate.label).eq(BICYCLE);
+        let modes = two.filter(|_| is_bicycle).map(|coefficients| Modes::new(coefficients, gravity));
+        let modes = modes.transpose().map_err(fail)?;
+        Ok(Self { design, stability, modes })
+    }
+
+    /// The critical speeds; none for other than two coordinates, for which they are not computed.
+    pub fn critical_speeds(&self) -> &[CriticalSpeed] {
+        self.stability.as_ref().map_or(&[], |stability| &stability.critical_speeds)
+    }
+
+    /// The stable ranges; none for other than two coordinates, for which they are not computed.
+    pub fn stable_ranges(&self) -> &[StableRange] {
+        self.stability.as_ref().map_or(&[], |stability| &stability.stable_ranges)
     }
 
     /// The eigenvalues at each of the speeds.
     ///
     /// # Errors
     /// If they cannot be computed at one of them.
-    pub fn rows(&self, speeds: &[f64]) -> Result<Vec<Row>, Failure> {
-        let row = |&speed: &f64| match self.modes.at(speed) {
+    pub fn rows(&self, speeds: &[f64]) -> Result<Rows, Failure> {
+        Ok(match &self.modes {
+            Some(modes) => Rows::Modes(self.each(speeds, |speed| modes.at(speed))?),
+            None if self.design.model.depends_on_speed() => Rows::Sorted(self.each(speeds, |v| self.eigenvalues(v))?),
+            None => Rows::Sorted(self.each(&[0.0], |v| self.eigenvalues(v))?),
+        })
+    }
+
+    fn each<V>(&self, speeds: &[f64], values: impl Fn(f64) -> Result<V, SystemError>) -> Result<Vec<Row<V>>, Failure> {
+        let row = |&speed: &f64| match values(speed) {
             Ok(values) => Ok(Row { speed, values }),
             Err(error) => {
-                let (name, speed, hint) = (&self.bicycle.name, shortest(speed), extremes(&self.bicycle));
-                Err(Failure::Run(format!("{name} at {speed} m/s: {error}{hint}")))
+                let (name, hint) = (self.design.title(), extremes(&self.design));
+                let at = format!(" at {} m/s", shortest(speed));
+                let at = if self.design.model.depends_on_speed() { at } else { String::new() };
+                Err(Failure::Run(format!("{name}{at}: {error}{hint}")))
             }
         };
         speeds.iter().map(row).collect()
     }
+
+    fn eigenvalues(&self, speed: f64) -> Result<Eigenvalues, SystemError> {
+        let mut values = self.design.equations.eigenvalues(speed, self.design.gravity().unwrap_or(0.0))?;
+        let unit = (ROUNDING * largest(&values)).max(f64::MIN_POSITIVE);
+        let key = |value: &Complex<f64>| [(value.re / unit).round(), value.im.abs(), value.im];
+        values.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
+        let verdict = match &self.stability {
+            Some(stability) => stability.verdict(speed)?,
+            None => verdict(&values),
+        };
+        Ok(Eigenvalues { values, verdict })
+    }
+}
+
+/// The size of the largest eigenvalue.
+pub fn largest(values: &[Complex<f64>]) -> f64 {
+    values.iter().map(|value| value.norm()).fold(0.0, f64::max)
+}
+
+/// Whether motion with these eigenvalues is stable, as far as their digits tell.
+fn verdict(values: &[Complex<f64>]) -> Verdict {
+    let rightmost = values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
+    if rightmost.abs() <= NEGLIGIBLE * largest(values) {
+        Verdict::Marginal
+    } else if rightmost < 0.0 {
+        Verdict::Stable
+    } else {
+        Verdict::Unstable
+    }
 }
 
 /// The parameters that are probably to blame where there is no answer, as the end of a sentence.
-fn extremes(bicycle: &Bicycle) -> String {
-    let parameters = bicycle.info().parameters.iter().zip(&bicycle.parameters);
+fn extremes(design: &Design) -> String {
+    let parameters = design.info().parameters.iter().zip(&design.parameters);
     let extremes = parameters.filter(|(_, given)| given.value != 0.0 && !ORDINARY.contains(&given.value.abs()));
     let extremes: Vec<String> =
         extremes.map(|(info, given)| format!("{} = {}", info.name, shortest(given.value))).collect();
     if extremes.is_empty() { String::new() } else { format!("; parameters of extreme size: {}", extremes.join(", ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use carvallo::{Complex, Verdict};
+
+    use super::verdict;
+
+    #[test]
+    fn rounding_of_zero_is_marginal() {
+        let of =
+            |parts: &[(f64, f64)]| verdict(&parts.iter().map(|&(re, im)| Complex::new(re, im)).collect::<Vec<_>>());
+        assert_eq!(of(&[(-2.0, -3.0), (-2.0, 3.0)]), Verdict::Stable);
+        assert_eq!(of(&[(-1e-14, -3.0), (-1e-14, 3.0), (-1.0, 0.0)]), Verdict::Marginal);
+        assert_eq!(of(&[(-1.4e-8, 0.0), (1.4e-8, 0.0), (-2.0, 0.0)]), Verdict::Marginal);
+        assert_eq!(of(&[(-5.0, 0.0), (1e-3, 0.0)]), Verdict::Unstable);
+        assert_eq!(of(&[(0.0, 0.0), (0.0, 0.0)]), Verdict::Marginal);
+    }
 }

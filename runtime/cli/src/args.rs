@@ -23,6 +23,7 @@ pub enum Command {
         plot: Option<PathBuf>,
     },
     Bicycles,
+    Models,
     Show {
         request: Request,
         plot: Option<PathBuf>,
@@ -37,10 +38,7 @@ pub enum Format {
     Csv,
 }
 
-/// The bicycle that is analyzed unless another one is named.
-pub const DEFAULT_BICYCLE: &str = "benchmark";
-
-const ABOUT: &str = "Stability of bicycles: matrices, eigenvalues and critical speeds of the Whipple model.";
+const ABOUT: &str = "Stability of bicycles and of other models: matrices, eigenvalues and critical speeds.";
 
 const EXAMPLES: &str = "\
 Examples:
@@ -50,25 +48,36 @@ Examples:
                                                The benchmark bicycle, changed
   carvallo analyze my-bike.toml --format csv --speeds 0:8:0.05
   carvallo show benchmark > my-bike.toml       A file to start from: edit it and analyze it
-  carvallo show browser --plot browser.svg     Parameters, and a side view to scale";
+  carvallo show browser --plot browser.svg     Parameters, and a side view to scale
+  carvallo analyze --model Pendulum            Another model that ships, with its first parameter set";
 
 const ANALYZE_HELP: &str = "\
-BICYCLE is a name that `carvallo bicycles` lists, the path of a file, or - for the standard input.
+DESIGN is a name that `carvallo bicycles` lists, or with --model a parameter set that `carvallo models` lists; the path
+of a file; or - for the standard input. A file that says `model = \"NAME\"` chooses its model by itself.
 Files: TOML as `carvallo show` writes it; YAML `name: value` and text `name = value+/-deviation` as
 BicycleParameters writes them; JSON, also as --format json writes it. Values may be expressions:
 pi/10, atan(1/3), 18 deg.
 
-JSON, in SI units, every number reading back to the same double:
+JSON for the Whipple model, in SI units, every number reading back to the same double:
   {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},
    \"critical_speeds\": [{\"kind\": \"weave\"|\"capsize\"|\"double_root\", \"speed\", \"eigenvalue\": {\"re\", \"im\"},
      \"change\": \"stabilizes\"|\"destabilizes\"|\"merges\"|\"splits\"|\"touches\"}],
    \"stable_ranges\": [[FROM, TO|null]],
    \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\": \"castering\"|\"capsize\"|\"weave\"}]}]}
+Other models have \"name\" in the place of \"bicycle\", and those of \"M\", \"C0\", \"C1\", \"Kc\", \"K0\", \"K2\" that they have.
+Critical speeds and stable ranges are null for other than two coordinates. Unless the coordinates are lean and steer,
+eigenvalues have no \"mode\" and are sorted, and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\"; where
+nothing depends on the speed there is one row, with the speed null.
 
 Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";
 
 fn command() -> clap::Command {
-    let bicycle = Arg::new("bicycle").value_name("BICYCLE|FILE").help("A shipped bicycle, or a file; - reads stdin");
+    let design = Arg::new("design").value_name("DESIGN|FILE");
+    let design = design.help("A shipped bicycle or parameter set, or a file; - reads stdin");
+    let model = Arg::new("model")
+        .long("model")
+        .value_name("MODEL")
+        .help("A model that `carvallo models` lists [default: the file's, or Whipple]");
     let gravity = Arg::new("gravity")
         .long("gravity")
         .value_name("G")
@@ -88,7 +97,8 @@ fn command() -> clap::Command {
     let analyze = clap::Command::new("analyze")
         .about("Matrices, critical speeds, and eigenvalues against speed")
         .after_help(ANALYZE_HELP)
-        .arg(bicycle.clone().default_value(DEFAULT_BICYCLE))
+        .arg(design.clone())
+        .arg(model.clone())
         .arg(
             Arg::new("speeds")
                 .long("speeds")
@@ -110,7 +120,8 @@ fn command() -> clap::Command {
         .arg(plot.clone().help("Draws the eigenvalues against speed; .svg or .png"));
     let show = clap::Command::new("show")
         .about("The parameters as a file, with units and warnings")
-        .arg(bicycle.required(true))
+        .arg(design.required_unless_present("model"))
+        .arg(model)
         .arg(gravity)
         .arg(set)
         .arg(plot.help("Draws a side view to scale; .svg or .png"));
@@ -122,6 +133,7 @@ fn command() -> clap::Command {
         .disable_help_subcommand(true)
         .subcommand(analyze)
         .subcommand(clap::Command::new("bicycles").about("The shipped bicycles, with their critical speeds"))
+        .subcommand(clap::Command::new("models").about("The shipped models, with their coordinates and parameter sets"))
         .subcommand(show)
 }
 
@@ -155,6 +167,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, F
             Ok(Command::Analyze { request, speeds, format, plot })
         }
         Some(("show", matches)) => Ok(Command::Show { request: request(matches)?, plot: plot(matches)? }),
+        Some(("models", _)) => Ok(Command::Models),
         Some(_) => Ok(Command::Bicycles),
     }
 }
@@ -176,8 +189,8 @@ fn request(matches: &ArgMatches) -> Result<Request, Failure> {
     if let Some(gravity) = matches.get_one::<String>("gravity") {
         overrides.push((format!("--gravity {gravity}"), "g".to_owned(), gravity.clone()));
     }
-    let bicycle = matches.get_one::<String>("bicycle").map_or(DEFAULT_BICYCLE, String::as_str).to_owned();
-    Ok(Request { bicycle, overrides })
+    let [model, parameters] = ["model", "design"].map(|argument| matches.get_one::<String>(argument).cloned());
+    Ok(Request { model, parameters, overrides })
 }
 
 /// The picture is refused before anything is computed if its ending names no format.

@@ -2,4 +2,5 @@
 
 pub mod failure;
 pub mod input;
+pub mod model;
 pub mod number;

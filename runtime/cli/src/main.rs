@@ -1,4 +1,4 @@
-//! The command line of Carvallo: stability of bicycles.
+//! The command line of Carvallo: stability of bicycles, and of every other model that ships.
 
 mod analysis;
 mod args;
@@ -11,13 +11,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use anstyle::{AnsiColor, Style};
-use carvallo_cli::{failure, input, number};
+use carvallo_cli::{failure, input, model, number};
 use carvallo_models::BICYCLES;
 
 use self::analysis::Analysis;
-use self::args::{Command, DEFAULT_BICYCLE, Format};
+use self::args::{Command, Format};
 use self::failure::Failure;
-use self::input::{Bicycle, Request};
+use self::input::{DEFAULT_BICYCLE, Design, Request};
 
 const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
@@ -41,14 +41,14 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Demo => demo(),
         Command::Analyze { request, speeds, format, plot } => analyze(&request, speeds, format, plot.as_deref()),
         Command::Bicycles => bicycles(),
+        Command::Models => print(&output::models(model::MODELS)),
         Command::Show { request, plot } => show(&request, plot.as_deref()),
     }
 }
 
 /// The benchmark bicycle and its picture, and how to go on.
 fn demo() -> Result<(), Failure> {
-    let request = Request { bicycle: DEFAULT_BICYCLE.to_owned(), overrides: Vec::new() };
-    let analysis = Analysis::new(load(&request)?)?;
+    let analysis = Analysis::new(load(&Request::default())?)?;
     let rows = analysis.rows(&default_speeds(COARSE)?)?;
     let mut text = output::table(&analysis, &rows);
     text.push('\n');
@@ -76,12 +76,23 @@ fn picture_directory() -> Option<PathBuf> {
 
 fn analyze(request: &Request, speeds: Option<Vec<f64>>, format: Format, plot: Option<&Path>) -> Result<(), Failure> {
     let analysis = Analysis::new(load(request)?)?;
+    let model = analysis.design.model;
+    if !model.depends_on_speed() {
+        let nothing = format!("nothing in the model {} depends on the speed", model.info.name);
+        if let Some(path) = plot {
+            let path = path.display();
+            return Err(Failure::usage(format!("--plot {path}: {nothing}, so there is no graph against it")));
+        }
+        if speeds.is_some() {
+            note(WARNING, "note", &format!("{nothing}: --speeds is ignored"));
+        }
+    }
     let speeds_or = |default| speeds.clone().map_or_else(|| default_speeds(default), Ok);
     let rows = analysis.rows(&speeds_or(if format == Format::Table { COARSE } else { FINE })?)?;
     let text = match format {
         Format::Table => output::table(&analysis, &rows),
         Format::Json => output::json(&analysis, &rows),
-        Format::Csv => output::csv(&rows),
+        Format::Csv => output::csv(&analysis, &rows),
     };
     if let Some(path) = plot {
         save_eigenvalues(&analysis, &speeds_or(FINE)?, path)?;
@@ -92,37 +103,36 @@ fn analyze(request: &Request, speeds: Option<Vec<f64>>, format: Format, plot: Op
 
 fn bicycles() -> Result<(), Failure> {
     let analyses = BICYCLES.iter().map(|bicycle| {
-        let request = Request { bicycle: bicycle.name.to_owned(), overrides: Vec::new() };
+        let request = Request { parameters: Some(bicycle.name.to_owned()), ..Request::default() };
         input::load(&request).and_then(Analysis::new)
     });
     print(&output::list(&analyses.collect::<Result<Vec<_>, _>>()?))
 }
 
 fn show(request: &Request, plot: Option<&Path>) -> Result<(), Failure> {
-    let bicycle = load(request)?;
+    let design = load(request)?;
     if let Some(path) = plot {
-        let no_view = || Failure::Run(format!("the model {} has no side view", bicycle.info().name));
-        plot::save(&plot::side_view(&bicycle).ok_or_else(no_view)?, path)?;
+        let no_view = || Failure::Run(format!("the model {} has no side view", design.info().name));
+        plot::save(&plot::side_view(&design).ok_or_else(no_view)?, path)?;
         note(Style::new(), "wrote", &path.display().to_string());
     }
-    print(&output::parameters(&bicycle))
+    print(&output::parameters(&design))
 }
 
 fn default_speeds(text: &str) -> Result<Vec<f64>, Failure> {
     speeds::parse(text).map_err(Failure::usage)
 }
 
-/// Loads a bicycle, and tells what deserves to be known about its parameters.
-fn load(request: &Request) -> Result<Bicycle, Failure> {
-    let bicycle = input::load(request)?;
-    for text in &bicycle.notes {
+/// Loads a design, and tells what deserves to be known about its parameters.
+fn load(request: &Request) -> Result<Design, Failure> {
+    let design = input::load(request)?;
+    for text in &design.notes {
         note(WARNING, "note", text);
     }
-    let values: Vec<f64> = bicycle.parameters.iter().map(|given| given.value).collect();
-    for text in input::warnings(bicycle.info(), &values) {
-        note(WARNING, "warning", &format!("{}: {text}", bicycle.name));
+    for text in input::warnings(design.info(), &design.values()) {
+        note(WARNING, "warning", &format!("{}: {text}", design.name));
     }
-    Ok(bicycle)
+    Ok(design)
 }
 
 fn save_eigenvalues(analysis: &Analysis, speeds: &[f64], path: &Path) -> Result<(), Failure> {

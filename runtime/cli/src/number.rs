@@ -1,4 +1,4 @@
-//! Numbers for people to read and for programs to read back.
+//! Numbers and units for people to read and for programs to read back.
 
 /// The fewest digits that read back to the same double, with an exponent only where there would be many zeros.
 pub fn shortest(value: f64) -> String {
@@ -15,6 +15,22 @@ pub fn fixed(value: f64, decimals: usize) -> String {
         format!("{value:.decimals$}")
     } else {
         format!("{value:.*e}", decimals.max(2) - 1)
+    }
+}
+
+/// A unit for people: `kg m²` for `kg*m^2`, and nothing for pure numbers.
+pub fn unit(declared: &str) -> String {
+    match declared {
+        "1" => String::new(),
+        declared => declared.replace('*', " ").replace("^2", "²").replace("^3", "³"),
+    }
+}
+
+/// `value` followed by its unit, where it has one.
+pub fn with_unit(value: f64, declared: &str) -> String {
+    match unit(declared) {
+        unit if unit.is_empty() => shortest(value),
+        unit => format!("{} {unit}", shortest(value)),
     }
 }
 

@@ -59,6 +59,12 @@ fn what_was_written_is_up_to_date() {
     assert_eq!(header[1], "// To write it anew: cargo regenerate");
     assert!(header[2].starts_with("// Hash of the source: "), "{}", header[2]);
     assert!(text.contains("pub struct Rod<T"), "{text}");
+    let list = folder.read("src/models/mod.rs");
+    assert!(list.contains("mod rod;\n\npub use rod::*;\n"), "{list}");
+    assert!(
+        list.ends_with("        [\n            $($function)+::<_, $crate::Rod>(),\n        ]\n    };\n}\n"),
+        "{list}"
+    );
 }
 
 #[test]

@@ -31,6 +31,7 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
         let values = set.values.iter().map(|value| number(*value));
         quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: &[#(#values),*] } }
     });
+    let matrices = model.matrices.iter().map(|(matrix, _)| matrix.name());
     let gravity = match model.gravity {
         Some(index) => {
             let index = Literal::usize_unsuffixed(index);
@@ -45,6 +46,7 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
             source: #source,
             parameters: &[#(#parameters),*],
             coordinates: &[#(#coordinates),*],
+            matrices: &[#(#matrices),*],
             sets: &[#(#sets),*],
             gravity: #gravity,
         }

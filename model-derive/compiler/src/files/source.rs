@@ -6,16 +6,31 @@ use std::path::Path;
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 
-/// Compiles the source in `path` to the text of a Rust file.
+/// What a source is compiled to.
+pub struct Compiled {
+    /// The name of the model.
+    pub model: String,
+    /// The text of a Rust file.
+    pub text: String,
+}
+
+/// Compiles the source in `path`.
 ///
 /// # Errors
 /// Every mistake, as `path:line:column: error: …` with the line and a mark below it.
-pub fn compile(path: &Path, shown: &str) -> Result<String, String> {
+pub fn compile(path: &Path, shown: &str) -> Result<Compiled, String> {
     let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
     let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
     let rust = crate::expand(tokens, &crate::Driver::File).map_err(|error| render(&error, shown, &text))?;
-    let file = syn::parse2(rust).map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
-    Ok(format!("{}\n{}", header(shown, &text), prettyplease::unparse(&file)))
+    let file: syn::File =
+        syn::parse2(rust).map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
+    // The first type is the model; after it come its matrices.
+    let model = file.items.iter().find_map(|item| match item {
+        syn::Item::Struct(model) => Some(model.ident.to_string()),
+        _ => None,
+    });
+    let model = model.ok_or_else(|| format!("error: {shown}: the generated code has no type"))?;
+    Ok(Compiled { model, text: format!("{}\n{}", header(shown, &text), prettyplease::unparse(&file)) })
 }
 
 fn header(shown: &str, text: &str) -> String {

@@ -1,4 +1,4 @@
-//! Bicycles: shipped ones by name, and files in any of the formats that people have.
+//! Parameters of a model: shipped ones by name, and files in any of the formats that people have.
 
 mod document;
 mod expression;
@@ -8,43 +8,56 @@ mod literal;
 mod names;
 mod parameters;
 mod plausible;
+mod shipped;
 mod toml;
 mod value;
 
 use std::io::Read as _;
 use std::path::Path;
 
-use carvallo_models::{BICYCLES, Whipple};
-
 use self::document::{Document, Entry, File};
 use crate::failure::{Failure, Place, Problem};
+use crate::model::{Shipped, WHIPPLE};
 
-pub use self::names::{nearest, unit};
+pub use self::names::nearest;
+pub use self::parameters::Design;
 pub use self::plausible::warnings;
-
-/// A bicycle for the model of Whipple and Carvallo.
-pub type Bicycle = parameters::Bicycle<Whipple<f64>>;
+pub use self::shipped::DEFAULT_BICYCLE;
 
 /// Where the parameters come from.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Request {
-    /// The name of a shipped bicycle, a path, or `-` for the standard input.
-    pub bicycle: String,
+    /// The name of the model; otherwise a file chooses it, or it is the one of the bicycles.
+    pub model: Option<String>,
+    /// The name of what ships for the model, a path, or `-` for the standard input; otherwise the first that ships.
+    pub parameters: Option<String>,
     /// Values from the command line: the option as it was given, the name and the value.
     pub overrides: Vec<(String, String, String)>,
 }
 
-/// Reads and judges the bicycle.
+/// Reads and judges the parameters.
 ///
 /// # Errors
 /// Everything that is wrong with the request or the file, or that the file cannot be read.
-pub fn load(request: &Request) -> Result<Bicycle, Failure> {
+pub fn load(request: &Request) -> Result<Design, Failure> {
     let overrides = request.overrides.iter();
     let overrides =
         overrides.map(|(option, name, value)| Entry::from_text(name, Place::Option(option.clone()), value)).collect();
-    let name = request.bicycle.as_str();
-    let (label, document) = if let Some(shipped) = BICYCLES.iter().find(|bicycle| bicycle.name == name) {
-        (name, toml::read(File { label: name, text: shipped.toml }))
+    let asked = request.model.as_ref().map(|name| {
+        let place = Place::Option(format!("--model {name}"));
+        Shipped::called(name).map_err(|message| Failure::Input(vec![Problem { place, message }]))
+    });
+    let asked = asked.transpose()?;
+    let expected = asked.unwrap_or(&WHIPPLE);
+    let name = request.parameters.as_deref().or_else(|| shipped::default_name(expected));
+    let Some(name) = name else {
+        return Err(Failure::usage(format!(
+            "no parameter set ships for the model {}: expected a file",
+            expected.info.name
+        )));
+    };
+    let (label, document) = if let Some(document) = shipped::find(expected, name) {
+        (name, document)
     } else if name == "-" {
         let mut bytes = Vec::new();
         let read = std::io::stdin().lock().read_to_end(&mut bytes);
@@ -54,26 +67,41 @@ pub fn load(request: &Request) -> Result<Bicycle, Failure> {
         let bytes = std::fs::read(name).map_err(|error| Failure::Run(format!("cannot read {name}: {error}")))?;
         (name, parse(name, bytes)?)
     } else {
-        return Err(Failure::usage(unknown(name)));
+        return Err(Failure::usage(shipped::unknown(expected, name)));
     };
-    parameters::resolve(document, label, overrides).map_err(Failure::Input)
+    resolve(document, label, asked, overrides)
 }
 
 /// Reads and judges the contents of a file; the ending of its label tells the format, or else what is in it.
 ///
 /// # Errors
 /// Everything that is wrong with it.
-pub fn read(label: &str, bytes: Vec<u8>) -> Result<Bicycle, Failure> {
-    parameters::resolve(parse(label, bytes)?, label, Vec::new()).map_err(Failure::Input)
+pub fn read(label: &str, bytes: Vec<u8>) -> Result<Design, Failure> {
+    resolve(parse(label, bytes)?, label, None, Vec::new())
 }
 
-fn unknown(name: &str) -> String {
-    if name.contains(['/', '\\', '.']) {
-        return format!("there is no file {name}");
+/// Judges the parameters by the model that was asked for, or else the one that they name themselves.
+fn resolve(
+    mut document: Document,
+    label: &str,
+    asked: Option<&'static Shipped>,
+    overrides: Vec<Entry>,
+) -> Result<Design, Failure> {
+    let model = match (asked, &document.model) {
+        (None, None) => Ok(&WHIPPLE),
+        (None, Some(name)) => Shipped::called(name),
+        (Some(asked), Some(name)) if !asked.is_called(name) => {
+            Err(format!("the parameters are for the model `{name}`, but --model is {}", asked.info.name))
+        }
+        (Some(asked), _) => Ok(asked),
+    };
+    match model {
+        Ok(model) => parameters::resolve(document, label, model, overrides).map_err(Failure::Input),
+        Err(message) => {
+            document.problem(Place::File(label.to_owned()), message);
+            Err(Failure::Input(document.problems))
+        }
     }
-    let hint = nearest(name, BICYCLES.iter().map(|bicycle| bicycle.name));
-    let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-    format!("there is neither a bicycle nor a file `{name}`{hint}\n`carvallo bicycles` lists the bicycles")
 }
 
 fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {

@@ -1,6 +1,6 @@
 //! Names that were probably meant, and names that are known but not needed.
 
-use crate::number::shortest;
+use carvallo::ModelInfo;
 
 /// The name nearest to `wanted`, if one is near enough to be a slip of the pen.
 pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
@@ -11,28 +11,16 @@ pub fn nearest<'a>(wanted: &str, known: impl IntoIterator<Item = &'a str>) -> Op
 }
 
 /// Why a name that files of the field carry is not needed here, as the end of a sentence.
-pub fn ignored(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "v" => "the speeds come from --speeds",
-        "IRzz" => "wheels are axisymmetric, so it equals IRxx",
-        "IFzz" => "wheels are axisymmetric, so it equals IFxx",
-        "yB" | "yH" => "the bicycle is laterally symmetric",
+///
+/// Parameters of bicycles are told by those that the model has instead, or beside them.
+pub fn ignored(name: &str, info: &ModelInfo) -> Option<&'static str> {
+    let (beside, reason) = match name {
+        "v" => return Some("the speeds come from --speeds"),
+        "IRzz" => ("IRxx", "wheels are axisymmetric, so it equals IRxx"),
+        "IFzz" => ("IFxx", "wheels are axisymmetric, so it equals IFxx"),
+        "yB" => ("xB", "the bicycle is laterally symmetric"),
+        "yH" => ("xH", "the bicycle is laterally symmetric"),
         _ => return None,
-    })
-}
-
-/// A unit for people: `kg m²` for `kg*m^2`, and nothing for pure numbers.
-pub fn unit(declared: &str) -> String {
-    match declared {
-        "1" => String::new(),
-        declared => declared.replace('*', " ").replace("^2", "²").replace("^3", "³"),
-    }
-}
-
-/// `value` followed by its unit, where it has one.
-pub fn with_unit(value: f64, declared: &str) -> String {
-    match unit(declared) {
-        unit if unit.is_empty() => shortest(value),
-        unit => format!("{} {unit}", shortest(value)),
-    }
+    };
+    info.position(beside).map(|_| reason)
 }

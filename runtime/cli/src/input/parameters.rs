@@ -2,22 +2,30 @@
 
 use std::collections::HashMap;
 
-use carvallo::{Model, ModelInfo};
+use carvallo::ModelInfo;
 
 use super::document::{Document, Entry};
 use super::names;
+use super::shipped::{DEFAULT_BICYCLE, default_name};
 use super::value::judge;
 use crate::failure::{Place, Problem};
+use crate::model::{Equations, Shipped};
 
-/// A bicycle as it was given, with the model that it makes.
+/// A machine as it was given by its parameters, with its equations of motion.
 #[derive(Debug)]
-pub struct Bicycle<M> {
+pub struct Design {
+    /// The name of the machine, or of the file.
     pub name: String,
+    /// What it is.
     pub kind: Option<String>,
+    /// Where the parameters come from.
     pub source: Option<String>,
-    pub model: M,
+    /// The model that the parameters are for.
+    pub model: &'static Shipped,
     /// The parameters in the order of the model.
     pub parameters: Vec<Given>,
+    /// What the model makes of them.
+    pub equations: Box<dyn Equations>,
     /// What was read but not used.
     pub notes: Vec<String>,
 }
@@ -32,15 +40,30 @@ pub struct Given {
     pub deviation: Option<String>,
 }
 
-impl<M: Model<2, Scalar = f64>> Bicycle<M> {
+impl Design {
     /// What the model tells about itself.
     pub fn info(&self) -> &'static ModelInfo {
-        M::INFO
+        self.model.info
+    }
+
+    /// Its name; for other models than that of the bicycles, after the name of the model.
+    pub fn title(&self) -> String {
+        if self.model.is_whipple() { self.name.clone() } else { format!("{} {}", self.info().name, self.name) }
     }
 
     /// The value of the parameter called `name`.
     pub fn value(&self, name: &str) -> Option<f64> {
-        self.parameters.get(M::INFO.position(name)?).map(|given| given.value)
+        self.parameters.get(self.info().position(name)?).map(|given| given.value)
+    }
+
+    /// The values of all parameters.
+    pub fn values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|given| given.value).collect()
+    }
+
+    /// The gravitational field strength in N/kg, if it is a parameter.
+    pub fn gravity(&self) -> Option<f64> {
+        self.parameters.get(self.info().gravity?).map(|given| given.value)
     }
 }
 
@@ -48,38 +71,36 @@ impl<M: Model<2, Scalar = f64>> Bicycle<M> {
 ///
 /// # Errors
 /// Everything that is wrong.
-pub fn resolve<M: Model<2, Scalar = f64>>(
+pub fn resolve(
     document: Document,
     label: &str,
+    model: &'static Shipped,
     overrides: Vec<Entry>,
-) -> Result<Bicycle<M>, Vec<Problem>> {
+) -> Result<Design, Vec<Problem>> {
+    let info = model.info;
     let mut problems = document.problems;
     let unreadable = !problems.is_empty();
-    if let Some(model) = document.model.filter(|model| !model.eq_ignore_ascii_case(M::INFO.name)) {
-        let message = format!("the parameters are for the model `{model}`; only {} is known", M::INFO.name);
-        problems.push(Problem { place: Place::File(label.to_owned()), message });
-    }
     let is_empty = document.entries.is_empty();
     let mut notes = Vec::new();
-    let mut given = collect(document.entries, M::INFO, &mut problems, &mut notes);
-    for (position, entry) in collect(overrides, M::INFO, &mut problems, &mut notes) {
+    let mut given = collect(document.entries, info, &mut problems, &mut notes);
+    for (position, entry) in collect(overrides, info, &mut problems, &mut notes) {
         given.insert(position, entry);
     }
 
     let mut missing = Vec::new();
     let mut parameters = Vec::new();
-    for (position, info) in M::INFO.parameters.iter().enumerate() {
-        match given.get(&position).map(|entry| judge(entry, info)) {
-            Some(Ok(parameter)) => parameters.push(parameter),
+    for (position, parameter) in info.parameters.iter().enumerate() {
+        match given.get(&position).map(|entry| judge(entry, parameter)) {
+            Some(Ok(given)) => parameters.push(given),
             Some(Err(mut found)) => problems.append(&mut found),
-            None => missing.push(format!("`{}`", info.name)),
+            None => missing.push(format!("`{}`", parameter.name)),
         }
     }
     // What cannot be read may hold what seems to be missing.
     if !missing.is_empty() && !unreadable {
         let message = match is_empty {
-            true => "it has no parameters; `carvallo show benchmark` prints a file to start from".to_owned(),
-            false => format!("missing: {} (of {} parameters)", missing.join(", "), M::INFO.parameters.len()),
+            true => format!("it has no parameters{}", start(model)),
+            false => format!("missing: {} (of {} parameters)", missing.join(", "), info.parameters.len()),
         };
         problems.push(Problem { place: Place::File(label.to_owned()), message });
     }
@@ -92,13 +113,19 @@ pub fn resolve<M: Model<2, Scalar = f64>>(
 
     let fail = |message: String| vec![Problem { place: Place::File(label.to_owned()), message }];
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
-    let model = M::from_slice(&values).map_err(|error| fail(error.to_string()))?;
-    model.validate().map_err(|error| {
-        let value = names::with_unit(error.value, error.unit);
-        fail(format!("`{}` is {value}; it must be {}", error.subject, error.required))
-    })?;
+    let equations = model.equations(&values).map_err(fail)?;
     let name = document.name.unwrap_or_else(|| label.to_owned());
-    Ok(Bicycle { name, kind: document.kind, source: document.source, model, parameters, notes })
+    Ok(Design { name, kind: document.kind, source: document.source, model, parameters, equations, notes })
+}
+
+/// How to get a file to start from, if there is one for the model.
+fn start(model: &Shipped) -> String {
+    let arguments = match default_name(model) {
+        None => return String::new(),
+        Some(_) if model.is_whipple() => DEFAULT_BICYCLE.to_owned(),
+        Some(_) => format!("--model {}", model.info.name),
+    };
+    format!("; `carvallo show {arguments}` prints a file to start from")
 }
 
 /// The entries by the position of their parameter; what has no such position is a problem or a note.
@@ -117,7 +144,7 @@ fn collect(
             } else {
                 given.insert(position, entry);
             }
-        } else if let Some(reason) = names::ignored(&entry.name) {
+        } else if let Some(reason) = names::ignored(&entry.name, info) {
             notes.push(format!("{}: `{}` is ignored: {reason}", entry.place, entry.name));
         } else {
             let known = info.parameters.iter().map(|parameter| parameter.name);

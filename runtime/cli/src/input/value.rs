@@ -4,10 +4,9 @@ use carvallo::ParameterInfo;
 
 use super::document::{Entry, Written};
 use super::expression::{Mistake, evaluate};
-use super::names;
 use super::parameters::Given;
 use crate::failure::Problem;
-use crate::number::shortest;
+use crate::number::{self, shortest, with_unit};
 
 /// # Errors
 /// Everything that is wrong with the value and its standard deviation.
@@ -15,11 +14,11 @@ pub fn judge(entry: &Entry, info: &ParameterInfo) -> Result<Given, Vec<Problem>>
     let mut problems = Vec::new();
     let mut problem = |message: String| problems.push(Problem { place: entry.place.clone(), message });
     let name = info.name;
-    let (value, written) = match number(&entry.value, info) {
+    let (value, written) = match read(&entry.value, info) {
         Ok((value, written)) if info.domain.contains(value) => (value, written),
         Ok((value, written)) => {
             let hint = degrees(value, &written, info);
-            problem(format!("`{name}` is {}; it must be {}{hint}", names::with_unit(value, info.unit), info.domain));
+            problem(format!("`{name}` is {}; it must be {}{hint}", with_unit(value, info.unit), info.domain));
             (value, String::new())
         }
         Err(found) => {
@@ -27,7 +26,7 @@ pub fn judge(entry: &Entry, info: &ParameterInfo) -> Result<Given, Vec<Problem>>
             (0.0, String::new())
         }
     };
-    let deviation = entry.deviation.as_ref().and_then(|deviation| match number(deviation, info) {
+    let deviation = entry.deviation.as_ref().and_then(|deviation| match read(deviation, info) {
         Ok((deviation, written)) if deviation >= 0.0 => (deviation > 0.0).then_some(written),
         Ok((deviation, _)) => {
             problem(format!("the standard deviation of `{name}` is {}; it must be >= 0", shortest(deviation)));
@@ -51,7 +50,7 @@ fn degrees(value: f64, written: &str, info: &ParameterInfo) -> String {
 }
 
 /// The value with its text; otherwise what was found and what was expected.
-fn number(written: &Written, info: &ParameterInfo) -> Result<(f64, String), String> {
+fn read(written: &Written, info: &ParameterInfo) -> Result<(f64, String), String> {
     const EXPECTED: &str = "expected a number, or an expression such as `pi/10`";
     match written {
         Written::Other(found) => Err(format!("{found}; {EXPECTED}")),
@@ -68,7 +67,7 @@ fn number(written: &Written, info: &ParameterInfo) -> Result<(f64, String), Stri
 }
 
 fn without_unit(info: &ParameterInfo) -> String {
-    let meaning = match names::unit(info.unit) {
+    let meaning = match number::unit(info.unit) {
         unit if unit.is_empty() => "a pure number".to_owned(),
         unit if info.unit == "rad" => format!("in {unit}, or in degrees with `deg` as in `18 deg`"),
         unit => format!("in {unit}"),

@@ -12,22 +12,22 @@ pub fn list(analyses: &[Analysis]) -> String {
         "{HEADING}{:<17}{:<17}{:<17}{:<21}kind{HEADING:#}\n",
         "bicycle", "weave (m/s)", "capsize (m/s)", "stable (m/s)"
     );
-    for Analysis { bicycle, stability, .. } in analyses {
+    for analysis in analyses {
         let speeds = |kind: CriticalKind| {
-            let speeds = stability.critical_speeds.iter().filter(|critical| critical.kind == kind);
+            let speeds = analysis.critical_speeds().iter().filter(|critical| critical.kind == kind);
             joined(speeds.map(|critical| format!("{:.4}", critical.speed)))
         };
-        let stable = joined(stability.stable_ranges.iter().map(|StableRange { from, to }| match to {
+        let stable = joined(analysis.stable_ranges().iter().map(|StableRange { from, to }| match to {
             Some(to) => format!("{from:.4} to {to:.4}"),
             None => format!("above {from:.4}"),
         }));
-        let style = if stability.stable_ranges.is_empty() { FAINT } else { GOOD };
-        let kind = bicycle.kind.as_deref().unwrap_or_default();
+        let style = if analysis.stable_ranges().is_empty() { FAINT } else { GOOD };
+        let kind = analysis.design.kind.as_deref().unwrap_or_default();
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
             "{:<17}{:<17}{:<17}{style}{stable:<21}{style:#}{kind}",
-            bicycle.name,
+            analysis.design.name,
             speeds(CriticalKind::Weave),
             speeds(CriticalKind::Capsize),
         );

@@ -1,28 +1,28 @@
-//! A bicycle as a file: what `show` prints can be edited and analyzed.
+//! A design as a file: what `show` prints can be edited and analyzed.
 
 use super::{FAINT, quoted};
-use crate::input::{Bicycle, unit, warnings};
+use crate::input::{Design, warnings};
+use crate::number::unit;
 
-pub fn parameters(bicycle: &Bicycle) -> String {
-    let info = bicycle.info();
+pub fn parameters(design: &Design) -> String {
+    let info = design.info();
     let mut text = String::new();
     let mut line = |line: String| text.extend([line.as_str(), "\n"]);
-    line(format!("name = {}", quoted(&bicycle.name)));
+    line(format!("name = {}", quoted(&design.name)));
     line(format!("model = {}", quoted(info.name)));
-    for (key, value) in [("kind", &bicycle.kind), ("source", &bicycle.source)] {
+    for (key, value) in [("kind", &design.kind), ("source", &design.source)] {
         if let Some(value) = value {
             line(format!("{key} = {}", quoted(value)));
         }
     }
-    let values: Vec<f64> = bicycle.parameters.iter().map(|given| given.value).collect();
-    for warning in warnings(info, &values) {
+    for warning in warnings(info, &design.values()) {
         line(format!("{FAINT}# warning: {warning}{FAINT:#}"));
     }
     line("\n[parameters]".to_owned());
-    let entries: Vec<(String, String)> = info
+    let entries: Vec<(String, String, &str)> = info
         .parameters
         .iter()
-        .zip(&bicycle.parameters)
+        .zip(&design.parameters)
         .map(|(info, given)| {
             let value = number(&given.written);
             let entry = match &given.deviation {
@@ -32,12 +32,13 @@ pub fn parameters(bicycle: &Bicycle) -> String {
             let unit = unit(info.unit);
             // What follows explains; the first clause says what it is.
             let docs = info.docs.trim().split([':', ';', '.', '\n']).next().unwrap_or_default();
-            (format!("{} = {entry}", info.name), format!("{unit:<6} {docs}"))
+            (format!("{} = {entry}", info.name), unit, docs)
         })
         .collect();
-    let width = entries.iter().map(|(entry, _)| entry.len()).max().unwrap_or(0);
-    for (entry, comment) in entries {
-        line(format!("{entry:width$}  {FAINT}# {comment}{FAINT:#}"));
+    let width = entries.iter().map(|(entry, ..)| entry.len()).max().unwrap_or(0);
+    let units = entries.iter().map(|(_, unit, _)| unit.chars().count()).fold(6, usize::max);
+    for (entry, unit, docs) in entries {
+        line(format!("{entry:width$}  {FAINT}# {unit:units$} {docs}{FAINT:#}"));
     }
     text
 }

@@ -4,7 +4,7 @@ use anstyle::{AnsiColor, Style};
 use carvallo::Mode;
 
 use super::{FAINT, GOOD, is_stable};
-use crate::analysis::{Analysis, Row};
+use crate::analysis::{Analysis, ModeRow, Rows};
 use crate::failure::Failure;
 use crate::number::shortest;
 
@@ -20,12 +20,14 @@ struct Cell {
     mode: Option<Mode>,
 }
 
+/// Nothing for a model without names of modes.
+///
 /// # Errors
 /// If the eigenvalues cannot be computed at some speed.
 pub fn sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
     let speeds: Vec<f64> = (0..2 * COLUMNS).map(|dot| high * dot as f64 / (2 * COLUMNS - 1) as f64).collect();
-    let rows = analysis.rows(&speeds)?;
-    let extent = crate::plot::extent(&rows);
+    let Rows::Modes(rows) = analysis.rows(&speeds)? else { return Ok(String::new()) };
+    let extent = crate::plot::extent(rows.iter().flat_map(|row| row.values.iter().map(|mode| mode.value)));
     let cells = cells(&rows, extent);
 
     let mut text = format!("{FAINT}real parts (1/s) against v (m/s):{FAINT:#}");
@@ -56,7 +58,7 @@ pub fn sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
     }
     text.push_str(&format!("       {FAINT}└{FAINT:#}"));
     for speed in speeds.iter().step_by(2) {
-        let stable = is_stable(&analysis.stability.stable_ranges, *speed);
+        let stable = is_stable(analysis.stable_ranges(), *speed);
         let (style, char) = if stable { (GOOD, '━') } else { (FAINT, '─') };
         text.push_str(&format!("{style}{char}{style:#}"));
     }
@@ -72,7 +74,7 @@ fn style(mode: Mode) -> Style {
     }
 }
 
-fn cells(rows: &[Row], extent: f64) -> Vec<Vec<Cell>> {
+fn cells(rows: &[ModeRow], extent: f64) -> Vec<Vec<Cell>> {
     let mut cells = vec![vec![Cell::default(); COLUMNS]; LINES];
     // The height in dots from the top.
     let dot = |value: f64| ((extent - value) / (2.0 * extent) * (DOTS - 1) as f64).round();

@@ -4,51 +4,50 @@ use std::fmt::Write as _;
 
 use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, StableRange};
 
-use super::{FAINT, GOOD, HEADING, is_stable, matrices};
-use crate::analysis::{Analysis, Row};
+use super::{FAINT, GOOD, HEADING, equations, is_stable, sorted};
+use crate::analysis::{Analysis, ModeRow, Row, Rows};
 use crate::number::{fixed, shortest};
 
+/// How wide a line may become where that can be helped.
+pub const LINE: usize = 124;
+
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
-pub fn table(analysis: &Analysis, rows: &[Row]) -> String {
+pub fn table(analysis: &Analysis, rows: &Rows) -> String {
     let mut text = String::new();
     heading(analysis, &mut text);
-    write_matrices(analysis, &mut text);
-    critical_speeds(analysis, &mut text);
-    eigenvalues(analysis, rows, &mut text);
+    equations::equations(&analysis.design, &mut text);
+    if analysis.design.model.depends_on_speed() {
+        critical_speeds(analysis, &mut text);
+    }
+    match rows {
+        Rows::Modes(rows) => modes(analysis, rows, &mut text),
+        Rows::Sorted(rows) => sorted::eigenvalues(analysis, rows, &mut text),
+    }
     text
 }
 
 fn heading(analysis: &Analysis, text: &mut String) {
-    let bicycle = &analysis.bicycle;
-    let kind = bicycle.kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default();
-    let _ = writeln!(text, "{HEADING}{}{HEADING:#}{kind}", bicycle.name);
-    if let Some(source) = &bicycle.source {
+    let design = &analysis.design;
+    let kind = design.kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default();
+    let _ = writeln!(text, "{HEADING}{}{HEADING:#}{kind}", design.title());
+    if let Some(source) = &design.source {
         let _ = writeln!(text, "{FAINT}{source}{FAINT:#}");
     }
 }
 
-fn write_matrices(analysis: &Analysis, text: &mut String) {
-    let coordinates: Vec<String> =
-        analysis.bicycle.info().coordinates.iter().map(|q| format!("{} {}", q.label, q.name)).collect();
-    let equations = "M q'' + v C1 q' + (g K0 + v² K2) q = f";
-    let _ = writeln!(text, "\n{HEADING}Equations of motion{HEADING:#}  {equations}");
-    let _ = writeln!(text, "  with q = ({}) and g = {} N/kg", coordinates.join(", "), shortest(analysis.gravity));
-    // Adding zero turns -0 into 0.
-    let matrices = matrices(&analysis.coefficients)
-        .map(|(name, unit, rows)| (name, unit, rows.map(|row| row.map(|value| shortest(value + 0.0)))));
-    let width = width(matrices.iter().flat_map(|(_, _, rows)| rows.as_flattened()), 22);
-    for (name, unit, [[a, b], [c, d]]) in &matrices {
-        let _ = writeln!(text, "  {name:<3}{unit:<7}{a:>width$}{b:>width$}");
-        let _ = writeln!(text, "  {:<10}{c:>width$}{d:>width$}", "");
-    }
-}
-
 fn critical_speeds(analysis: &Analysis, text: &mut String) {
+    let Some(stability) = &analysis.stability else {
+        let n = analysis.design.info().coordinates.len();
+        let _ = writeln!(
+            text,
+            "\n{HEADING}Critical speeds{HEADING:#} are computed for two coordinates only; this model has {n}"
+        );
+        return;
+    };
     let _ = writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} (m/s)");
-    let speeds: Vec<String> =
-        analysis.stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
+    let speeds: Vec<String> = stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
     let width = width(&speeds, 20);
-    for CriticalSpeed { kind, speed, eigenvalue, change, .. } in &analysis.stability.critical_speeds {
+    for CriticalSpeed { kind, speed, eigenvalue, change, .. } in &stability.critical_speeds {
         let (name, at) = match kind {
             CriticalKind::Weave => ("weave", format!("±{} i", fixed(eigenvalue.im.abs(), 4))),
             CriticalKind::Capsize => ("capsize", "0".to_owned()),
@@ -63,10 +62,10 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
         };
         let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
     }
-    if analysis.stability.critical_speeds.is_empty() {
+    if stability.critical_speeds.is_empty() {
         let _ = writeln!(text, "  none");
     }
-    let ranges = &analysis.stability.stable_ranges;
+    let ranges = &stability.stable_ranges;
     for StableRange { from, to } in ranges {
         let _ = match to {
             Some(to) => writeln!(text, "  {GOOD}self-stable from {} to {} m/s{GOOD:#}", shortest(*from), shortest(*to)),
@@ -78,7 +77,7 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
     }
 }
 
-fn eigenvalues(analysis: &Analysis, rows: &[Row], text: &mut String) {
+fn modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
     let speeds = speeds(rows);
     let (mut casterings, mut capsizes, mut weaves) = (Vec::new(), Vec::new(), Vec::new());
     for Row { values: [castering, capsize, weave @ ..], .. } in rows {
@@ -92,7 +91,7 @@ fn eigenvalues(analysis: &Analysis, rows: &[Row], text: &mut String) {
     let _ = writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s)");
     let _ = writeln!(text, "{FAINT}{:>v$}{:>first$}{:>second$}     weave{FAINT:#}", "v (m/s)", "castering", "capsize");
     for (index, row) in rows.iter().enumerate() {
-        let (style, mark) = match is_stable(&analysis.stability.stable_ranges, row.speed) {
+        let (style, mark) = match is_stable(analysis.stable_ranges(), row.speed) {
             true => (GOOD, "  stable"),
             false => (anstyle::Style::new(), ""),
         };
@@ -102,12 +101,12 @@ fn eigenvalues(analysis: &Analysis, rows: &[Row], text: &mut String) {
 }
 
 /// The width of a column that keeps two spaces before or after its texts.
-fn width<'a>(texts: impl IntoIterator<Item = &'a String>, least: usize) -> usize {
+pub fn width<'a>(texts: impl IntoIterator<Item = &'a String>, least: usize) -> usize {
     texts.into_iter().map(|text| text.chars().count() + 2).fold(least, usize::max)
 }
 
 /// Speeds with as many decimals as one of them has, unless that would make them long.
-fn speeds(rows: &[Row]) -> Vec<String> {
+pub fn speeds<V>(rows: &[Row<V>]) -> Vec<String> {
     let decimals = rows.iter().map(|row| row.speed.to_string().split_once('.').map_or(0, |(_, tail)| tail.len()));
     let decimals = decimals.max().unwrap_or(0);
     let is_long = decimals > 6 || rows.iter().any(|row| row.speed >= 1e9);

@@ -29,7 +29,7 @@ pub struct Critical {
 /// The critical speeds that the axes show; only their horizontal extent matters here.
 pub fn critical(analysis: &Analysis, axes: &Axes) -> Vec<Critical> {
     let mut placed: Vec<Critical> = Vec::new();
-    for critical in &analysis.stability.critical_speeds {
+    for critical in analysis.critical_speeds() {
         let speed = critical.speed;
         if !(axes.x.0..=axes.x.1).contains(&speed) {
             continue;

@@ -1,20 +1,22 @@
 //! The lines of a graph of eigenvalues, in data.
 
-use carvallo::Mode;
+use carvallo::{Complex, Mode};
 
-use crate::analysis::{Analysis, Row};
+use crate::analysis::{Analysis, ModeRow};
 
-/// Speeds of the curves, enough for lines that look smooth.
+/// Speeds of the curves, enough for lines that look smooth; more where it is not known at which of them curves turn.
 const SAMPLES: u32 = 250;
+const SAMPLES_WITHOUT_CRITICAL: u32 = 1000;
 
 /// Speeds and values.
 pub type Curve = Vec<(f64, f64)>;
 
 /// Evenly spaced speeds, and close ones around critical speeds, where curves turn sharply.
 pub fn samples(analysis: &Analysis, low: f64, high: f64) -> Vec<f64> {
-    let step = (high - low) / f64::from(SAMPLES);
-    let mut speeds: Vec<f64> = (0..=SAMPLES).map(|index| low + f64::from(index) * step).collect();
-    for critical in &analysis.stability.critical_speeds {
+    let samples = if analysis.stability.is_some() { SAMPLES } else { SAMPLES_WITHOUT_CRITICAL };
+    let step = (high - low) / f64::from(samples);
+    let mut speeds: Vec<f64> = (0..=samples).map(|index| low + f64::from(index) * step).collect();
+    for critical in analysis.critical_speeds() {
         let around = (0..7).map(|power| step / 4_f64.powi(power)).flat_map(|shift| [-shift, shift]);
         speeds.extend(around.chain([0.0]).map(|shift| critical.speed + shift));
     }
@@ -24,9 +26,8 @@ pub fn samples(analysis: &Analysis, low: f64, high: f64) -> Vec<f64> {
 }
 
 /// How far the vertical axis goes: most of what there is to see, and not the far end of the castering mode.
-pub fn extent(rows: &[Row]) -> f64 {
-    let parts =
-        rows.iter().flat_map(|row| row.values.iter().flat_map(|mode| [mode.value.re.abs(), mode.value.im.abs()]));
+pub fn extent(values: impl Iterator<Item = Complex<f64>>) -> f64 {
+    let parts = values.flat_map(|value| [value.re.abs(), value.im.abs()]);
     let mut sizes: Vec<f64> = parts.filter(|&part| part > 0.0).collect();
     sizes.sort_by(f64::total_cmp);
     let typical = sizes.get(sizes.len() * 7 / 10).copied().unwrap_or(1.0);
@@ -44,7 +45,7 @@ pub struct Pair {
 }
 
 /// The complex pairs that there are; at each speed there may be two of them.
-pub fn pairs(rows: &[Row]) -> Vec<Pair> {
+pub fn pairs(rows: &[ModeRow]) -> Vec<Pair> {
     let (castering, capsize, weave) = (Mode::Castering, Mode::Capsize, Mode::Weave);
     let kinds = [(castering, capsize), (castering, weave), (capsize, weave), (weave, weave)];
     let mut pairs = Vec::from(kinds.map(|modes| Pair { modes, real: Vec::new(), imaginary: Vec::new() }));
@@ -63,7 +64,7 @@ pub fn pairs(rows: &[Row]) -> Vec<Pair> {
 }
 
 /// The real parts of a mode where it is not in a pair with another mode: up to two at each speed.
-pub fn alone(rows: &[Row], mode: Mode) -> Vec<Curve> {
+pub fn alone(rows: &[ModeRow], mode: Mode) -> Vec<Curve> {
     let mut branches = [Vec::new(), Vec::new()];
     let mut before = [f64::NAN; 2];
     for row in rows {
@@ -88,7 +89,7 @@ pub fn alone(rows: &[Row], mode: Mode) -> Vec<Curve> {
 }
 
 /// The mode that the conjugate of an eigenvalue belongs to; `None` for a real one.
-fn partner(row: &Row, index: usize) -> Option<Mode> {
+fn partner(row: &ModeRow, index: usize) -> Option<Mode> {
     let value = row.values[index].value;
     let is_conjugate = |&other: &usize| {
         let conjugate = row.values[other].value;
@@ -98,7 +99,7 @@ fn partner(row: &Row, index: usize) -> Option<Mode> {
 }
 
 /// Adds a point to the last curve; without a point the next one begins.
-fn extend(curves: &mut Vec<Curve>, point: Option<(f64, f64)>) {
+pub fn extend(curves: &mut Vec<Curve>, point: Option<(f64, f64)>) {
     match (curves.last_mut(), point) {
         (Some(curve), Some(point)) => curve.push(point),
         (None, Some(point)) => curves.push(vec![point]),

@@ -7,8 +7,9 @@ use super::critical;
 use super::curves::{Curve, Pair, alone, clip, extent, pairs, samples};
 use super::font;
 use super::labels::{LINE, Labels};
+use super::ordered;
 use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
-use crate::analysis::{Analysis, Row};
+use crate::analysis::{Analysis, Eigenvalues, ModeRow, Row, Rows};
 use crate::failure::Failure;
 
 const WIDTH: f32 = 960.0;
@@ -24,10 +25,15 @@ const STABLE_TEXT: Color = Color(0x2e, 0x7d, 0x32);
 /// # Errors
 /// If they cannot be computed at one of the speeds.
 pub fn eigenvalues(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene, Failure> {
-    let title = format!("Eigenvalues of {} against forward speed", analysis.bicycle.name);
-    let mut scene = Scene::new(title.clone(), WIDTH, HEIGHT);
     let rows = analysis.rows(&samples(analysis, low, high))?;
-    let extent = extent(&rows);
+    let (speed, extent) = match &rows {
+        Rows::Modes(rows) => {
+            ("forward speed", extent(rows.iter().flat_map(|row| row.values.iter().map(|mode| mode.value))))
+        }
+        Rows::Sorted(rows) => ("speed", extent(rows.iter().flat_map(|row| row.values.values.iter().copied()))),
+    };
+    let title = format!("Eigenvalues of {} against {speed}", analysis.design.title());
+    let mut scene = Scene::new(title.clone(), WIDTH, HEIGHT);
     let left = axes::margin((-extent, extent));
     scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
     let mut axes = Axes { x: (low, high), y: (-extent, extent), area: [left, 0.0, RIGHT, BOTTOM] };
@@ -47,16 +53,19 @@ pub fn eigenvalues(analysis: &Analysis, (low, high): (f64, f64)) -> Result<Scene
     critical::avoid(&critical, &axes, &mut labels);
     // Labels know the curves, and critical speeds the labels, but curves are painted over critical speeds.
     let mut curves = Scene::new(title, WIDTH, HEIGHT);
-    modes(&rows, &axes, &mut curves, &mut labels);
+    match &rows {
+        Rows::Modes(rows) => modes(rows, &axes, &mut curves, &mut labels),
+        Rows::Sorted(rows) => sorted(rows, &axes, &mut curves, &mut labels),
+    }
     critical::draw(&critical, &axes, &labels, &mut scene);
     scene.items.append(&mut curves.items);
-    axes.frame(&mut scene, "forward speed v (m/s)", "eigenvalue λ (1/s)");
+    axes.frame(&mut scene, &format!("{speed} v (m/s)"), "eigenvalue λ (1/s)");
     Ok(scene)
 }
 
 /// Where the stable ranges begin and end on the page.
 fn stable_ranges(analysis: &Analysis, axes: &Axes) -> Vec<(f32, f32)> {
-    let ranges = analysis.stability.stable_ranges.iter();
+    let ranges = analysis.stable_ranges().iter();
     let visible = ranges.map(|range| (range.from.max(axes.x.0), range.to.unwrap_or(axes.x.1).min(axes.x.1)));
     visible.filter(|(from, to)| from < to).map(|(from, to)| (axes.place(from, 0.0).0, axes.place(to, 0.0).0)).collect()
 }
@@ -86,7 +95,7 @@ pub fn color(mode: Mode) -> Color {
 }
 
 /// Real parts as lines, imaginary parts dashed and lighter, and one label for each.
-fn modes(rows: &[Row], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
+fn modes(rows: &[ModeRow], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
     let mut to_label = Vec::new();
     let pairs = pairs(rows);
     for Pair { modes: (first, second), real, imaginary } in &pairs {
@@ -104,7 +113,8 @@ fn modes(rows: &[Row], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
             scene.polyline(points, dashed(1.8, [7.0, 5.0]), color(*second).lighter(0.35));
             labels.avoid_line(points, LINE);
         }
-        to_label.push((longest(lines), color(*second).lighter(0.35), format!("{name}, imaginary part")));
+        let text = format!("{name}, imaginary part");
+        to_label.push(Label { line: longest(lines), color: color(*second).lighter(0.35), text });
     }
     for mode in [Mode::Castering, Mode::Capsize, Mode::Weave] {
         let lines = lines(&alone(rows, mode), axes);
@@ -114,11 +124,40 @@ fn modes(rows: &[Row], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
         }
         let oscillates = pairs.iter().any(|pair| pair.modes == (mode, mode));
         let text = if oscillates { format!("{mode}, real part") } else { mode.to_string() };
-        to_label.push((longest(lines), color(mode), text));
+        to_label.push(Label { line: longest(lines), color: color(mode), text });
     }
-    // Labels come last: they keep off every line.
-    for (points, color, text) in to_label {
-        if let Some(place) = labels.beside(&points, &text, LABEL_SIZE) {
+    name(to_label, scene, labels);
+}
+
+/// Real parts as lines, imaginary parts dashed and lighter, all of them in one colour.
+fn sorted(rows: &[Row<Eigenvalues>], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
+    let color = color(Mode::Castering);
+    let mut to_label = Vec::new();
+    for (curves, paint, color, text) in [
+        (ordered::imaginary(rows), dashed(1.8, [7.0, 5.0]), color.lighter(0.35), "imaginary parts"),
+        (ordered::real(rows), line(2.4), color, "real parts"),
+    ] {
+        let lines = lines(&curves, axes);
+        for points in &lines {
+            scene.polyline(points, paint, color);
+            labels.avoid_line(points, LINE);
+        }
+        to_label.push(Label { line: longest(lines), color, text: text.to_owned() });
+    }
+    name(to_label, scene, labels);
+}
+
+/// What a line is called.
+struct Label {
+    line: Vec<(f32, f32)>,
+    color: Color,
+    text: String,
+}
+
+/// Labels come last: they keep off every line.
+fn name(to_label: Vec<Label>, scene: &mut Scene, labels: &mut Labels) {
+    for Label { line, color, text } in to_label {
+        if let Some(place) = labels.beside(&line, &text, LABEL_SIZE) {
             scene.text(place, Anchor::Start, LABEL_SIZE, color, &text);
         }
     }

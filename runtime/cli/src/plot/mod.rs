@@ -7,6 +7,7 @@ mod eigenvalues;
 mod font;
 mod labels;
 mod marks;
+mod ordered;
 mod png;
 mod scene;
 mod side_view;

@@ -4,7 +4,7 @@ use super::axes::INK;
 use super::labels::{LINE, Labels};
 use super::marks::{DIMENSION, arc, arrow, center_of_mass};
 use super::scene::{Anchor, Color, Scene, dashed, line};
-use crate::input::Bicycle;
+use crate::input::Design;
 use crate::number::shortest;
 
 const WIDTH: f32 = 960.0;
@@ -28,8 +28,8 @@ struct Geometry {
 }
 
 impl Geometry {
-    fn of(bicycle: &Bicycle) -> Option<Self> {
-        let value = |name| bicycle.value(name);
+    fn of(design: &Design) -> Option<Self> {
+        let value = |name| design.value(name);
         let (wheel_base, rear, front) = (value("w")?, value("rR")?, value("rF")?);
         Some(Self {
             wheel_base,
@@ -88,10 +88,10 @@ impl Scale {
 }
 
 /// The side view; `None` for a model that has not the parameters of a bicycle.
-pub fn side_view(bicycle: &Bicycle) -> Option<Scene> {
-    let geometry = Geometry::of(bicycle)?;
+pub fn side_view(design: &Design) -> Option<Scene> {
+    let geometry = Geometry::of(design)?;
     let (scale, height) = scale(&geometry);
-    let mut scene = Scene::new(format!("{}: side view to scale", bicycle.name), WIDTH, height);
+    let mut scene = Scene::new(format!("{}: side view to scale", design.name), WIDTH, height);
     scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &scene.title.clone());
     let mut labels = Labels::new([4.0, 40.0, WIDTH - 4.0, height - 4.0]);
 

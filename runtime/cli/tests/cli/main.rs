@@ -5,6 +5,8 @@ mod extremes;
 mod formats;
 mod hints;
 mod mistakes;
+mod mistakes_of_models;
+mod models;
 mod pictures;
 mod process;
 mod show;
@@ -32,6 +34,12 @@ impl Directory {
         let _ = std::fs::remove_dir_all(&path);
         std::fs::create_dir_all(&path).unwrap();
         Self(path)
+    }
+
+    /// For what several tests call: each of them runs in a thread of its own name.
+    fn of_this_test() -> Self {
+        let thread = std::thread::current();
+        Self::new(&thread.name().unwrap_or_default().replace("::", "-"))
     }
 
     fn write(&self, name: &str, text: impl AsRef<[u8]>) -> &Self {

@@ -17,7 +17,7 @@ pub fn check(test: &str, line: &str, by: &str, message: &str) {
 /// A file, and everything that is said about it.
 #[track_caller]
 pub fn check_file(name: &str, text: impl AsRef<[u8]>, message: &str) {
-    let directory = Directory::new(&format!("mistake-file-{name}"));
+    let directory = Directory::of_this_test();
     directory.write(name, text);
     directory.run(&["analyze", name]).fails(2, &format!("error: {message}\n"));
 }
@@ -25,7 +25,7 @@ pub fn check_file(name: &str, text: impl AsRef<[u8]>, message: &str) {
 /// The benchmark with options of the command line.
 #[track_caller]
 pub fn check_options(options: &[&str], message: &str) {
-    let directory = Directory::new("mistake-options");
+    let directory = Directory::of_this_test();
     directory.run(&[&["analyze"], options].concat()).fails(2, &format!("error: {message}\n"));
 }
 
@@ -151,8 +151,6 @@ fn files_that_are_not_in_their_format() {
     let principal = "bike.yml:1: the parameterization is `principal`; only `benchmark` can be read";
     let indented = yaml.lines().map(|line| format!("  {line}\n")).collect::<String>();
     check_file("bike.yml", format!("parameterization: principal\nvalues:\n{indented}"), principal);
-    let model = BENCHMARK.replace("[parameters]", "model = \"Motorcycle\"\n[parameters]");
-    check_file("bike.toml", model, "bike.toml: the parameters are for the model `Motorcycle`; only Whipple is known");
     let outside = BENCHMARK.replace("[parameters]", "mass = 3\n[parameters]");
     check_file("bike.toml", outside, "bike.toml:5: `mass` stands outside of [parameters]");
 }

@@ -10,7 +10,7 @@ fn texts(svg: &str) -> Vec<String> {
 
 #[track_caller]
 fn picture(arguments: &[&str]) -> Vec<String> {
-    let directory = Directory::new(&arguments.join("-"));
+    let directory = Directory::of_this_test();
     let run = directory.run(&[arguments, &["--plot", "picture.svg"]].concat());
     assert_eq!(run.code, Some(0), "{}", run.stderr);
     assert!(run.stderr.ends_with("wrote: picture.svg\n"), "{}", run.stderr);
@@ -36,6 +36,22 @@ fn eigenvalues_have_axes_modes_and_critical_speeds() {
     ] {
         assert!(texts.iter().any(|text| text == expected), "{expected} is not in {texts:?}");
     }
+}
+
+#[test]
+fn eigenvalues_without_names_of_modes_have_two_labels() {
+    let has = |texts: &[String], wanted: &str| texts.iter().any(|text| text == wanted);
+    let of_three = picture(&["analyze", "--model", "ThreePipes"]);
+    let of_two = picture(&["analyze", "--model", "TwoPipes"]);
+    for texts in [&of_three, &of_two] {
+        for expected in ["speed v (m/s)", "eigenvalue λ (1/s)", "real parts", "imaginary parts"] {
+            assert!(has(texts, expected), "{expected} is not in {texts:?}");
+        }
+        assert!(!has(texts, "castering") && !has(texts, "weave, real part"), "{texts:?}");
+    }
+    assert!(has(&of_three, "Eigenvalues of ThreePipes hose against speed"), "{of_three:?}");
+    assert!(has(&of_two, "stable") && has(&of_two, "capsize 5.6256"), "{of_two:?}");
+    assert!(!has(&of_three, "stable"), "{of_three:?}");
 }
 
 #[test]

@@ -1,0 +1,247 @@
+// @generated from generated/models/pendulum.rs by carvallo-compiler 0.1.0; do not edit.
+// To write it anew: cargo regenerate
+// Hash of the source: c1f69fe8f28eb03d
+
+/// A pendulum with a damped joint, hanging at rest.
+///
+/// A point mass on a massless rod.
+///
+/// Source: Newton's second law about the joint
+///
+/// The fields are the parameters. The coordinates are `theta` (swing) in rad.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct Pendulum<T = ::core::primitive::f64> {
+    /// Mass of the bob.
+    ///
+    /// `m` in kg: > 0.
+    pub m: T,
+    /// Length of the rod.
+    ///
+    /// `l` in m: > 0.
+    pub l: T,
+    /// Damping of the joint.
+    ///
+    /// `c` in N*m*s: >= 0.
+    pub c: T,
+    /// Gravitational field strength.
+    ///
+    /// `g` in N/kg: >= 0.
+    pub g: T,
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl Pendulum<::core::primitive::f64> {
+    /// The parameter set `seconds`.
+    ///
+    /// Source: a bob of 2 kg that passes its lowest point once a second, nearly
+    pub const SECONDS: Self = Self {
+        m: 2.0,
+        l: 0.994,
+        c: 0.1,
+        g: 9.81,
+    };
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Pendulum<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 4]) -> Self {
+        Self {
+            m: values[0],
+            l: values[1],
+            c: values[2],
+            g: values[3],
+        }
+    }
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 4] {
+        [self.m, self.l, self.c, self.g]
+    }
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: ::carvallo::Scalar>(&self) -> Pendulum<U> {
+        Pendulum {
+            m: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.m)),
+            l: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.l)),
+            c: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.c)),
+            g: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.g)),
+        }
+    }
+}
+/// The coefficient matrices of [`Pendulum`], each 1 x 1 and row by row, in SI units.
+///
+/// Matrices that the model does not declare are zero and left out.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct PendulumMatrices<T = ::core::primitive::f64> {
+    /// Mass matrix M, the coefficient of q''. Symmetric, proved.
+    pub m: [[T; 1]; 1],
+    /// Damping C0, a coefficient of q'.
+    pub c0: [[T; 1]; 1],
+    /// Stiffness K0, a coefficient of g q. Symmetric, proved.
+    pub k0: [[T; 1]; 1],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Pendulum<T> {
+    /// The coefficient matrices, from one straight-line program:
+    /// 3 multiplications.
+    ///
+    /// The parameters are not validated.
+    #[inline]
+    #[must_use]
+    pub fn matrices(&self) -> PendulumMatrices<T> {
+        let t3 = self.m * (self.l * self.l);
+        let t5 = self.m * self.l;
+        PendulumMatrices {
+            m: [[t3]],
+            c0: [[self.c]],
+            k0: [[t5]],
+        }
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Pendulum<T> {
+    type Scalar = T;
+    const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
+        name: "Pendulum",
+        docs: "A pendulum with a damped joint, hanging at rest.\n\nA point mass on a massless rod.",
+        source: "Newton's second law about the joint",
+        parameters: &[
+            ::carvallo::ParameterInfo {
+                name: "m",
+                symbol: "m",
+                docs: "Mass of the bob.",
+                unit: "kg",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "l",
+                symbol: "l",
+                docs: "Length of the rod.",
+                unit: "m",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Open(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "c",
+                symbol: "c",
+                docs: "Damping of the joint.",
+                unit: "N*m*s",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+            ::carvallo::ParameterInfo {
+                name: "g",
+                symbol: "g",
+                docs: "Gravitational field strength.",
+                unit: "N/kg",
+                domain: ::carvallo::Domain {
+                    lower: ::carvallo::Bound::Closed(0.0),
+                    upper: ::carvallo::Bound::Unbounded,
+                    nonzero: false,
+                },
+                used: true,
+            },
+        ],
+        coordinates: &[
+            ::carvallo::CoordinateInfo {
+                name: "theta",
+                label: "swing",
+                docs: "Angle of the rod from the vertical.",
+                unit: "rad",
+            },
+        ],
+        matrices: &["M", "C0", "K0"],
+        sets: &[
+            ::carvallo::SetInfo {
+                name: "seconds",
+                docs: "",
+                source: "a bob of 2 kg that passes its lowest point once a second, nearly",
+                values: &[2.0, 0.994, 0.1, 9.81],
+            },
+        ],
+        gravity: ::core::option::Option::Some(3),
+    };
+    fn from_slice(
+        values: &[T],
+    ) -> ::core::result::Result<Self, ::carvallo::LengthError> {
+        if values.len() != 4 {
+            return ::core::result::Result::Err(::carvallo::LengthError {
+                model: "Pendulum",
+                expected: 4,
+                found: values.len(),
+            });
+        }
+        ::core::result::Result::Ok(Self {
+            m: values[0],
+            l: values[1],
+            c: values[2],
+            g: values[3],
+        })
+    }
+    fn write_to(
+        &self,
+        values: &mut [T],
+    ) -> ::core::result::Result<(), ::carvallo::LengthError> {
+        if values.len() != 4 {
+            return ::core::result::Result::Err(::carvallo::LengthError {
+                model: "Pendulum",
+                expected: 4,
+                found: values.len(),
+            });
+        }
+        values.copy_from_slice(&self.to_array());
+        ::core::result::Result::Ok(())
+    }
+    fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
+        let info = <Self as ::carvallo::Model<1>>::INFO;
+        info.validate(
+            &[
+                ::carvallo::Scalar::to_f64(self.m),
+                ::carvallo::Scalar::to_f64(self.l),
+                ::carvallo::Scalar::to_f64(self.c),
+                ::carvallo::Scalar::to_f64(self.g),
+            ],
+        )?;
+        ::core::result::Result::Ok(())
+    }
+    #[inline]
+    fn coefficients(&self) -> ::carvallo::Coefficients<T, 1> {
+        let matrices = self.matrices();
+        ::carvallo::Coefficients::from_rows([
+            matrices.m,
+            matrices.c0,
+            [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+            [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+            matrices.k0,
+            [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+        ])
+    }
+    fn gravity(&self) -> ::core::option::Option<T> {
+        ::core::option::Option::Some(self.g)
+    }
+}

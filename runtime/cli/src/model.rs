@@ -1,0 +1,112 @@
+//! The models that ship with Carvallo, without their types: whatever its number of coordinates, any of them can be chosen
+//! by its name.
+
+use std::any::Any;
+use std::fmt::Debug;
+
+use carvallo::{Coefficients, Complex, Matrix, Model, ModelInfo, SystemError};
+use carvallo_models::Whipple;
+
+use crate::number::with_unit;
+
+/// A model that ships with Carvallo.
+#[derive(Clone, Copy, Debug)]
+pub struct Shipped {
+    /// What the model tells about itself.
+    pub info: &'static ModelInfo,
+    equations: Constructor,
+}
+
+/// Makes the equations of motion from parameters in declared order, or says which of them cannot be.
+type Constructor = fn(&[f64]) -> Result<Box<dyn Equations>, String>;
+
+/// All of them.
+pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
+
+/// The model that is meant unless another one is named: that of the shipped bicycles.
+pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
+
+impl Shipped {
+    const fn of<const N: usize, M: Model<N, Scalar = f64>>() -> Self {
+        Self { info: M::INFO, equations: equations::<N, M> }
+    }
+
+    /// The model called so, in letters of either case.
+    ///
+    /// # Errors
+    /// If there is none: that, the one that was probably meant, and those that there are.
+    pub fn called(name: &str) -> Result<&'static Self, String> {
+        if let Some(model) = MODELS.iter().find(|model| model.is_called(name)) {
+            return Ok(model);
+        }
+        let names: Vec<&str> = MODELS.iter().map(|model| model.info.name).collect();
+        let hint = crate::input::nearest(name, names.iter().copied());
+        let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
+        Err(format!("there is no model `{name}`{hint}\nthe models are {}", names.join(", ")))
+    }
+
+    /// Whether that is its name, in letters of either case.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.info.name.eq_ignore_ascii_case(name)
+    }
+
+    /// Whether its parameters are those of the shipped bicycles.
+    pub fn is_whipple(&self) -> bool {
+        self.is_called(WHIPPLE.info.name)
+    }
+
+    /// The equations of motion for parameters in declared order.
+    ///
+    /// # Errors
+    /// The first of them, or of the model's requirements, that does not hold.
+    pub fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
+        (self.equations)(parameters)
+    }
+
+    /// Whether the equations of motion depend on the speed.
+    pub fn depends_on_speed(&self) -> bool {
+        self.info.matrices.iter().any(|matrix| ["C1", "K2"].contains(matrix))
+    }
+}
+
+fn equations<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
+    let model = M::from_slice(parameters).map_err(|error| error.to_string())?;
+    model.validate().map_err(|error| {
+        let value = with_unit(error.value, error.unit);
+        format!("`{}` is {value}; it must be {}", error.subject, error.required)
+    })?;
+    Ok(Box::new(model.coefficients()))
+}
+
+/// The linearized equations of motion for any number of coordinates.
+pub trait Equations: Debug {
+    /// The names and rows of all six matrices.
+    fn matrices(&self) -> [(&'static str, Vec<Vec<f64>>); 6];
+
+    /// The eigenvalues in 1/s at a speed in m/s and a gravitational field strength in N/kg, sorted by real part, then by
+    /// imaginary part.
+    ///
+    /// # Errors
+    /// If there are none, as for a singular mass matrix.
+    fn eigenvalues(&self, speed: f64, gravity: f64) -> Result<Vec<Complex<f64>>, SystemError>;
+
+    /// The coefficients of exactly two coordinates, for which there is more to be had.
+    fn of_two(&self) -> Option<&Coefficients<f64, 2>>;
+}
+
+impl<const N: usize> Equations for Coefficients<f64, N> {
+    fn matrices(&self) -> [(&'static str, Vec<Vec<f64>>); 6] {
+        let Self { m, c0, c1, kc, k0, k2 } = self;
+        let rows = |matrix: &Matrix<f64, N>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
+        [("M", m), ("C0", c0), ("C1", c1), ("Kc", kc), ("K0", k0), ("K2", k2)]
+            .map(|(name, matrix)| (name, rows(matrix)))
+    }
+
+    fn eigenvalues(&self, speed: f64, gravity: f64) -> Result<Vec<Complex<f64>>, SystemError> {
+        self.at(speed, gravity)?.eigenvalues()
+    }
+
+    fn of_two(&self) -> Option<&Coefficients<f64, 2>> {
+        (self as &dyn Any).downcast_ref()
+    }
+}

@@ -1,0 +1,128 @@
+//! The equations of motion: the terms that a model has, and its matrices with their units.
+
+use std::fmt::Write as _;
+
+use carvallo::{CoordinateInfo, ModelInfo};
+
+use super::HEADING;
+use super::table::{LINE, width};
+use crate::input::Design;
+use crate::number::{fixed, shortest};
+
+/// A matrix that the model has.
+pub struct Matrix {
+    pub name: &'static str,
+    pub unit: &'static str,
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// The matrices that the model has, in the order of the equation.
+pub fn matrices(design: &Design) -> Vec<Matrix> {
+    let info = design.info();
+    let all = design.equations.matrices().into_iter().filter(|(name, _)| info.matrices.contains(name));
+    all.map(|(name, rows)| Matrix { name, unit: unit(name, info.coordinates), rows }).collect()
+}
+
+/// The equations with their matrices, for people. Writing to a string cannot fail, so that the results of `write!` are
+/// dropped.
+pub fn equations(design: &Design, text: &mut String) {
+    let info = design.info();
+    let coordinates: Vec<String> = info.coordinates.iter().map(coordinate).collect();
+    let gravity = design.gravity().map(|gravity| format!(" and g = {} N/kg", shortest(gravity))).unwrap_or_default();
+    let _ = writeln!(text, "\n{HEADING}Equations of motion{HEADING:#}  {}", equation(info));
+    let _ = writeln!(text, "  with q = ({}){gravity}", coordinates.join(", "));
+    // Adding zero turns -0 into 0.
+    let exact = |value: f64| shortest(value + 0.0);
+    let rounded = |value: f64| if value == 0.0 { exact(value) } else { fixed(value, 6) };
+    let matrices = matrices(design);
+    // All digits, unless that would make the lines long.
+    let lines = matrix_lines(&matrices, exact);
+    let is_long = lines.iter().any(|line| line.chars().count() > LINE);
+    for line in if is_long { matrix_lines(&matrices, rounded) } else { lines } {
+        let _ = writeln!(text, "{line}");
+    }
+}
+
+fn matrix_lines(matrices: &[Matrix], number: impl Fn(f64) -> String) -> Vec<String> {
+    let row = |row: &Vec<f64>| row.iter().map(|value| number(*value)).collect::<Vec<String>>();
+    let rows: Vec<Vec<Vec<String>>> = matrices.iter().map(|matrix| matrix.rows.iter().map(row).collect()).collect();
+    // The fewer columns there are, the wider they may be.
+    let least = matrices.first().map_or(0, |matrix| 44 / matrix.rows.len().max(2));
+    let width = width(rows.iter().flatten().flatten(), least);
+    let mut lines = Vec::new();
+    for (Matrix { name, unit, .. }, rows) in matrices.iter().zip(&rows) {
+        for (index, row) in rows.iter().enumerate() {
+            let (name, unit) = if index == 0 { (*name, *unit) } else { ("", "") };
+            let row: String = row.iter().map(|value| format!("{value:>width$}")).collect();
+            lines.push(format!("  {name:<3}{unit:<7}{row}"));
+        }
+    }
+    lines
+}
+
+/// `M q'' + (C0 + v C1) q' + (Kc + g K0 + v² K2) q = f` with the terms that the model has.
+fn equation(info: &ModelInfo) -> String {
+    let sum = |terms: &[(&str, &'static str)], factor: &str| {
+        let terms = terms.iter().filter(|(matrix, _)| info.matrices.contains(matrix));
+        match terms.map(|(_, term)| *term).collect::<Vec<_>>()[..] {
+            [] => String::new(),
+            [term] => format!(" + {term} {factor}"),
+            ref terms => format!(" + ({}) {factor}", terms.join(" + ")),
+        }
+    };
+    let damping = sum(&[("C0", "C0"), ("C1", "v C1")], "q'");
+    let stiffness = sum(&[("Kc", "Kc"), ("K0", "g K0"), ("K2", "v² K2")], "q");
+    format!("M q''{damping}{stiffness} = f")
+}
+
+/// What a coordinate is, and its symbol: `lean phi`.
+pub fn coordinate(CoordinateInfo { label, name, .. }: &CoordinateInfo) -> String {
+    if label == name { (*name).to_owned() } else { format!("{label} {name}") }
+}
+
+/// The unit of the entries of a matrix: of angles, of lengths, or of both, where each entry has its own.
+fn unit(matrix: &str, coordinates: &[CoordinateInfo]) -> &'static str {
+    let (lengths, angles) = match matrix {
+        "M" => ("kg", "kg m²"),
+        "C0" => ("N s/m", "N m s"),
+        "C1" | "K0" => ("kg/m", "kg m"),
+        "Kc" => ("N/m", "N m"),
+        _ => ("kg/m²", "kg"),
+    };
+    if coordinates.iter().all(|coordinate| coordinate.unit == "m") {
+        lengths
+    } else if coordinates.iter().all(|coordinate| coordinate.unit == "rad") {
+        angles
+    } else {
+        "SI"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use carvallo::CoordinateInfo;
+
+    use super::{equation, unit};
+    use crate::model::{MODELS, WHIPPLE};
+
+    /// An energy is in J = kg m²/s² for any coordinates: M q'^2, Kc q^2, g K0 q^2 and (v q)^2 K2.
+    #[test]
+    fn units_follow_from_the_coordinates() {
+        let of = |units: &[&'static str]| {
+            let coordinate = |&unit| CoordinateInfo { name: "q", label: "q", docs: "", unit };
+            let coordinates: Vec<_> = units.iter().map(coordinate).collect();
+            ["M", "C0", "C1", "Kc", "K0", "K2"].map(|matrix| unit(matrix, &coordinates))
+        };
+        assert_eq!(of(&["rad"; 3]), ["kg m²", "N m s", "kg m", "N m", "kg m", "kg"]);
+        assert_eq!(of(&["m"]), ["kg", "N s/m", "kg/m", "N/m", "kg/m", "kg/m²"]);
+        assert_eq!(of(&["m", "rad"]), ["SI"; 6]);
+    }
+
+    #[test]
+    fn equations_have_the_terms_of_their_model() {
+        let of = |name: &str| MODELS.iter().find(|model| model.is_called(name)).map(|model| equation(model.info));
+        assert_eq!(equation(WHIPPLE.info), "M q'' + v C1 q' + (g K0 + v² K2) q = f");
+        assert_eq!(of("Pendulum").as_deref(), Some("M q'' + C0 q' + g K0 q = f"));
+        assert_eq!(of("ThreePipes").as_deref(), Some("M q'' + (C0 + v C1) q' + (Kc + g K0 + v² K2) q = f"));
+    }
+}

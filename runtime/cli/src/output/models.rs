@@ -1,0 +1,42 @@
+//! The shipped models at a glance.
+
+use std::fmt::Write as _;
+
+use super::equations::coordinate;
+use super::{FAINT, HEADING};
+use crate::model::Shipped;
+
+pub fn models(models: &[Shipped]) -> String {
+    let name = models.iter().map(|model| model.info.name.len()).max().unwrap_or(0) + 2;
+    let mut text = format!("{HEADING}{:<name$}{:<13}{:<12}sets{HEADING:#}\n", "model", "coordinates", "parameters");
+    for model in models {
+        let info = model.info;
+        let sets: Vec<&str> = info.sets.iter().map(|set| set.name).collect();
+        let sets = match sets[..] {
+            _ if model.is_whipple() => "`carvallo bicycles` lists them".to_owned(),
+            [] => "-".to_owned(),
+            ref sets => sets.join(", "),
+        };
+        let [coordinates, parameters] = [info.coordinates.len(), info.parameters.len()];
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{HEADING}{:<name$}{HEADING:#}{coordinates:<13}{parameters:<12}{sets}", info.name);
+        let coordinates: Vec<String> = info.coordinates.iter().map(coordinate).collect();
+        let coordinates = format!("q = ({})", coordinates.join(", "));
+        for about in [sentence(info.docs), coordinates, info.source.to_owned()] {
+            if !about.is_empty() {
+                let _ = writeln!(text, "  {FAINT}{about}{FAINT:#}");
+            }
+        }
+    }
+    text
+}
+
+/// The first sentence of a text, on one line.
+fn sentence(docs: &str) -> String {
+    let paragraph = docs.trim().split("\n\n").next().unwrap_or_default();
+    let text = paragraph.split_whitespace().collect::<Vec<_>>().join(" ");
+    match text.split_once(". ") {
+        Some((first, _)) => format!("{first}."),
+        None => text,
+    }
+}
