@@ -33,7 +33,7 @@ fuzz_target!(|data: &[u8]| {
     match expand(tokens.clone(), &Driver::Macro { runtime: "::carvallo".parse().expect("a path") }) {
         Ok(code) => {
             assert!(syn::parse2::<syn::File>(code.clone()).is_ok(), "what came out is not Rust: {code}");
-            let program = compile(tokens).expect("it was compiled before").matrices;
+            let program = compile(tokens).expect("it was compiled before").programs.matrices;
             for number in 0..8 {
                 let parameters = model.point(number);
                 model.compare(&parameters, &program.interpret(&parameters));

@@ -1,5 +1,7 @@
 //! Bicycles from their bodies: against Appendix A, published models of more than it holds, and nonlinear dynamics.
 
+#![allow(non_snake_case)] // The names are the models'.
+
 use carvallo::{Coefficients, Model};
 use carvallo_models::{RearSteered, Whipple, WhippleLeaning, WhippleMechanism, WhippleSprung, WhippleTyres};
 use carvallo_tests::multibody::bicycle::{Bicycle, Extras, Rider};
