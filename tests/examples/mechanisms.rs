@@ -58,7 +58,11 @@ fn measure(name: &str, declaration: &str) -> (f64, f64) {
     let operations = Counts::of(&compiled.programs.matrices).total();
     let n = compiled.model.coordinates.len();
     let generation = all.saturating_sub(derivation);
-    println!("{name:<24} {n:>4} {:>14.3} {:>16.3} {operations:>11}", derivation.as_secs_f64(), generation.as_secs_f64());
+    println!(
+        "{name:<24} {n:>4} {:>14.3} {:>16.3} {operations:>11}",
+        derivation.as_secs_f64(),
+        generation.as_secs_f64()
+    );
     (all.as_secs_f64(), operations as f64)
 }
 

@@ -1,5 +1,8 @@
 //! The definitions that a derivation leaves behind: each intermediate result once, by name.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+
 use crate::model::Expr;
 use crate::symbolic::{Engine, Form};
 
@@ -14,6 +17,8 @@ pub struct Formulas<'e> {
     /// Some values of the parameters, and those of the definitions for them: what is clearly not zero there needs no
     /// attempt to prove that it is.
     sample: (Vec<f64>, Vec<f64>),
+    /// Forms that were simplified before.
+    simplest: RefCell<HashMap<Form, Form>>,
 }
 
 /// The size beyond which a value at the sample, whose parameters are about one, is no rounding error.
@@ -27,8 +32,14 @@ impl<'e> Formulas<'e> {
     pub fn new(engine: &'e Engine, parameters: usize, values: Vec<Form>) -> Self {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         let sample = (0..parameters).map(|index| 0.5 + (index as f64 * GOLDEN).fract()).collect();
-        let mut formulas =
-            Self { engine, parameters, values: Vec::new(), names: Vec::new(), sample: (sample, Vec::new()) };
+        let mut formulas = Self {
+            engine,
+            parameters,
+            values: Vec::new(),
+            names: Vec::new(),
+            sample: (sample, Vec::new()),
+            simplest: RefCell::default(),
+        };
         values.into_iter().for_each(|value| formulas.push(value));
         formulas
     }
@@ -57,7 +68,7 @@ impl<'e> Formulas<'e> {
         if let Some(index) = self.values.iter().position(|known| *known == form) {
             return stand_in(index);
         }
-        if let Some(index) = self.values.iter().position(|known| *known == (-&form).simplest()) {
+        if let Some(index) = self.values.iter().position(|known| *known == self.simplest(&-&form)) {
             return -&stand_in(index);
         }
         let stand_in = stand_in(self.values.len());
@@ -68,7 +79,7 @@ impl<'e> Formulas<'e> {
 
     /// The shortest form of a formula that is found as it stands, or with what its names stand for: names hide what cancels.
     pub fn shortest(&self, form: &Form) -> Form {
-        let mut shortest = form.simplest();
+        let mut shortest = self.simplest(form);
         let mut open = form.clone();
         let first = self.values.len() - self.names.len();
         for index in (first..self.values.len()).rev() {
@@ -83,12 +94,21 @@ impl<'e> Formulas<'e> {
             if open.operations() > MAX_OPENED {
                 break;
             }
-            let simplest = open.simplest();
+            let simplest = self.simplest(&open);
             if simplest.operations() < shortest.operations() {
                 shortest = simplest;
             }
         }
         shortest
+    }
+
+    fn simplest(&self, form: &Form) -> Form {
+        if let Some(known) = self.simplest.borrow().get(form) {
+            return known.clone();
+        }
+        let simplest = form.simplest();
+        self.simplest.borrow_mut().insert(form.clone(), simplest.clone());
+        simplest
     }
 
     /// Whether a formula is proved to be zero for all parameters.

@@ -20,7 +20,7 @@ use crate::syntax::Decimal;
 pub struct Engine(());
 
 /// A formula in the parameters, in the engine's own form.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Form(pub(super) Atom);
 
 /// Why a formula has no value, whatever the parameters.
@@ -174,8 +174,14 @@ impl Form {
         if self.operations() > MAX_REWRITTEN || expanded_terms(atom.as_view()) > MAX_EXPANDED {
             return self.clone();
         }
-        let forms =
-            [atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor(), atom.together()];
+        // One operation cannot become fewer.
+        if self.operations() <= 1 {
+            return self.clone();
+        }
+        let mut forms = vec![atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor()];
+        if atom.count_operations().inversions > 0 {
+            forms.push(atom.together());
+        }
         let best = forms.into_iter().map(Self).min_by_key(Self::cost);
         best.unwrap_or_else(|| self.clone())
     }
