@@ -7,6 +7,8 @@ mod chains;
 mod identity;
 mod kinematics;
 mod others;
+#[cfg(feature = "compiler")]
+mod random;
 
 use carvallo::{Coefficients, Matrix};
 
