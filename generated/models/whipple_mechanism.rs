@@ -113,5 +113,14 @@ carvallo::model! {
             C1 = [[0, 33.77386947593010], [-0.84823447825693, 1.70696539792387]];
             K2 = [[0, 76.40620875965657], [0, 2.67560553633218]];
         }
+
+        /// A bicycle that balances itself without gyroscopic effects and without trail: two points of mass on skates.
+        set two_mass_skate "Kooijman, Meijaard, Papadopoulos, Ruina & Schwab (2011), Science 332, 339-342" {
+            w = 1; c = 0; lam = 5 deg; g = 9.81;
+            rR = 0.1; mR = 0; IRxx = 0; IRyy = 0;
+            xB = 1.2; zB = -0.4; mB = 10; IBxx = 0; IByy = 0; IBzz = 0; IBxz = 0;
+            xH = 1.02; zH = -0.2; mH = 1; IHxx = 0; IHyy = 0; IHzz = 0; IHxz = 0;
+            rF = 0.1; mF = 0; IFxx = 0; IFyy = 0;
+        }
     }
 }

@@ -1,6 +1,6 @@
 // @generated from generated/models/whipple_mechanism.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 73430353724df662
+// Hash of the source: 53a9579a0fb96459
 
 /// The Whipple-Carvallo bicycle, derived from its bodies, joints and wheels.
 ///
@@ -190,6 +190,37 @@ impl WhippleMechanism<::core::primitive::f64> {
         mF: 3.0,
         IFxx: 0.14,
         IFyy: 0.28,
+    };
+    /// A bicycle that balances itself without gyroscopic effects and without trail: two points of mass on skates.
+    ///
+    /// Source: Kooijman, Meijaard, Papadopoulos, Ruina & Schwab (2011), Science 332, 339-342
+    pub const TWO_MASS_SKATE: Self = Self {
+        w: 1.0,
+        c: 0.0,
+        lam: 0.08726646259971647,
+        g: 9.81,
+        rR: 0.1,
+        mR: 0.0,
+        IRxx: 0.0,
+        IRyy: 0.0,
+        xB: 1.2,
+        zB: -0.4,
+        mB: 10.0,
+        IBxx: 0.0,
+        IByy: 0.0,
+        IBzz: 0.0,
+        IBxz: 0.0,
+        xH: 1.02,
+        zH: -0.2,
+        mH: 1.0,
+        IHxx: 0.0,
+        IHyy: 0.0,
+        IHzz: 0.0,
+        IHxz: 0.0,
+        rF: 0.1,
+        mF: 0.0,
+        IFxx: 0.0,
+        IFyy: 0.0,
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -864,6 +895,39 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
                     3.0,
                     0.14,
                     0.28,
+                ],
+            },
+            ::carvallo::SetInfo {
+                name: "two_mass_skate",
+                docs: "A bicycle that balances itself without gyroscopic effects and without trail: two points of mass on skates.",
+                source: "Kooijman, Meijaard, Papadopoulos, Ruina & Schwab (2011), Science 332, 339-342",
+                values: &[
+                    1.0,
+                    0.0,
+                    0.08726646259971647,
+                    9.81,
+                    0.1,
+                    0.0,
+                    0.0,
+                    0.0,
+                    1.2,
+                    -0.4,
+                    10.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    1.02,
+                    -0.2,
+                    1.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.1,
+                    0.0,
+                    0.0,
+                    0.0,
                 ],
             },
         ],

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use carvallo_compiler::files::regenerate;
 use carvallo_compiler::{Driver, expand};
+use carvallo_tests::chain;
 use quote::quote;
 
 const SMALL: &str = "model Small { parameters { a: kg, > 0; b: kg, > 0; lam: rad; } let c = a + b^2/a; \
@@ -31,6 +32,19 @@ fn fifty_runs_among_other_models_give_the_same_code() {
         assert!(!expanded(&other, &Driver::File).is_empty());
         assert_eq!(drivers().map(|driver| expanded(SMALL, &driver)), first, "run {run}");
     }
+}
+
+#[test]
+fn mechanisms_among_others_give_the_same_code() {
+    let source = include_str!("../../../generated/models/skateboard.rs");
+    let (_, body) = source.split_once('{').expect("an opening brace");
+    let (skateboard, _) = body.rsplit_once('}').expect("a closing brace");
+    let run = || {
+        let chain = |n| expanded(&chain::declaration(n), &Driver::File);
+        [expanded(skateboard, &Driver::File), chain(3), expanded(SMALL, &Driver::File), chain(2)]
+    };
+    let first = run();
+    (0..5).for_each(|number| assert_eq!(run(), first, "run {number}"));
 }
 
 #[test]

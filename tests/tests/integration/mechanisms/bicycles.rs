@@ -2,7 +2,7 @@
 
 #![allow(non_snake_case)] // The names are the models'.
 
-use carvallo::{Coefficients, Model};
+use carvallo::{Coefficients, Model, Stability};
 use carvallo_models::{RearSteered, Whipple, WhippleLeaning, WhippleMechanism, WhippleSprung, WhippleTyres};
 use carvallo_tests::multibody::bicycle::{Bicycle, Extras, Rider};
 use carvallo_tests::textbook::{rider, tyres};
@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-11;
 const DIFFERENCES: f64 = 1e-6;
 
 /// The matrices by hand, after Appendix A.
-fn by_hand(design: &Whipple) -> Coefficients<f64, 2> {
+pub fn by_hand(design: &Whipple) -> Coefficients<f64, 2> {
     let matrices = carvallo_tests::hand_written::matrices(design);
     let zero = [[0.0; 2]; 2];
     Coefficients::from_rows([matrices.m, zero, matrices.c1, zero, matrices.k0, matrices.k2])
@@ -114,6 +114,8 @@ fn tyres_are_those_of_the_extended_model_and_knife_edges_without_a_radius() {
 struct Upper {
     textbook: rider::UpperBody,
     numeric: Rider,
+    /// Mass, centre of mass and moments of inertia.
+    body: [f64; 7],
     parameters: [f64; 10],
 }
 
@@ -122,7 +124,8 @@ fn upper(stiffness: f64, damping: f64) -> Upper {
     let textbook = rider::UpperBody { h: -zP, m, x, z, Ixx: xx, Izz: zz, Ixz: xz, stiffness, damping };
     let inertia = [xx, yy, zz, xz];
     let numeric = Rider { mass: m, centre: [x, z], inertia, joint: [0.0, zP], stiffness, damping };
-    Upper { textbook, numeric, parameters: [zP, m, x, z, xx, yy, zz, xz, stiffness, damping] }
+    let body = [m, x, z, xx, yy, zz, xz];
+    Upper { textbook, numeric, body, parameters: [zP, m, x, z, xx, yy, zz, xz, stiffness, damping] }
 }
 
 #[test]
@@ -140,7 +143,7 @@ fn a_leaning_rider_is_that_of_moore_and_of_nonlinear_dynamics() {
 }
 
 /// The rear frame and the upper body as one.
-fn rigid(design: &Whipple, [_, m, x, z, xx, _, zz, xz, ..]: [f64; 10]) -> Whipple {
+pub fn rigid(design: &Whipple, [m, x, z, xx, _, zz, xz]: [f64; 7]) -> Whipple {
     let mass = design.mB + m;
     let centre = |frame: f64, upper: f64| (design.mB * frame + m * upper) / mass;
     let (xB, zB) = (centre(design.xB, x), centre(design.zB, z));
@@ -174,7 +177,7 @@ fn a_rider_who_does_not_lean_is_part_of_the_frame() {
             k0: block(locked.k0),
             k2: block(locked.k2),
         };
-        assert_close(&locked, &by_hand(&rigid(&design, upper.parameters)), ROUNDING, name);
+        assert_close(&locked, &by_hand(&rigid(&design, upper.body)), ROUNDING, name);
     }
 }
 
@@ -190,6 +193,17 @@ fn without_damper_and_speed_a_leaning_rider_conserves_energy() {
         }
         assert!(m.cholesky().is_some(), "{name}: every motion has a kinetic energy");
     }
+}
+
+#[test]
+fn the_two_mass_skate_is_stable_above_its_published_speed() {
+    // Kooijman, Meijaard, Papadopoulos, Ruina & Schwab (2011), Science 332, 339-342: no gyroscopic effect, no trail, and
+    // stable above 2.8 m/s.
+    let skate = WhippleMechanism::TWO_MASS_SKATE;
+    assert_eq!(skate.validate(), Ok(()));
+    let stability = Stability::new(&skate.coefficients(), skate.g).expect("it moves");
+    let [range] = &stability.stable_ranges[..] else { panic!("{:?}", stability.stable_ranges) };
+    assert_eq!((format!("{:.1}", range.from), range.to), ("2.8".into(), None));
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Models that are derived from mechanisms, against formulas, figures and dynamics from elsewhere.
 
+#[cfg(feature = "compiler")]
+mod attachments;
 mod bicycles;
 #[cfg(feature = "compiler")]
 mod chains;
