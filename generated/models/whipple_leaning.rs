@@ -5,7 +5,7 @@ carvallo::model! {
     /// laterally symmetric, on knife-edged wheels that roll without slip on level ground. The hip axis lies along x. Axes:
     /// origin at the rear contact point, x forward, y to the right, z down.
     pub model WhippleLeaning {
-        source "Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3";
+        source "Mechanism: Moore (2012), Human Control of a Bicycle, dissertation, University of California, Davis, leaning rider";
 
         parameters {
             /// Wheel base.

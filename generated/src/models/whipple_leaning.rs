@@ -1,6 +1,6 @@
 // @generated from generated/models/whipple_leaning.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 18e5fdd28151a65b
+// Hash of the source: 3861e299e6929934
 
 /// The Whipple-Carvallo bicycle with a rider whose upper body leans on a sprung and damped hip.
 ///
@@ -8,7 +8,7 @@
 /// laterally symmetric, on knife-edged wheels that roll without slip on level ground. The hip axis lies along x. Axes:
 /// origin at the rear contact point, x forward, y to the right, z down.
 ///
-/// Source: Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3
+/// Source: Mechanism: Moore (2012), Human Control of a Bicycle, dissertation, University of California, Davis, leaning rider
 ///
 /// Derived from a mechanism: body `B` (rear frame and legs), body `H` (front frame), body `U` (upper body), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
@@ -624,7 +624,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleLeaning",
         docs: "The Whipple-Carvallo bicycle with a rider whose upper body leans on a sprung and damped hip.\n\nFive rigid bodies (rear wheel R, rear frame with the rider's legs B, upper body U, front frame H, front wheel F),\nlaterally symmetric, on knife-edged wheels that roll without slip on level ground. The hip axis lies along x. Axes:\norigin at the rear contact point, x forward, y to the right, z down.",
-        source: "Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3",
+        source: "Mechanism: Moore (2012), Human Control of a Bicycle, dissertation, University of California, Davis, leaning rider",
         parameters: &[
             ::carvallo::ParameterInfo {
                 name: "w",

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, StableRange};
+use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, Stability, StableRange, Verdict};
 
 use super::{FAINT, GOOD, HEADING, equations, is_stable, sorted};
 use crate::analysis::{Analysis, ModeRow, Row, Rows};
@@ -47,6 +47,7 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
     let _ = writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} (m/s)");
     let speeds: Vec<String> = stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
     let width = width(&speeds, 20);
+    let marginal = marginal_from(stability);
     for CriticalSpeed { kind, speed, eigenvalue, change, .. } in &stability.critical_speeds {
         let (name, at) = match kind {
             CriticalKind::Weave => ("weave", format!("±{} i", fixed(eigenvalue.im.abs(), 4))),
@@ -54,6 +55,7 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
             CriticalKind::DoubleRoot => ("double root", fixed(eigenvalue.re, 4)),
         };
         let change = match change {
+            Change::Stabilizes if marginal == Some(*speed) => "is unstable no longer",
             Change::Stabilizes => "becomes stable",
             Change::Destabilizes => "becomes unstable",
             Change::Merges => "two real eigenvalues become an oscillation",
@@ -72,9 +74,19 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
             None => writeln!(text, "  {GOOD}self-stable above {} m/s{GOOD:#}", shortest(*from)),
         };
     }
-    if ranges.is_empty() {
+    if let Some(from) = marginal {
+        let _ = writeln!(text, "  marginal above {} m/s: it neither falls nor comes to rest", shortest(from));
+    }
+    if ranges.is_empty() && marginal.is_none() {
         let _ = writeln!(text, "  stable by itself at no speed");
     }
+}
+
+/// The last critical speed, if motions neither grow nor decay above it, as those of a rolling disc.
+fn marginal_from(stability: &Stability) -> Option<f64> {
+    let last = stability.critical_speeds.last()?.speed;
+    // Between critical speeds the verdict does not change, and above the last one it never does.
+    (stability.verdict(2.0 * last) == Ok(Verdict::Marginal)).then_some(last)
 }
 
 fn modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {

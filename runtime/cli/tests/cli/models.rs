@@ -115,6 +115,14 @@ fn undamped_motion_is_marginal_and_in_order() {
 }
 
 #[test]
+fn a_disc_that_stays_up_is_marginal() {
+    let text = Directory::new("disc").run(&["analyze", "--model", "RollingDisc", "uniform"]).ok();
+    // From the square root of g r/3 on.
+    assert!(text.contains("\n  marginal above 0.99045444115315"), "{text}");
+    assert!(text.contains("is unstable no longer") && !text.contains("at no speed"), "{text}");
+}
+
+#[test]
 fn tables_say_what_there_is() {
     let directory = Directory::new("tables");
     let text = directory.run(&["analyze", "--model", "ThreePipes"]).ok();
