@@ -262,7 +262,7 @@ impl<T: ::carvallo::Scalar> RearSteered<T> {
 }
 /// The coefficient matrices of [`RearSteered`], each 2 x 2 and row by row, in SI units.
 ///
-/// Matrices that the model does not declare are zero and left out.
+/// Matrices that are not among them are zero.
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
     ::core::clone::Clone,

@@ -174,7 +174,7 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
 }
 /// The coefficient matrices of [`Skateboard`], each 1 x 1 and row by row, in SI units.
 ///
-/// Matrices that the model does not declare are zero and left out.
+/// Matrices that are not among them are zero.
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
     ::core::clone::Clone,
@@ -183,15 +183,15 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
     ::core::cmp::PartialEq
 )]
 pub struct SkateboardMatrices<T = ::core::primitive::f64> {
-    /// Mass matrix M, the coefficient of q''. Symmetric, proved.
+    /// Mass matrix M, the coefficient of q''.
     pub m: [[T; 1]; 1],
-    /// Damping C1, a coefficient of v q'. Symmetric, proved.
+    /// Damping C1, a coefficient of v q'.
     pub c1: [[T; 1]; 1],
-    /// Stiffness Kc, a coefficient of q. Symmetric, proved.
+    /// Stiffness Kc, a coefficient of q.
     pub kc: [[T; 1]; 1],
-    /// Stiffness K0, a coefficient of g q. Symmetric, proved.
+    /// Stiffness K0, a coefficient of g q.
     pub k0: [[T; 1]; 1],
-    /// Stiffness K2, a coefficient of v^2 q. Symmetric, proved.
+    /// Stiffness K2, a coefficient of v^2 q.
     pub k2: [[T; 1]; 1],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]

@@ -92,7 +92,7 @@ impl<T: ::carvallo::Scalar> ThreePipes<T> {
 }
 /// The coefficient matrices of [`ThreePipes`], each 3 x 3 and row by row, in SI units.
 ///
-/// Matrices that the model does not declare are zero and left out.
+/// Matrices that are not among them are zero.
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 #[derive(
     ::core::clone::Clone,

@@ -23,7 +23,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
     });
     let struct_docs = docs(&format!(
         "The coefficient matrices of [`{name}`], each {n} x {n} and row by row, in SI units.\n\n\
-         Matrices that the model does not declare are zero and left out.",
+         Matrices that are not among them are zero.",
     ));
     let size = proc_macro2::Literal::usize_unsuffixed(n);
     let counts = program.map(|program| format!("\n{}", Counts::of(program))).unwrap_or_default();

@@ -122,7 +122,8 @@ fn matrices(derived: &Derived, mechanism: &Mechanism, names: &Names) -> Vec<Matr
     let region = Region::from(mechanism.span);
     let matrices = derived.matrices.iter().map(|(name, rows)| Matrix {
         name: *name,
-        symmetric: (0..rows.len()).all(|row| (0..row).all(|column| rows[row][column] == rows[column][row])),
+        symmetric: rows.len() > 1
+            && (0..rows.len()).all(|row| (0..row).all(|column| rows[row][column] == rows[column][row])),
         span: mechanism.span,
         rows: rows.iter().map(|row| (region, row.iter().map(|entry| names.expression(entry)).collect())).collect(),
         region,
