@@ -43,7 +43,7 @@ impl<'a> Contact<'a> {
         Self { mechanism, wheel, velocities: velocities.iter().map(tidy).collect(), rotations }
     }
 
-    /// How the contact point rises from the ground, or rather sinks into it: never.
+    /// The contact point neither rises from the ground nor sinks into it.
     pub fn height(&self) -> Condition {
         Condition { rates: self.components(2), positions: self.nothing() }
     }
@@ -64,8 +64,9 @@ impl<'a> Contact<'a> {
 
     /// The second derivative of the height of the contact point, which is downward, with respect to two joints.
     ///
-    /// The lowest point of a disc tilted by a about the x axis is higher by (r - rho) a²/2 than the point of the carrier
-    /// that was lowest before, where that would have sunk by r a²/2 relative to the centre.
+    /// The point of the carrier that was lowest rises by r a²/2 relative to the centre where the carrier turns by a about
+    /// x or y. So does the lowest point of a knife edge that is tilted about x; that of a tyre rises by (r - rho) a²/2 only,
+    /// and about y, where its axle is, a wheel can turn without having another lowest point.
     pub fn curvature(&self, one: usize, other: usize) -> Form {
         let Some(far) = self.mechanism.farther(one, other) else { return Form::number(0) };
         let near = one.min(other);

@@ -30,7 +30,7 @@ impl Solved {
             let factor = row[*unknown].clone();
             add(&mut row, &factor, known);
         }
-        let candidates = may.iter().copied().filter(|unknown| !formulas.is_zero(&row[*unknown]));
+        let candidates = may.iter().copied().filter(|unknown| formulas.is_divisor(&row[*unknown]));
         let Some(pivot) = candidates.min_by_key(|unknown| row[*unknown].operations()) else {
             return Err(row);
         };

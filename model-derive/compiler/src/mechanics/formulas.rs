@@ -135,6 +135,12 @@ impl<'e> Formulas<'e> {
         false
     }
 
+    /// Whether a formula may be divided by: one that is neither proved to be zero nor clearly not zero may not.
+    pub fn is_divisor(&self, form: &Form) -> bool {
+        let value = self.at_sample(form);
+        value.abs() > CLEARLY || value.is_nan() && !self.is_zero(form)
+    }
+
     /// A formula without the definitions that the derivation made.
     pub fn inserted(&self, form: &Form) -> Expr {
         let first = self.values.len() - self.names.len();

@@ -15,6 +15,7 @@ mod matrix;
 mod mechanism;
 mod motion;
 mod projection;
+mod unreduced;
 mod vectors;
 
 pub use self::mechanism::{Body, Joint, Mechanism, Motion, Root, Wheel};
@@ -22,6 +23,8 @@ pub use self::mechanism::{Body, Joint, Mechanism, Motion, Root, Wheel};
 use self::contact::Contact;
 use self::formulas::Formulas;
 use self::motion::Motions;
+use self::projection::Projection;
+use self::unreduced::Unreduced;
 use crate::model::Expr;
 use crate::symbolic::{self, Engine, Failure, Form};
 use crate::syntax::MatrixName;
@@ -138,8 +141,13 @@ fn derived(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Resul
     }
     let contacts: Vec<Contact<'_>> = mechanism.wheels.iter().map(|wheel| Contact::new(&mechanism, wheel)).collect();
     let motions = Motions::new(&mechanism, &contacts, formulas)?;
-    let matrices = projection::project(&mechanism, &contacts, &motions, formulas)?;
-    drop(contacts);
+    let unreduced = Unreduced::new(&mechanism, &contacts, formulas)?;
+    let projection = Projection::new(&mechanism, &unreduced, &motions, formulas);
+    let faults = projection.faults(&motions, formulas);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let matrices = projection.matrices(formulas);
     Ok(Found { mechanism, motions, matrices })
 }
 

@@ -1,0 +1,72 @@
+//! The matrices of all joints, before the contacts tie these to each other.
+
+use super::Fault;
+use super::composite::{Composites, spin_momenta};
+use super::contact::{Contact, gyroscopic};
+use super::formulas::Formulas;
+use super::loads::loads;
+use super::matrix::{self, Matrix};
+use super::mechanism::{Mechanism, Motion};
+use super::vectors::cross;
+use crate::symbolic::Form;
+
+/// The matrices of all joints, as if there were no contacts but for their loads.
+pub struct Unreduced {
+    pub mass: Matrix,
+    /// To be multiplied by the speed.
+    pub spin: Matrix,
+    /// To be multiplied by gravity.
+    pub weight: Matrix,
+    pub damping: Matrix,
+    pub stiffness: Matrix,
+}
+
+impl Unreduced {
+    pub fn new(
+        mechanism: &Mechanism<Form>,
+        contacts: &[Contact<'_>],
+        formulas: &mut Formulas<'_>,
+    ) -> Result<Self, Vec<Fault>> {
+        let count = mechanism.joints.len();
+        let composites = Composites::new(mechanism, formulas);
+        let loads = match mechanism.has_weight {
+            true => loads(mechanism, contacts, &composites, formulas)?,
+            false => vec![Form::number(0); contacts.len()],
+        };
+        let momenta = spin_momenta(mechanism, formulas);
+        let name = |what: &str, row: usize, column: usize| {
+            format!("{what}_{}_{}", mechanism.joints[row].name, mechanism.joints[column].name)
+        };
+        let mass = matrix::symmetric(count, |row, column| {
+            formulas.name(name("M", row, column), &composites.mass(row, column))
+        });
+        let weight = matrix::symmetric(count, |row, column| {
+            if !mechanism.has_weight {
+                return Form::number(0);
+            }
+            let lifted = contacts.iter().zip(&loads).map(|(contact, load)| load * &contact.curvature(row, column));
+            let form = lifted.fold(sinking(mechanism, &composites, row, column), |sum, lifted| &sum - &lifted);
+            formulas.name(name("K", row, column), &form)
+        });
+        let spin = matrix::new(count, count, |row, column| match mechanism.farther(row, column) {
+            Some(far) => (&momenta[far] * &gyroscopic(mechanism, row, column)).simplest(),
+            None => Form::number(0),
+        });
+        let diagonal = |values: Vec<Option<&Form>>| {
+            let value = |joint: usize| values[joint].cloned().unwrap_or(Form::number(0));
+            matrix::new(count, count, |row, column| if row == column { value(row) } else { Form::number(0) })
+        };
+        let damping = diagonal(mechanism.joints.iter().map(|joint| joint.damping.as_ref()).collect());
+        let stiffness = diagonal(mechanism.joints.iter().map(|joint| joint.stiffness.as_ref()).collect());
+        Ok(Self { mass, spin, weight, damping, stiffness })
+    }
+}
+
+/// The second derivative of the potential energy of gravity, divided by it, with respect to two joints.
+fn sinking(mechanism: &Mechanism<Form>, composites: &Composites<'_>, row: usize, column: usize) -> Form {
+    let near = &mechanism.joints[row.min(column)];
+    match mechanism.farther(row, column) {
+        Some(far) if near.motion == Motion::Turns => -&cross(&near.axis, &composites.moved(far).momentum)[2],
+        _ => Form::number(0),
+    }
+}
