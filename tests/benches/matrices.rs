@@ -8,37 +8,44 @@
 use std::hint::black_box;
 
 use carvallo::Scalar;
-use carvallo_models::{Whipple, WhippleMatrices};
+use carvallo_models::{Whipple, WhippleMechanism};
 use carvallo_tests::{designs, hand_written};
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 
 const DESIGNS: u64 = 1_000_000;
 
 fn one_design<T: Scalar>(criterion: &mut Criterion, scalar: &str, design: Whipple<T>) {
     let mut group = criterion.benchmark_group(format!("matrices in cache, {scalar}"));
-    group.bench_function("generated", |bencher| bencher.iter(|| black_box(&design).matrices()));
+    let mechanism = WhippleMechanism::from_array(design.to_array());
+    group.bench_function("from bodies", |bencher| bencher.iter(|| black_box(&mechanism).matrices()));
+    group.bench_function("from formulas", |bencher| bencher.iter(|| black_box(&design).matrices()));
     group.bench_function("hand-written", |bencher| bencher.iter(|| hand_written::matrices(black_box(&design))));
     group.finish();
 }
 
 fn million_designs<T: Scalar>(criterion: &mut Criterion, scalar: &str, design: fn(u64) -> Whipple<T>) {
     let designs: Vec<Whipple<T>> = (0..DESIGNS).map(design).collect();
-    let mut matrices: Vec<WhippleMatrices<T>> = designs.iter().map(Whipple::matrices).collect();
+    let mechanisms: Vec<_> = designs.iter().map(|design| WhippleMechanism::from_array(design.to_array())).collect();
     let mut group = criterion.benchmark_group(format!("matrices of a million designs, {scalar}"));
     group.throughput(Throughput::Elements(DESIGNS)).sample_size(10);
-    let mut all = |name, compute: fn(&Whipple<T>) -> WhippleMatrices<T>| {
-        group.bench_function(name, |bencher| {
-            bencher.iter(|| {
-                for (matrices, design) in matrices.iter_mut().zip(&designs) {
-                    *matrices = compute(design);
-                }
-                black_box(&mut matrices);
-            });
-        });
-    };
-    all("generated", Whipple::matrices);
-    all("hand-written", hand_written::matrices);
+    all(&mut group, "from bodies", &mechanisms, WhippleMechanism::matrices);
+    all(&mut group, "from formulas", &designs, Whipple::matrices);
+    all(&mut group, "hand-written", &designs, hand_written::matrices);
     group.finish();
+}
+
+fn all<D, M>(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, designs: &[D], compute: fn(&D) -> M) {
+    // Once before, so that the memory of the results is there.
+    let mut matrices: Vec<M> = designs.iter().map(compute).collect();
+    group.bench_function(name, |bencher| {
+        bencher.iter(|| {
+            for (matrices, design) in matrices.iter_mut().zip(designs) {
+                *matrices = compute(design);
+            }
+            black_box(&mut matrices);
+        });
+    });
 }
 
 fn matrices(criterion: &mut Criterion) {
