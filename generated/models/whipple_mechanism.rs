@@ -4,7 +4,9 @@ carvallo::model! {
     /// Four rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally
     /// symmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,
     /// x forward, y to the right, z down, so that a centre of mass above the ground has z < 0.
-    /// The equations are proved to be those of [`Whipple`](crate::Whipple), after Appendix A of the paper.
+    ///
+    /// The declaration asserts that the matrices are those of Appendix A of the paper, which is proved when it is compiled.
+    /// [`Whipple`](crate::Whipple) computes them from these formulas.
     pub model WhippleMechanism {
         source "Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3";
 
@@ -80,12 +82,57 @@ carvallo::model! {
             force Tdelta "steer torque" on delta;
         }
 
+        // Appendix A of the paper, to be compared with. The whole bicycle, about the rear contact point.
+        let mT = mR + mB + mH + mF;
+        let xT = (xB*mB + xH*mH + w*mF) / mT;
+        let zT = (-rR*mR + zB*mB + zH*mH - rF*mF) / mT;
+        let ITxx = IRxx + IBxx + IHxx + IFxx + mR*rR^2 + mB*zB^2 + mH*zH^2 + mF*rF^2;
+        let ITxz = IBxz + IHxz - mB*xB*zB - mH*xH*zH + mF*w*rF;
+        let ITzz = IRxx + IBzz + IHzz + IFxx + mB*xB^2 + mH*xH^2 + mF*w^2;
+
+        // The front assembly A, about its centre of mass.
+        let mA = mH + mF;
+        let xA = (xH*mH + w*mF) / mA;
+        let zA = (zH*mH - rF*mF) / mA;
+        let IAxx = IHxx + IFxx + mH*(zH - zA)^2 + mF*(rF + zA)^2;
+        let IAxz = IHxz - mH*(xH - xA)*(zH - zA) + mF*(w - xA)*(rF + zA);
+        let IAzz = IHzz + IFxx + mH*(xH - xA)^2 + mF*(w - xA)^2;
+        // Its centre of mass forward of the steer axis, and its inertia about that axis.
+        let uA = (xA - w - c)*cos(lam) - zA*sin(lam);
+        let IAll = mA*uA^2 + IAxx*sin(lam)^2 + 2*IAxz*sin(lam)*cos(lam) + IAzz*cos(lam)^2;
+        let IAlx = -mA*uA*zA + IAxx*sin(lam) + IAxz*cos(lam);
+        let IAlz = mA*uA*xA + IAxz*sin(lam) + IAzz*cos(lam);
+
+        // Ratio of trail to wheel base, spin momenta of the wheels divided by the speed, a static moment.
+        let mu = (c/w)*cos(lam);
+        let SR = IRyy/rR;
+        let SF = IFyy/rF;
+        let ST = SR + SF;
+        let SA = mA*uA + mu*mT*xT;
+
         coordinates {
             /// Lean of the rear frame, positive to the right.
             phi "lean": rad;
             /// Steer of the front frame relative to the rear frame, positive to the right.
             delta "steer": rad;
         }
+
+        assert M == [
+            [ITxx, IAlx + mu*ITxz],
+            [IAlx + mu*ITxz, IAll + 2*mu*IAlz + mu^2*ITzz],
+        ];
+        assert C1 == [
+            [0, mu*ST + SF*cos(lam) + (ITxz/w)*cos(lam) - mu*mT*zT],
+            [-(mu*ST + SF*cos(lam)), (IAlz/w)*cos(lam) + mu*(SA + (ITzz/w)*cos(lam))],
+        ];
+        assert K0 == [
+            [mT*zT, -SA],
+            [-SA, -SA*sin(lam)],
+        ];
+        assert K2 == [
+            [0, ((ST - mT*zT)/w)*cos(lam)],
+            [0, ((SA + SF*sin(lam))/w)*cos(lam)],
+        ];
 
         set benchmark "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1" {
             w = 1.02; c = 0.08; lam = pi/10; g = 9.81;

@@ -1,13 +1,15 @@
 // @generated from generated/models/whipple_mechanism.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 53a9579a0fb96459
+// Hash of the source: 41eee0145bce93a2
 
 /// The Whipple-Carvallo bicycle, derived from its bodies, joints and wheels.
 ///
 /// Four rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally
 /// symmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,
 /// x forward, y to the right, z down, so that a centre of mass above the ground has z < 0.
-/// The equations are proved to be those of [`Whipple`](crate::Whipple), after Appendix A of the paper.
+///
+/// The declaration asserts that the matrices are those of Appendix A of the paper, which is proved when it is compiled.
+/// [`Whipple`](crate::Whipple) computes them from these formulas.
 ///
 /// Source: Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3
 ///
@@ -345,7 +347,7 @@ pub struct WhippleMechanismMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 46 additions, 54 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 108 operations.
+    /// 46 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 107 operations.
     ///
     /// The parameters are not validated.
     #[inline]
@@ -363,44 +365,48 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
         let Jxz_delta = (self.IHxz - (self.c * t32)) - (self.zH * t39);
         let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t42);
         let yaw_per_v_delta = t42 / self.w;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let mu = self.c * yaw_per_v_delta;
         let t50 = self.zB * self.mB;
         let Sz_delta = (self.zH * self.mH) - t32;
         let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t50)) - (Sz_delta * t37);
-        let t58 = hx_delta + (yaw_by_delta * Jxz_all);
-        let t66 = self.IHzz + self.IFxx;
-        let hz_delta = (Jxz_delta * t28)
-            + (t42 * (((self.mH * (t38 * t38)) + (self.mF * (self.c * self.c))) + t66));
+        let t58 = hx_delta + (mu * Jxz_all);
+        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * (t38 * t38)))
+            + (self.mF * (self.c * self.c));
+        let hz_delta = (Jxz_delta * t28) + (Jzz_delta * t42);
         let Sx_delta = t39 - (self.c * self.mF);
         let py_delta = (Sx_delta * t42) - (Sz_delta * t28);
         let M_yaw_delta = hz_delta + (py_delta * t37);
-        let t89 = yaw_by_delta
-            * (((((self.IRxx + self.IBzz) + t66) + (self.mB * (self.xB * self.xB)))
-                + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w)));
-        let P_delta_yaw = M_yaw_delta + t89;
-        let t96 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
+        let mA = self.mH + self.mF;
+        let t84 = mA * t37;
+        let t92 = mu
+            * ((((self.IRxx + self.IBzz) + Jzz_delta)
+                + ((<T as ::carvallo::Scalar>::from_f64(2.0) * t37)
+                    * (Sx_delta + (<T as ::carvallo::Scalar>::from_f64(0.5) * t84))))
+                + (self.mB * (self.xB * self.xB)));
+        let P_delta_yaw = M_yaw_delta + t92;
+        let t99 = ((mu * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
             + (hz_delta * t42);
-        let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
+        let SF = self.IFyy / self.rF;
+        let ST = SF + (self.IRyy / self.rR);
         let Sz_all = (Sz_delta + t50) - (self.rR * self.mR);
-        let t106 = h_wheels_all - Sz_all;
-        let t110 = h_spin_F * t42;
-        let t111 = ((yaw_by_delta * t106) + (yaw_per_v_delta * Jxz_all)) + t110;
-        let Sx_all = (Sx_delta + (self.xB * self.mB)) + (t37 * (self.mH + self.mF));
-        let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t123 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t125 = yaw_per_v_delta * t106;
-        let t128 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
-        let t129 = -(t110 + (yaw_by_delta * h_wheels_all));
-        let t130 = -P_delta_lateral;
-        let t131 = -(t28 * P_delta_lateral);
+        let t109 = ST - Sz_all;
+        let t113 = SF * t42;
+        let t114 = ((mu * t109) + (yaw_per_v_delta * Jxz_all)) + t113;
+        let Sx_all = (Sx_delta + (self.xB * self.mB)) + t84;
+        let P_delta_lateral = py_delta + (mu * Sx_all);
+        let t124 = (mu * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t126 = yaw_per_v_delta * t109;
+        let t129 = yaw_per_v_delta * (P_delta_lateral + (SF * t28));
+        let t130 = -(t113 + (mu * ST));
+        let t131 = -P_delta_lateral;
+        let t132 = -(t28 * P_delta_lateral);
         WhippleMechanismMatrices {
-            m: [[t26, t58], [t58, t96]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t111], [t129, t123]],
-            k0: [[Sz_all, t130], [t130, t131]],
+            m: [[t26, t58], [t58, t99]],
+            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t114], [t130, t124]],
+            k0: [[Sz_all, t131], [t131, t132]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t125],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t128],
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t126],
+                [<T as ::carvallo::Scalar>::from_f64(0.0), t129],
             ],
         }
     }
@@ -435,7 +441,7 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
     #[must_use]
     pub fn kinematics(&self) -> WhippleMechanismKinematics<T> {
         let yaw_per_v_delta = (::carvallo::Scalar::cos(self.lam)) / self.w;
-        let yaw_by_delta = self.c * yaw_per_v_delta;
+        let mu = self.c * yaw_per_v_delta;
         let t12 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rR);
         let t13 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rF);
         WhippleMechanismKinematics {
@@ -453,7 +459,7 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
             },
             yaw: ::carvallo::Rate {
                 speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [<T as ::carvallo::Scalar>::from_f64(0.0), yaw_by_delta],
+                rates: [<T as ::carvallo::Scalar>::from_f64(0.0), mu],
                 coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0), yaw_per_v_delta],
                 heading: <T as ::carvallo::Scalar>::from_f64(0.0),
             },
@@ -499,7 +505,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
     type Scalar = T;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleMechanism",
-        docs: "The Whipple-Carvallo bicycle, derived from its bodies, joints and wheels.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.\nThe equations are proved to be those of [`Whipple`](crate::Whipple), after Appendix A of the paper.",
+        docs: "The Whipple-Carvallo bicycle, derived from its bodies, joints and wheels.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.\n\nThe declaration asserts that the matrices are those of Appendix A of the paper, which is proved when it is compiled.\n[`Whipple`](crate::Whipple) computes them from these formulas.",
         source: "Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3",
         parameters: &[
             ::carvallo::ParameterInfo {

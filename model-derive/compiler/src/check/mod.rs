@@ -1,5 +1,6 @@
 //! The syntax tree to a [`Model`]: the last stage that reports the user's mistakes.
 
+mod asserted;
 mod constants;
 mod definitions;
 mod domains;
@@ -27,6 +28,7 @@ pub fn check(mut declaration: Declaration, report: &mut Report) -> Model {
     let mut scope = names::Scope::new(&declaration, report);
     let dimensions = units::Dimensions::new(&declaration, report);
     mechanism::lower(&mut declaration, &mut scope, &dimensions, report);
+    asserted::expand(&mut declaration, report);
     let resolved = definitions::resolve(&declaration, &mut scope, report);
     let requirements: Vec<Requirement> = declaration
         .requirements

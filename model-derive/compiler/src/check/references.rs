@@ -23,7 +23,11 @@ pub fn references(declaration: &Declaration, scope: &Scope, dimensions: &[Option
     let written = || definitions.iter().filter(|definition| !definition.derived);
     let formulas = written().map(|definition| &definition.value);
     let formulas = formulas.chain(requirements.iter().map(|requirement| &requirement.value));
-    let asserted = assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
+    // The entries of matrices are written elsewhere, if at all.
+    let asserted = assertions.iter().flat_map(|assertion| {
+        let left = Some(&assertion.left).filter(|_| assertion.entry.is_none());
+        left.into_iter().chain([&assertion.right])
+    });
     // Those of a mechanism are written nowhere.
     let matrices = if declaration.mechanism.is_some() { &[] } else { &matrices[..] };
     let entries = matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 
 use crate::model::Expr;
-use crate::symbolic::{Engine, Form};
+use crate::symbolic::{Engine, Form, Sample};
 
 /// The definitions of the model, and behind them those of the derivation.
 pub struct Formulas<'e> {
@@ -16,13 +16,10 @@ pub struct Formulas<'e> {
     names: Vec<String>,
     /// Some values of the parameters, and those of the definitions for them: what is clearly not zero there needs no
     /// attempt to prove that it is.
-    sample: (Vec<f64>, Vec<f64>),
+    sample: (Vec<Sample>, Vec<Sample>),
     /// Forms that were simplified before.
     simplest: RefCell<HashMap<Form, Form>>,
 }
-
-/// The size beyond which a value at the sample, whose parameters are about one, is no rounding error.
-const CLEARLY: f64 = 1e-6;
 
 /// Formulas that take more operations than this with what their names stand for keep the names.
 const MAX_OPENED: usize = 40;
@@ -30,14 +27,12 @@ const MAX_OPENED: usize = 40;
 impl<'e> Formulas<'e> {
     /// With the definitions of the model, each in those before it.
     pub fn new(engine: &'e Engine, parameters: usize, values: Vec<Form>) -> Self {
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        let sample = (0..parameters).map(|index| 0.5 + (index as f64 * GOLDEN).fract()).collect();
         let mut formulas = Self {
             engine,
             parameters,
             values: Vec::new(),
             names: Vec::new(),
-            sample: (sample, Vec::new()),
+            sample: (Sample::spread(0, parameters), Vec::new()),
             simplest: RefCell::default(),
         };
         values.into_iter().for_each(|value| formulas.push(value));
@@ -51,8 +46,8 @@ impl<'e> Formulas<'e> {
     }
 
     /// The value of a formula for some values of the parameters.
-    pub fn at_sample(&self, form: &Form) -> f64 {
-        form.expr(self.parameters).evaluate(&self.sample.0, &self.sample.1)
+    pub fn at_sample(&self, form: &Form) -> Sample {
+        Sample::of(&form.expr(self.parameters), &self.sample.0, &self.sample.1)
     }
 
     /// A stand-in for a formula, under a name; zero, and what is too short for a name, stays as it is.
@@ -116,7 +111,7 @@ impl<'e> Formulas<'e> {
         if form.is_nothing() {
             return true;
         }
-        if self.at_sample(form).abs() > CLEARLY {
+        if self.at_sample(form).is_not_zero() {
             return false;
         }
         if form.is_zero() {
@@ -137,8 +132,8 @@ impl<'e> Formulas<'e> {
 
     /// Whether a formula may be divided by: one that is neither proved to be zero nor clearly not zero may not.
     pub fn is_divisor(&self, form: &Form) -> bool {
-        let value = self.at_sample(form);
-        value.abs() > CLEARLY || value.is_nan() && !self.is_zero(form)
+        let sample = self.at_sample(form);
+        sample.is_not_zero() || !sample.value().is_finite() && !self.is_zero(form)
     }
 
     /// A formula without the definitions that the derivation made.

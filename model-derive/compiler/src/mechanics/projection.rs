@@ -99,8 +99,10 @@ impl<'a> Projection<'a> {
     fn massless(&self, formulas: &Formulas<'_>) -> Option<usize> {
         let n = self.mechanism.coordinates.len();
         let [(_, mass), ..] = &self.by_rates;
-        let mut rows: Vec<Vec<f64>> =
-            mass[..n].iter().map(|row| row[..n].iter().map(|entry| formulas.at_sample(entry)).collect()).collect();
+        let mut rows: Vec<Vec<f64>> = mass[..n]
+            .iter()
+            .map(|row| row[..n].iter().map(|entry| formulas.at_sample(entry).value()).collect())
+            .collect();
         for pivot in 0..n {
             let size = rows[pivot].iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
             let divisor = rows[pivot][pivot];

@@ -9,9 +9,11 @@ mod import;
 mod lock;
 mod optimize;
 mod prove;
+mod sample;
 
 pub use door::{Failure, enter};
 pub use form::{Engine, Form, Undefined};
 pub use identity::Sign;
 pub use optimize::{Place, compile};
 pub use prove::{Depth, Proof, multiples, proofs};
+pub use sample::Sample;

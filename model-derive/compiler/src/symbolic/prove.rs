@@ -4,6 +4,7 @@ use super::door::{Failure, enter};
 use super::form::{Engine, Form, Undefined};
 use super::identity::Sign;
 use super::optimize::Place;
+use super::sample::Sample;
 use crate::equations::Equations;
 
 /// How hard to try.
@@ -44,8 +45,12 @@ fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<Proof, (Plac
     let [left, right] = &system.outputs[..] else { unreachable!("a claim has two sides") };
     let mut difference = left.minus(right);
     let mut names = system.definitions.iter().rev();
+    // A name that is left stands for any value: what is not zero at some values of all names is not zero for all.
+    let parameters = Sample::spread(0, pair.parameters);
+    let definitions = Sample::spread(pair.parameters, system.definitions.len());
+    let maybe_zero = |form: &Form| !Sample::of(&form.expr(pair.parameters), &parameters, &definitions).is_not_zero();
     loop {
-        if difference.is_zero() {
+        if maybe_zero(&difference) && difference.is_zero() {
             return Ok(Proof::Found);
         }
         if difference.operations() > MAX_OPERATIONS || difference.is_too_long() {

@@ -21,6 +21,8 @@ pub struct Declaration {
     pub definitions: Vec<Definition>,
     pub requirements: Vec<Requirement>,
     pub assertions: Vec<Assertion>,
+    /// Matrices whose entries are asserted.
+    pub asserted: Vec<Matrix>,
     pub sets: Vec<ParameterSet>,
     pub coordinates: Vec<Coordinate>,
     pub matrices: Vec<Matrix>,
@@ -108,6 +110,8 @@ pub struct Requirement {
 pub struct Assertion {
     pub left: Expression,
     pub right: Expression,
+    /// What the left side is called, if it is the entry of a matrix.
+    pub entry: Option<String>,
 }
 
 /// `set benchmark "source" { w = 1.02; }`

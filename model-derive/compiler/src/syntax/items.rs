@@ -3,6 +3,7 @@
 use proc_macro2::{Group, TokenStream, TokenTree};
 use syn::Token;
 use syn::ext::IdentExt;
+use syn::parse::discouraged::Speculative as _;
 use syn::parse::{ParseStream, Parser};
 
 use super::declaration::{
@@ -40,6 +41,7 @@ pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<D
         definitions: Vec::new(),
         requirements: Vec::new(),
         assertions: Vec::new(),
+        asserted: Vec::new(),
         sets: Vec::new(),
         coordinates: Vec::new(),
         matrices: Vec::new(),
@@ -335,8 +337,19 @@ fn printed(input: ParseStream<'_>) -> syn::Result<Printed> {
     Ok(Printed { text, region: minus.map_or(region, |minus| Region::from(minus.span).to(region)) })
 }
 
-/// `assert left == right;`, behind its first word.
+/// `assert left == right;` or `assert M == [[…], …];`, behind its first word.
 fn assertion(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
+    let ahead = input.fork();
+    if let Ok(name) = ahead.parse::<syn::Ident>()
+        && let Some(matrix) = MatrixName::from_name(&name.to_string())
+        && ahead.parse::<Token![==]>().is_ok()
+        && ahead.peek(syn::token::Bracket)
+    {
+        input.advance_to(&ahead);
+        let (region, rows) = rows(input, expression)?;
+        model.asserted.push(Matrix { name: matrix, symmetric: false, span: name.span(), rows, region });
+        return semicolon(input, "`;`", "the assertion");
+    }
     let left = expression(input)?;
     if input.parse::<Option<Token![==]>>()?.is_none() {
         let what = "`==` and the formula that it equals; a condition on the parameters is a `require`";
@@ -344,7 +357,7 @@ fn assertion(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()>
     }
     let right = expression(input)?;
     semicolon(input, AFTER_FORMULA, "the assertion")?;
-    model.assertions.push(Assertion { left, right });
+    model.assertions.push(Assertion { left, right, entry: None });
     Ok(())
 }
 

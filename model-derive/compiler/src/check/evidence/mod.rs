@@ -78,9 +78,10 @@ impl Evidence<'_> {
     fn claims(&self) -> Vec<Claim> {
         let mut claims = claims::mirrored(&claims::symmetric(self.declaration), self.matrices, self.entries);
         let asserted = self.declaration.assertions.iter().zip(self.assertions);
-        claims.extend(asserted.map(|(Assertion { left, right }, [a, b])| {
+        claims.extend(asserted.map(|(Assertion { left, right, entry }, [a, b])| {
             let sides = [(a.clone(), left.region), (b.clone(), right.region)];
-            Claim::asserted([left, right].map(resolve::text), sides)
+            let name = entry.clone().unwrap_or_else(|| resolve::text(left));
+            Claim::asserted([name, resolve::text(right)], sides)
         }));
         claims
     }

@@ -22,7 +22,10 @@ use crate::syntax::{Declaration, Definition, Freedom, JointKind, Kinematics, Mat
 /// Puts what follows from the mechanism of a declaration into it. Mistakes are reported.
 pub fn lower(declaration: &mut Declaration, scope: &mut Scope, dimensions: &Dimensions, report: &mut Report) {
     let Some(mechanism) = declaration.mechanism.take() else { return };
+    // What is asserted of the matrices can wait until they are there.
+    let asserted = std::mem::take(&mut declaration.asserted);
     lower_mechanism(declaration, &mechanism, scope, dimensions, report);
+    declaration.asserted = asserted;
     declaration.mechanism = Some(mechanism);
 }
 

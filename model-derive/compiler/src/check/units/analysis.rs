@@ -92,7 +92,7 @@ impl Analysis<'_> {
     }
 
     /// Both sides of an assertion are in one unit and mirror alike.
-    pub fn check_equal(&self, Assertion { left, right }: &Assertion, report: &mut Report) {
+    pub fn check_equal(&self, Assertion { left, right, .. }: &Assertion, report: &mut Report) {
         let sides = self.dimension(left, report).zip(self.dimension(right, report));
         let Some((one, other)) = sides.filter(|(one, other)| !self.alike(*one, *other)) else { return };
         let (this, that) = ((right, other), (left, one));

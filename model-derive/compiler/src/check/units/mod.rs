@@ -39,8 +39,12 @@ pub fn check(
     for requirement in &declaration.requirements {
         check_requirement(&analysis, requirement, report);
     }
-    for assertion in &declaration.assertions {
+    // Of entries of matrices it is known what they are in.
+    for assertion in declaration.assertions.iter().filter(|assertion| assertion.entry.is_none()) {
         analysis.check_equal(assertion, report);
+    }
+    for matrix in &declaration.asserted {
+        check_matrix(&analysis, matrix, report);
     }
     for matrix in declaration.matrices.iter().filter(|_| declaration.mechanism.is_none()) {
         check_matrix(&analysis, matrix, report);
@@ -101,7 +105,7 @@ fn check_matrix(analysis: &Analysis<'_>, matrix: &Matrix, report: &mut Report) {
                     unit_text(column),
                 );
                 report.error(entry.region, message);
-            } else if analysis.dimensions.mirrored && found != expected {
+            } else if analysis.dimensions.mirrored && analysis.declaration.mechanism.is_none() && found != expected {
                 let message = format!(
                     "this entry of `{name}` {}: expected one that {}, as its row is `{}` and its column `{}`",
                     found.sign(),
