@@ -14,7 +14,7 @@ use crate::Scalar;
 /// The path over the ground follows: integrate the yaw rate to psi and the lateral velocity, which is v psi and more, to y;
 /// x is v t.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rate<T: Scalar, const N: usize> {
+pub struct Rate<T, const N: usize> {
     /// In steady straight motion, divided by v.
     pub speed: T,
     /// The part proportional to each q'.

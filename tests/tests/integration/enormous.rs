@@ -13,7 +13,7 @@ fn model(parameters: &str, statements: &str, mass: &str) -> TokenStream {
 /// The only entry of the mass matrix.
 fn entry(parameters: &str, statements: &str, formula: &str, values: &[f64]) -> f64 {
     let compiled = compile(model(parameters, statements, &format!("[[{formula}]]"))).expect("it has no mistakes");
-    compiled.matrices.interpret(values)[0]
+    compiled.programs.matrices.interpret(values)[0]
 }
 
 fn mistakes(declaration: TokenStream) -> Vec<String> {
@@ -72,7 +72,7 @@ fn many_parameters_definitions_and_coordinates_compile() {
     let mass = format!("[{}]", rows.join(", "));
     let compiled = compile(model("m: kg;", &format!("coordinates {{ {coordinates} }}"), &mass)).expect("no mistakes");
     let identity = nalgebra::DMatrix::<f64>::identity(64, 64);
-    assert_eq!(compiled.matrices.interpret(&[1.0]), identity.as_slice());
+    assert_eq!(compiled.programs.matrices.interpret(&[1.0]), identity.as_slice());
 }
 
 #[test]

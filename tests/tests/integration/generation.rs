@@ -41,7 +41,7 @@ fn bits<T: carvallo::Scalar>(matrices: carvallo::Coefficients<T, 2>) -> Vec<u64>
 
 #[test]
 fn generated_code_does_what_its_program_says() {
-    let program = compile(declaration()).expect("the model compiles").matrices;
+    let program = compile(declaration()).expect("the model compiles").programs.matrices;
     for number in 0..200 {
         let design = designs::numbered(number);
         let matrices = design.matrices();
@@ -103,7 +103,7 @@ fn validation_names_parameter_value_and_requirement() {
 fn at_256(formula: &str) -> f64 {
     let text =
         format!("model Any {{ parameters {{ x: 1, > 0; }} coordinates {{ q: m; }} M = [[1 [kg]*x*({formula})]]; }}");
-    compile(text.parse().expect("tokens")).expect(formula).matrices.interpret(&[256.0])[0] / 256.0
+    compile(text.parse().expect("tokens")).expect(formula).programs.matrices.interpret(&[256.0])[0] / 256.0
 }
 
 /// The values are from arithmetic with 25 digits and more.
