@@ -11,6 +11,8 @@ use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{Declaration, Freedom, Inertia, JointKind, Mechanism, Vector};
 
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// The mechanism that the derivation takes, if there is a tree; formulas are resolved in any case, for their mistakes.
 pub fn assemble(
     declaration: &Declaration,
@@ -36,7 +38,7 @@ pub fn assemble(
         .iter()
         .map(|body| {
             let (mass, centre, inertia) = body.mass.as_ref()?;
-            Some((formulas.of(mass), formulas.vector(centre), formulas.inertia(inertia)))
+            Some((formulas.of(mass), formulas.vector(centre), formulas.inertia(inertia, &body.name)))
         })
         .collect();
     let wheels: Vec<_> = mechanism
@@ -51,7 +53,7 @@ pub fn assemble(
             radial: formulas.of(&wheel.radial),
         })
         .collect();
-    let named = named(declaration, mechanism, report);
+    let named = named(declaration, mechanism, tree.is_some(), report);
     let tree = tree?;
 
     let parts = tree.joints.iter().map(|node| {
@@ -123,9 +125,14 @@ pub fn assemble(
     })
 }
 
-/// The names of joints and of freedoms; those that are no coordinates of the declaration, or not the other way round, are
-/// reported.
-fn named<'a>(declaration: &Declaration, mechanism: &'a Mechanism, report: &mut Report) -> Vec<(&'a Ident, Role)> {
+/// The names of joints and of freedoms. Coordinates and forces that are of none are reported, unless what is missing may
+/// be among other mistakes: if the mechanism is not `complete`.
+fn named<'a>(
+    declaration: &Declaration,
+    mechanism: &'a Mechanism,
+    complete: bool,
+    report: &mut Report,
+) -> Vec<(&'a Ident, Role)> {
     let joints = mechanism.joints.iter().enumerate().map(|(index, joint)| (&joint.name, Role::Joint(index)));
     let freedoms = mechanism.free.iter().flat_map(|free| &free.names);
     let freedoms = freedoms.map(|(freedom, name)| (name, Role::Freedom(*freedom)));
@@ -144,12 +151,12 @@ fn named<'a>(declaration: &Declaration, mechanism: &'a Mechanism, report: &mut R
         let near = nearest(&name.to_string(), known.iter().map(String::as_str));
         near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default()
     };
-    if mechanism.unread {
-        return named;
-    }
     for coordinate in &declaration.coordinates {
         let name = &coordinate.name;
         let Some((_, role)) = named.iter().find(|(known, _)| *known == name) else {
+            if !complete {
+                continue;
+            }
             let message = format!(
                 "`{name}` is no joint of the mechanism: expected the name of a joint, or of a freedom as in `free B: lean \
                  {name}`{}",
@@ -173,7 +180,7 @@ fn named<'a>(declaration: &Declaration, mechanism: &'a Mechanism, report: &mut R
         }
     }
     for force in &mechanism.forces {
-        if !named.iter().any(|(known, _)| **known == force.on) {
+        if complete && !named.iter().any(|(known, _)| **known == force.on) {
             let message = format!(
                 "`{}` is no joint of the mechanism: expected the coordinate of one{}",
                 force.on,
@@ -257,16 +264,27 @@ impl Formulas<'_> {
         vector.components.each_ref().map(|component| self.of(component))
     }
 
-    fn inertia(&mut self, inertia: &Inertia) -> [[Expr; 3]; 3] {
+    fn inertia(&mut self, inertia: &Inertia, body: &Ident) -> [[Expr; 3]; 3] {
         match inertia {
             Inertia::None => diagonal(origin()),
             Inertia::Principal(moments) => diagonal(moments.each_ref().map(|moment| self.of(moment))),
-            Inertia::Full(rows, region) => {
-                let rows = rows.each_ref().map(|row| row.each_ref().map(|entry| self.of(entry)));
-                if [(0, 1), (0, 2), (1, 2)].into_iter().any(|(row, column)| rows[row][column] != rows[column][row]) {
-                    let message = "an inertia matrix that is not symmetric: expected the same formula on both sides of the \
-                                   diagonal";
-                    self.report.error(*region, message);
+            Inertia::Full(written) => {
+                let rows = written.each_ref().map(|row| row.each_ref().map(|entry| self.of(entry)));
+                for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+                    if rows[row][column] == rows[column][row] {
+                        continue;
+                    }
+                    let name = |row: usize, column: usize| format!("{}{}", AXES[row], AXES[column]);
+                    let (above, below) = (&written[row][column], &written[column][row]);
+                    let message = format!(
+                        "the inertia of `{body}` is not symmetric: its entry {} is `{}`, and {} is `{}`; expected the same \
+                         formula",
+                        name(row, column),
+                        resolve::text(above),
+                        name(column, row),
+                        resolve::text(below),
+                    );
+                    self.report.error(below.region, message);
                 }
                 rows
             }

@@ -61,16 +61,21 @@ pub fn tree(mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
         .map(|body| &body.name)
         .chain(mechanism.wheels.iter().map(|wheel| &wheel.name))
         .collect();
-    let mut attachments = Attachments::new(&names, mechanism.bodies.len(), report);
-    attachments.read(mechanism, report);
-    // What could not be read may be what seems to be missing.
-    if mechanism.unread || !report.is_empty() {
+    if names.is_empty() && mechanism.unread.is_empty() {
+        report.error(mechanism.span, "a mechanism without a `body` or a `wheel`: expected at least one");
         return None;
     }
-    attachments.grow(mechanism, report)
+    let mut attachments = Attachments::new(mechanism, &names, report);
+    attachments.read(report);
+    // What could not be read may be what seems to be missing.
+    if !mechanism.unread.is_empty() || !report.is_empty() {
+        return None;
+    }
+    attachments.grow(report)
 }
 
 struct Attachments<'a> {
+    mechanism: &'a Mechanism,
     /// The bodies, and behind them the wheels.
     names: &'a [&'a Ident],
     /// How many of them are bodies.
@@ -81,21 +86,25 @@ struct Attachments<'a> {
 }
 
 impl<'a> Attachments<'a> {
-    fn new(names: &'a [&'a Ident], bodies: usize, report: &mut Report) -> Self {
+    fn new(mechanism: &'a Mechanism, names: &'a [&'a Ident], report: &mut Report) -> Self {
         let mut known = HashMap::new();
         for (index, name) in names.iter().enumerate() {
             if *name == GROUND {
                 report.error(*name, "`ground` is what everything stands on: expected another name");
-            } else if known.insert(name.to_string(), index).is_some() {
+            } else if known.contains_key(&name.to_string()) {
                 report.error(*name, format!("`{name}` is declared twice: expected one body or wheel of each name"));
+            } else {
+                known.insert(name.to_string(), index);
             }
         }
-        Self { names, bodies, known, holds: vec![None; names.len()] }
+        Self { mechanism, names, bodies: mechanism.bodies.len(), known, holds: vec![None; names.len()] }
     }
 
-    fn read(&mut self, mechanism: &'a Mechanism, report: &mut Report) {
-        if let [_, second, ..] = &mechanism.free[..] {
-            report.error(&second.body, "a second free body: expected one, on which all others hang");
+    fn read(&mut self, report: &mut Report) {
+        let mechanism = self.mechanism;
+        if let [first, second, ..] = &mechanism.free[..] {
+            let message = format!("a second free body beside `{}`: expected one, on which all others hang", first.body);
+            report.error(&second.body, message);
         }
         for free in &mechanism.free {
             let Some(body) = self.find(&free.body, report) else { continue };
@@ -103,6 +112,15 @@ impl<'a> Attachments<'a> {
                 let message = format!("the wheel `{}` is free, and is on a body: expected one of both", free.body);
                 report.error(&free.body, message);
                 continue;
+            }
+            let pitch = free.names.iter().find(|(freedom, _)| *freedom == Freedom::Pitch);
+            if let Some((_, name)) = pitch.filter(|_| body >= self.bodies) {
+                let message = format!(
+                    "`{}` is a wheel, which turns about its axle as it rolls: expected `lateral`, `vertical`, `yaw` or \
+                     `lean`, and no `pitch`",
+                    free.body
+                );
+                report.error(name, message);
             }
             self.hold(body, Hold::Free, &free.body, report);
         }
@@ -125,8 +143,11 @@ impl<'a> Attachments<'a> {
         for wheel in &mechanism.wheels {
             let Some(carrier) = &wheel.carrier else { continue };
             if self.base(carrier, report) == Some(None) {
-                let message =
-                    format!("the wheel `{}` is on the ground alone: expected the body that carries it", wheel.name);
+                let name = &wheel.name;
+                let message = format!(
+                    "the wheel `{name}` is carried by the ground: expected the body that carries it, or `free {name};` for \
+                     a wheel alone"
+                );
                 report.error(carrier, message);
             }
         }
@@ -135,12 +156,21 @@ impl<'a> Attachments<'a> {
     /// A body or a wheel.
     fn find(&self, name: &Ident, report: &mut Report) -> Option<usize> {
         let found = self.known.get(&name.to_string()).copied();
-        if found.is_none() {
-            let hint = nearest(&name.to_string(), self.known.keys().map(String::as_str).chain([GROUND]));
-            let hint = hint.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        if found.is_none() && !self.is_refused(name) {
+            let names = || self.names[..self.bodies].iter().map(ToString::to_string);
+            let candidates: Vec<String> = names().chain([GROUND.to_string()]).collect();
+            let hint = match nearest(&name.to_string(), candidates.iter().map(String::as_str)) {
+                Some(near) => format!("; did you mean `{near}`?"),
+                None => format!(": {}", names().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")),
+            };
             report.error(name, format!("unknown body `{name}`: expected one of the mechanism{hint}"));
         }
         found
+    }
+
+    /// Whether a part of this name is there, but as a mistake that is reported already.
+    fn is_refused(&self, name: &Ident) -> bool {
+        self.mechanism.unread.iter().flatten().any(|unread| unread == name)
     }
 
     /// A body that another one may hang on; the inner none is the ground.
@@ -150,7 +180,7 @@ impl<'a> Attachments<'a> {
         }
         let found = self.find(name, report)?;
         if found >= self.bodies {
-            report.error(name, format!("`{name}` is a wheel, which carries nothing: expected a body"));
+            report.error(name, format!("`{name}` is a wheel, whose only joint is its axle: expected a body"));
             return None;
         }
         Some(Some(found))
@@ -160,28 +190,49 @@ impl<'a> Attachments<'a> {
     fn movable(&self, name: &Ident, report: &mut Report) -> Option<usize> {
         match self.base(name, report)? {
             Some(found) => Some(found),
+            // A body of this name is reported already.
+            None if self.names.iter().any(|body| *body == GROUND) => None,
             None => {
-                report.error(name, "the ground does not move: expected the body that moves behind `to`");
+                report.error(name, "the ground does not move: expected the body that moves");
                 None
             }
         }
     }
 
     fn hold(&mut self, body: usize, hold: Hold, by: &'a Ident, report: &mut Report) {
-        if let Some((_, first)) = self.holds[body] {
-            let name = self.names[body];
-            let message = format!(
-                "a loop of joints: `{name}` is held a second time, first by `{first}`; expected a tree, in which each \
-                 body hangs on one other"
-            );
-            report.error(by, message);
+        let Some((first, _)) = self.holds[body] else {
+            self.holds[body] = Some((hold, by));
             return;
+        };
+        // Several freedoms between two bodies need a body between each two of their joints.
+        let between = match (first, hold) {
+            (Hold::Joint(_, one), Hold::Joint(_, other)) if one == other => {
+                "; for two freedoms put a massless body between their joints"
+            }
+            _ => "",
+        };
+        let message = format!(
+            "a loop of joints: `{}` {}, and {}; expected a tree, in which each body hangs on one other{between}",
+            self.names[body],
+            self.describe(first),
+            self.describe(hold),
+        );
+        report.error(by, message);
+    }
+
+    /// As the end of a sentence "the body …".
+    fn describe(&self, hold: Hold) -> String {
+        let name = |base: Option<usize>| base.map_or(GROUND.to_string(), |body| self.names[body].to_string());
+        match hold {
+            Hold::Free => "is free".into(),
+            Hold::Joint(joint, base) => format!("hangs on `{}` by `{}`", name(base), self.mechanism.joints[joint].name),
+            Hold::Fixed(base) => format!("is fixed to `{}`", name(base)),
         }
-        self.holds[body] = Some((hold, by));
     }
 
     /// Joints from the root outward.
-    fn grow(&self, mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
+    fn grow(&self, report: &mut Report) -> Option<Tree> {
+        let mechanism = self.mechanism;
         let mut tree = Tree::default();
         let mut moved_by: Vec<Option<Option<usize>>> = vec![None; self.bodies];
         let is_free = |name: &Ident| mechanism.free.first().is_some_and(|free| free.body == *name);
@@ -229,8 +280,10 @@ impl<'a> Attachments<'a> {
                 None if is_free(&wheel.name) => Some(last),
                 None => {
                     let name = &wheel.name;
-                    let message =
-                        format!("the wheel `{name}` is not attached: expected `on` a body, or `free {name};`");
+                    let message = format!(
+                        "the wheel `{name}` is not attached: expected `on` and the body that carries it{}",
+                        self.or_free(name)
+                    );
                     report.error(name, message);
                     None
                 }
@@ -239,7 +292,8 @@ impl<'a> Attachments<'a> {
             let mut above = std::iter::successors(parent, |joint| tree.joints[*joint].parent);
             if !above.any(|joint| tree.joints[joint].role == Role::Forward) {
                 let message = format!(
-                    "the wheel `{}` hangs on the ground: expected it on the free body that rolls, or on what hangs on that",
+                    "the wheel `{}` is on what joints hold to the ground: expected it on a free body that rolls over the \
+                     ground, or on what hangs on that",
                     wheel.name
                 );
                 report.error(&wheel.name, message);
@@ -256,12 +310,19 @@ impl<'a> Attachments<'a> {
         Some(tree)
     }
 
+    /// The other way to attach something, where nothing else is free.
+    fn or_free(&self, name: &Ident) -> String {
+        if self.mechanism.free.is_empty() { format!(", or `free {name};`") } else { String::new() }
+    }
+
     /// Reports a body that no chain of joints leads to.
     fn report_loose(&self, body: usize, report: &mut Report) {
         let name = self.names[body];
         let Some((_, by)) = self.holds[body] else {
-            let message =
-                format!("`{name}` is not attached: expected a joint `… to {name}`, `fix {name} to …` or `free {name}`");
+            let message = format!(
+                "`{name}` is not attached: expected a joint `… to {name}`, or `fix {name} to …;`{}",
+                self.or_free(name)
+            );
             report.error(name, message);
             return;
         };

@@ -99,7 +99,7 @@ impl Check<'_> {
                     self.formula(moment, INERTIA, &format!("the moment of inertia of `{body}` about {}", AXES[axis]));
                 }
             }
-            Inertia::Full(rows, _) => {
+            Inertia::Full(rows) => {
                 for (row, entries) in rows.iter().enumerate() {
                     for (column, entry) in entries.iter().enumerate() {
                         let expected = match row == column {
