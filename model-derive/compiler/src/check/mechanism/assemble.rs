@@ -158,8 +158,7 @@ fn named<'a>(
                 continue;
             }
             let message = format!(
-                "`{name}` is no joint of the mechanism: expected the name of a joint, or of a freedom as in `free B: lean \
-                 {name}`{}",
+                "`{name}` is no joint of the mechanism: expected the name of a joint, or of a freedom in `free`{}",
                 hint(name)
             );
             report.error(name, message);
@@ -180,7 +179,9 @@ fn named<'a>(
         }
     }
     for force in &mechanism.forces {
-        if complete && !named.iter().any(|(known, _)| **known == force.on) {
+        // A coordinate that is no joint is reported already.
+        let known = named.iter().map(|(name, _)| *name).chain(declaration.coordinates.iter().map(|q| &q.name));
+        if complete && !known.into_iter().any(|known| *known == force.on) {
             let message = format!(
                 "`{}` is no joint of the mechanism: expected the coordinate of one{}",
                 force.on,
