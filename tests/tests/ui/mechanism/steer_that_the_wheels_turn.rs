@@ -1,7 +1,6 @@
 carvallo::model! {
     pub model Bicycle {
         parameters {
-            d: N*m*s, >= 0;
             w: m, > 0, along x;
             c: m, along x;
             r: m, > 0, along z;
@@ -20,7 +19,7 @@ carvallo::model! {
             wheel R "rear wheel" on B: mass 0, at (0, 0, -r), radius r, axial 0, radial 0;
             wheel F "front wheel" on H: mass 0, at (w, 0, -r), radius r, axial 0, radial 0;
             free B: lean phi, yaw psi;
-            revolute delta: B to H, through (w + c, 0, 0), along (0, 0, 1), damper d;
+            revolute delta: B to H, through (w + c, 0, 0), along (0, 0, 1);
         }
 
         coordinates {
@@ -29,7 +28,6 @@ carvallo::model! {
         }
 
         set example {
-            d = 1;
             w = 1;
             c = 0.1;
             r = 0.3;
