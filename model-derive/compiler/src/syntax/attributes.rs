@@ -27,7 +27,7 @@ pub enum Shape {
 enum Attribute {
     Word,
     Formula(Expression),
-    Vector(Vector),
+    Vector(Box<Vector>),
     Inertia(Inertia),
 }
 
@@ -74,7 +74,7 @@ impl Attributes {
             let attribute = match shape {
                 Shape::Word => Attribute::Word,
                 Shape::Formula => Attribute::Formula(expression(input)?),
-                Shape::Vector => Attribute::Vector(vector(input, &word)?),
+                Shape::Vector => Attribute::Vector(Box::new(vector(input, &word)?)),
                 Shape::Inertia => Attribute::Inertia(inertia(input)?),
             };
             given.push((word, attribute));
@@ -111,7 +111,7 @@ impl Attributes {
     /// A vector that must be given.
     pub fn vector(&mut self, word: &str, what: &str) -> syn::Result<Vector> {
         match self.take(word) {
-            Some(Attribute::Vector(value)) => Ok(value),
+            Some(Attribute::Vector(value)) => Ok(*value),
             _ => Err(self.missing(word, what)),
         }
     }

@@ -1,6 +1,7 @@
 //! Which body hangs on which: a tree, whose root is the ground or a free body.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use proc_macro2::Ident;
 
@@ -91,10 +92,16 @@ impl<'a> Attachments<'a> {
         for (index, name) in names.iter().enumerate() {
             if *name == GROUND {
                 report.error(*name, "`ground` is what everything stands on: expected another name");
-            } else if known.contains_key(&name.to_string()) {
-                report.error(*name, format!("`{name}` is declared twice: expected one body or wheel of each name"));
-            } else {
-                known.insert(name.to_string(), index);
+                continue;
+            }
+            match known.entry(name.to_string()) {
+                Entry::Vacant(entry) => {
+                    entry.insert(index);
+                }
+                Entry::Occupied(_) => {
+                    let message = format!("`{name}` is declared twice: expected one body or wheel of each name");
+                    report.error(*name, message);
+                }
             }
         }
         Self { mechanism, names, bodies: mechanism.bodies.len(), known, holds: vec![None; names.len()] }
