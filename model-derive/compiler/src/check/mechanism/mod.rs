@@ -1,7 +1,9 @@
 //! A mechanism to definitions, matrices and rates, as if these were written in the declaration.
 
 mod assemble;
+mod attachments;
 mod faults;
+mod named;
 mod tree;
 mod written;
 
