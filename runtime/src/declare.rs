@@ -1,6 +1,6 @@
 //! The macro that declares models.
 
-/// Declares a model by its parameters and formulas, and compiles it.
+/// Declares a model by its parameters and its formulas or its mechanism, and compiles it.
 ///
 /// ```text
 /// /// Documentation of the model.
@@ -35,6 +35,73 @@
 ///
 /// The matrices are those of `M q'' + (C0 + v C1) q' + (Kc + g K0 + v^2 K2) q = f`, with a row and a column for each
 /// coordinate. Numbers are decimal and taken exactly: `0.5` is one half.
+///
+/// # Mechanisms
+/// In the place of matrices a model may have a mechanism, from which they are derived, exactly to first order, about
+/// upright straight running at a constant forward speed v, or about rest where nothing is free:
+///
+/// ```text
+/// pub model Bicycle {
+///     parameters {
+///         w: m, > 0, along x;  c: m, along x;  r: m, > 0, along z;  h: m, > 0, along z;
+///         lam: rad, in (-90 deg, 90 deg), about y;
+///         m: kg, > 0;  I: kg*m^2, > 0;  P: kg*m^2, along x*z;  A: kg*m^2, > 0;
+///         k: N/m, >= 0;  d: N*s/m, >= 0;
+///         g: N/kg, >= 0, gravity;
+///     }
+///
+///     mechanism {
+///         body B "rear frame": mass m, at (w/2, 0, -h), inertia [[I, 0, P], [0, I, 0], [P, 0, I]];
+///         body H "front frame": massless;
+///         body U "rider": mass 4*m, at (w/3, 0, -2*h), inertia [I, I, I/2];
+///         body L "luggage": mass m/2, at (0, 0, -h), inertia 0;
+///
+///         wheel R "rear wheel" on B: mass m/9, at (0, 0, -r), radius r, axial A, radial A/2;
+///         wheel F "front wheel" on H: mass m/9, at (w, 0, -r), radius r, tyre r/8, axial A, radial A/2;
+///
+///         free B: lean phi;
+///         revolute delta: B to H, through (w + c, 0, 0), along (sin(lam), 0, cos(lam));
+///         prismatic y: B to U, along (0, 1, 0), spring k, damper d;
+///         fix L to B;
+///
+///         force T "steer torque" on delta;
+///     }
+///
+///     coordinates { phi "lean": rad; delta "steer": rad; y "rider": m; }
+/// }
+/// ```
+///
+/// Points and directions are given in the reference configuration, where all coordinates are zero: x forward, y to the
+/// right, z down, the level ground at z = 0. A quantity that no matrix depends on, as the moment of inertia in pitch of
+/// a body that does not pitch, is marked `unused`.
+///
+/// - `body`: `mass`, its centre `at`, and `inertia` about that centre in the axes of the model, as a matrix, as
+///   `[Ixx, Iyy, Izz]`, or `0` for a point mass; or `massless`. Products of inertia are entries of the matrix: xz is the
+///   negative integral of x z dm.
+/// - `wheel`: a body of revolution that turns about an axle along y on the body that carries it, and rolls without
+///   slip. `radius` is the distance from its centre to the ground; `axial` is its moment of inertia about the axle and
+///   `radial` that about a diameter. It touches the ground with a knife edge, or with a `tyre` whose cross-section is a
+///   circle of that radius. Two wheels on one axle are two wheels: neither slips sideways without the other.
+/// - `revolute` and `prismatic`: a joint, called like its coordinate, from one body, or the `ground`, `to` the one that
+///   it moves: right-handed about an axis `through` a point, or along it. The length of `along` is of no account.
+///   `spring` (N*m or N/m) and `damper` (N*m*s or N*s/m) act on the coordinate; springs are unloaded in the reference
+///   configuration.
+/// - `fix`: one body is a part of another one.
+/// - `free`: the body on which all others hang where nothing holds it to the ground. Beside the forward motion, which
+///   is v, it has the freedoms `lateral`, `vertical`, `yaw`, `lean` and `pitch`: how its point at the origin moves to
+///   the right and down, and then how it turns about z, x and y (yaw and lean are positive to the right, pitch is with
+///   the front up), each about an axis turned by those before. A `wheel` on no body may be free itself; then its axle
+///   is its pitch. Freedoms that have a name can be coordinates; the others are what the wheels determine.
+/// - `force`: a force or torque that acts on a joint or freedom, positive like its coordinate.
+///
+/// The coordinates are joints and named freedoms, and determine all others: by the wheels, which stay on the ground and
+/// do not slip. What follows beside the matrices is computed by `Name::kinematics`: the rates of all that is no
+/// coordinate, yaw and wheels among them, as [`Rate`](crate::Rate)s, and `forces`, which makes f out of applied forces.
+///
+/// Refused are a loop of joints and a body that hangs on nothing; a wheel off the ground; an axis of no length;
+/// freedoms that nothing determines, and constraints that block or repeat each other, as with three wheels in line; a
+/// reference state that gravity would leave; coordinates that change the speed in the first order; a motion that
+/// depends on the position of a joint that rolls; and coordinates that move no mass.
 ///
 /// # Units
 /// Every formula is analysed: the terms of a sum are in one unit, `sin`, `cos` and `tan` take pure numbers, and each
@@ -79,6 +146,7 @@
 ///   in one straight-line function whose documentation states its operation counts.
 /// - [`Model<N>`](crate::Model) for `Name<T>`: names, units, domains, validation, conversion from and to slices, and the
 ///   matrices as [`Coefficients`](crate::Coefficients).
+/// - For a mechanism a struct `NameKinematics<T>` and `Name::kinematics`, if anything moves or acts beside the coordinates.
 ///
 /// The code needs no `std`, allocates nothing and has no `unsafe`.
 ///

@@ -1,7 +1,7 @@
 //! What a message to the user must not show: names and words from inside of the program.
 
 /// Words of the program, of its engine and of Rust's own failures.
-const INSIDE: [&str; 15] = [
+const INSIDE: [&str; 18] = [
     "panicked",
     "engine",
     "carvallo::",
@@ -17,6 +17,10 @@ const INSIDE: [&str; 15] = [
     "overflow",
     "unreachable",
     ".rs",
+    // In the names of what is derived from mechanisms.
+    "_by_",
+    "_per_v_",
+    "_all",
 ];
 
 /// # Panics

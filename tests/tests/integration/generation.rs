@@ -127,11 +127,14 @@ fn functions_of_numbers_have_their_values() {
 }
 
 #[test]
-fn the_documented_declaration_compiles() {
+fn the_documented_declarations_compile() {
     let docs = include_str!("../../../runtime/src/declare.rs");
-    let block = docs.split("```text\n").nth(1).and_then(|rest| rest.split("/// ```").next()).expect("an example");
-    let text: Vec<&str> = block.lines().map(|line| line.strip_prefix("/// ").unwrap_or_default()).collect();
-    let tokens: TokenStream = text.join("\n").parse().expect("tokens");
-    let compiled = compile(tokens).map_err(|error| error.to_string()).expect("the example is right");
-    assert_eq!(compiled.model.parameters.len(), 5);
+    let blocks = docs.split("```text\n").skip(1).filter_map(|rest| rest.split("/// ```").next());
+    let compiled = blocks.map(|block| {
+        let text: Vec<&str> = block.lines().map(|line| line.strip_prefix("/// ").unwrap_or_default()).collect();
+        let tokens: TokenStream = text.join("\n").parse().expect("tokens");
+        compile(tokens).map_err(|error| error.to_string()).expect("the example is right")
+    });
+    let shapes = compiled.map(|compiled| (compiled.model.parameters.len(), compiled.model.coordinates.len()));
+    assert_eq!(shapes.collect::<Vec<_>>(), [(5, 1), (12, 3)]);
 }

@@ -1,60 +1,66 @@
-//! A mechanism in a crate without the standard library, among constants that have the names of what is derived.
+//! Mechanisms whose parts are named like words of the declaration, and one without any motion beside its coordinate.
 
-#![no_std]
-#![forbid(unsafe_code)]
-#![deny(warnings, missing_docs)]
-
-// For the program's start alone.
-extern crate std;
-
-#[allow(dead_code, non_upper_case_globals, missing_docs)]
-mod names {
-    pub const Jxx_all: u8 = 0;
-    pub const m_theta: u8 = 0;
-    pub const lateral: u8 = 0;
-    pub const yaw: u8 = 0;
-    pub const forces: u8 = 0;
-    pub struct Rate;
-}
-
-#[allow(unused_imports)]
-use names::*;
+#![deny(warnings)]
 
 carvallo::model! {
-    /// A push scooter without steering, with a rider who leans and a bag that swings.
-    pub model Scooter {
+    pub model Pendulum {
         parameters {
-            r: m, > 0;
             m: kg, > 0;
-            h: m, > 0;
-            k: N*m, >= 0;
+            l: m, > 0, along z;
             g: N/kg, >= 0, gravity;
         }
-        let Ia = m*r^2/2;
         mechanism {
-            body frame: massless;
-            body rider: mass 3*m, at (0, 0, -r - h), inertia 0;
-            body seat: mass 0.1 [kg], at (0, 0, -r), inertia 0;
-            wheel W "rear wheel" on frame: mass m, at (0, 0, -r), radius r, axial Ia, radial Ia/2;
-            wheel V on frame: mass m, at (h, 0, -r), radius r, tyre r/3, axial Ia, radial Ia/2;
-            fix seat to frame;
-            free frame: lean phi;
-            revolute theta: frame to rider, through (0, 0, -r), along (2, 0, 0), spring k;
-            revolute yaw: frame to bag, through (0, 0, 0), along (0, 0, -1), damper 2 [N*m*s];
-            body bag: mass 0.5 [kg], at (0.1 [m], 0, -r), inertia [0, 0, 0.01 [kg*m^2]];
-            force T "hip torque" on theta;
+            body B: mass m, at (0, 0, l), inertia 0;
+            revolute theta: ground to B, through (0, 0, 0), along (1, 0, 0);
         }
-        coordinates { phi: rad; theta: rad; yaw: rad; }
-        set example { r = 0.3; m = 1; h = 0.5; k = 20; g = 9.81; }
+        coordinates { theta: rad; }
+        set bob { m = 3; l = 2; g = 9.81; }
+    }
+}
+
+// Only in places.
+carvallo::model! {
+    model Words {
+        parameters {
+            mass: kg, > 0;
+            radius: m, > 0, along z;
+            axial: kg*m^2, >= 0;
+            radial: kg*m^2, >= 0;
+            inertia: kg*m^2, >= 0;
+            wheel: m, > 0, along x;
+            forces: rad, in (-90 deg, 90 deg), about y;
+            damper: N*m*s, >= 0;
+            gravity: N/kg, >= 0, gravity;
+        }
+        let at = 2*radius;
+        mechanism {
+            body free: mass mass, at (wheel/2, 0, -at), inertia [inertia, 0, inertia];
+            body to: mass mass, at (wheel, 0, -at), inertia [inertia, 0, inertia];
+            wheel body on free: mass 0, at (0, 0, -radius), radius radius, axial axial, radial radial;
+            wheel on on to: mass 0, at (wheel, 0, -radius), radius radius, axial axial, radial radial;
+            free free: lean lean;
+            revolute fix: free to to, through (wheel, 0, 0), along (sin(forces), 0, cos(forces)), damper damper;
+            force force on fix;
+        }
+        coordinates { lean: rad; fix: rad; }
     }
 }
 
 fn main() {
-    let scooter = Scooter::EXAMPLE;
-    assert_eq!(scooter.matrices().kc[1][1], 20.0);
-    let kinematics: ScooterKinematics = scooter.kinematics();
-    assert_eq!(kinematics.forces, [[0.0], [1.0], [0.0]]);
-    assert_eq!(kinematics.wheel_W.speed, -1.0 / 0.3);
-    // Seen as a pendulum, whatever the length of the axis it is given by.
-    assert_eq!(scooter.matrices().m[1][1], 3.0 * 0.5 * 0.5);
+    let matrices = Pendulum::BOB.matrices();
+    assert_eq!((matrices.m, matrices.k0), ([[12.0]], [[6.0]]));
+    let words = Words {
+        mass: 1.0,
+        radius: 0.3,
+        axial: 0.1,
+        radial: 0.05,
+        inertia: 0.2,
+        wheel: 1.0,
+        forces: 0.0,
+        damper: 2.0,
+        gravity: 9.81,
+    };
+    assert_eq!(words.matrices().c0, [[0.0, 0.0], [0.0, 2.0]]);
+    // A wheel that rolls at unit speed turns by the inverse of its radius, about an axis to the right: backward.
+    assert!((words.kinematics().wheel_on.speed + 1.0 / 0.3_f64).abs() < 1e-12);
 }

@@ -112,7 +112,8 @@ pub fn text(expression: &Expression) -> String {
             let mut text = String::new();
             for (index, factor) in factors.iter().enumerate() {
                 text.push_str(match (index, factor.inverse) {
-                    (0, _) => "",
+                    (0, false) => "",
+                    (0, true) => "1/",
                     (_, false) => "*",
                     (_, true) => "/",
                 });

@@ -12,9 +12,12 @@ use crate::model::{Expr, Model};
 use crate::program::{Counts, Program};
 use crate::syntax::Kinematics;
 
-/// Nothing for a model whose formulas are written.
+/// Nothing for a model whose formulas are written, or whose mechanism has no motions and forces beside its coordinates.
 pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> Option<TokenStream> {
     let kinematics = model.kinematics.as_ref()?;
+    if kinematics.rates.is_empty() && kinematics.applied.is_empty() {
+        return None;
+    }
     let Names { runtime, model: name, kinematics: output, scalar, .. } = names;
     let visibility = &model.visibility;
     let (n, forces) = (model.coordinates.len(), kinematics.applied.len());

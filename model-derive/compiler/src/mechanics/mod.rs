@@ -26,7 +26,7 @@ use self::motion::Motions;
 use self::projection::Projection;
 use self::unreduced::Unreduced;
 use crate::model::Expr;
-use crate::symbolic::{self, Engine, Failure, Form};
+use crate::symbolic::{self, Engine, Failure, Form, Place};
 use crate::syntax::MatrixName;
 
 /// Square matrices of formulas, those that are not zero, in the order of the equation of motion.
@@ -87,29 +87,42 @@ pub enum Ground {
     Along(usize),
 }
 
+/// What is written in a declaration.
+pub struct Written {
+    /// The number of parameters.
+    pub parameters: usize,
+    /// The definitions, each in those before it.
+    pub definitions: Vec<Expr>,
+    /// The formulas in the mechanism, one by one.
+    pub attributes: Vec<Expr>,
+}
+
 /// Derives the equations of motion.
 ///
 /// # Errors
-/// If the engine fails, and if the mechanism has faults.
-pub fn derive(
-    mechanism: Mechanism<Expr>,
-    parameters: usize,
-    definitions: Vec<Expr>,
-) -> Result<Result<Derived, Vec<Fault>>, Failure> {
-    symbolic::enter(move |engine| derive_with(engine, &mechanism, parameters, &definitions))?
+/// If a formula that is written has no value, with attributes as the outputs; if the engine fails; and if the mechanism
+/// has faults.
+pub fn derive(mechanism: Mechanism<Expr>, written: Written) -> Result<Result<Derived, Vec<Fault>>, Failure> {
+    symbolic::enter(move |engine| derive_with(engine, &mechanism, &written))?
 }
 
 fn derive_with(
     engine: &Engine,
     mechanism: &Mechanism<Expr>,
-    parameters: usize,
-    definitions: &[Expr],
+    Written { parameters, definitions, attributes }: &Written,
 ) -> Result<Result<Derived, Vec<Fault>>, Failure> {
+    let parameters = *parameters;
     let names: Vec<Form> = (0..definitions.len()).map(|index| engine.definition(parameters, index)).collect();
-    let form = |expr: &Expr| engine.form(expr, &names).map_err(|why| Failure::Engine(why.to_string()));
-    let values = definitions.iter().map(form).collect::<Result<_, _>>()?;
+    let form = |expr: &Expr, place: Place| {
+        engine.form(expr, &names).map_err(|why| Failure::Undefined { equations: 0, place, why })
+    };
+    let values = definitions.iter().enumerate().map(|(index, expr)| form(expr, Place::Definition(index)));
+    let values = values.collect::<Result<_, _>>()?;
+    for (index, expr) in attributes.iter().enumerate() {
+        form(expr, Place::Output(index))?;
+    }
     let mut formulas = Formulas::new(engine, parameters, values);
-    let mechanism = mechanism.map(form)?;
+    let mechanism = mechanism.map(|expr| engine.form(expr, &names).map_err(|why| Failure::Engine(why.to_string())))?;
     Ok(derived(mechanism, &mut formulas).map(|found| found.export(formulas, parameters)))
 }
 

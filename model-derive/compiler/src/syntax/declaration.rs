@@ -186,8 +186,8 @@ pub struct Mechanism {
     pub fixed: Vec<(Ident, Ident)>,
     pub free: Vec<Free>,
     pub forces: Vec<Force>,
-    /// Whether a part of it could not be read.
-    pub unread: bool,
+    /// The parts that could not be read, each with its name if it has one.
+    pub unread: Vec<Option<Ident>>,
 }
 
 impl Mechanism {
@@ -195,7 +195,7 @@ impl Mechanism {
     pub fn new(span: Span) -> Self {
         let (bodies, wheels, joints) = (Vec::new(), Vec::new(), Vec::new());
         let (fixed, free, forces) = (Vec::new(), Vec::new(), Vec::new());
-        Self { span, bodies, wheels, joints, fixed, free, forces, unread: false }
+        Self { span, bodies, wheels, joints, fixed, free, forces, unread: Vec::new() }
     }
 
     /// All formulas in it.
@@ -204,7 +204,7 @@ impl Mechanism {
             let moments = match inertia {
                 Inertia::None => Vec::new(),
                 Inertia::Principal(moments) => moments.iter().collect(),
-                Inertia::Full(rows, _) => rows.iter().flatten().collect(),
+                Inertia::Full(rows) => rows.iter().flatten().collect(),
             };
             [mass].into_iter().chain(&centre.components).chain(moments)
         });
@@ -233,7 +233,7 @@ pub enum Inertia {
     /// Of a point mass.
     None,
     Principal(Box<[Expression; 3]>),
-    Full(Box<[[Expression; 3]; 3]>, Region),
+    Full(Box<[[Expression; 3]; 3]>),
 }
 
 /// `body B "rear frame": mass mB, at (xB, 0, zB), inertia [[…], […], […]];`

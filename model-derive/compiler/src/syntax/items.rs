@@ -239,15 +239,16 @@ fn mechanism(
     report: &mut Report,
 ) -> syn::Result<()> {
     let mut mechanism = Mechanism::new(keyword.span());
-    let mut unread = false;
     let read = block(input, "the parts of the mechanism", report, mechanism::starts, |input, report| {
         let start = input.span();
         if !docs(input, "what it is about", report)?.is_empty() {
             report.error(start, LOST);
         }
-        mechanism::statement(input, &mut mechanism, report).inspect_err(|_| unread = true)
+        mechanism::statement(input, &mut mechanism, report)
     });
-    mechanism.unread = unread || read.is_err();
+    if read.is_err() {
+        mechanism.unread.push(None);
+    }
     if model.mechanism.is_some() {
         report.error(keyword, "a second `mechanism`: expected one");
     }

@@ -4,9 +4,9 @@ use proc_macro2::Ident;
 use syn::Token;
 use syn::parse::ParseStream;
 
-use super::attributes::{Attribute, Attributes, Shape, attributes};
-use super::declaration::{Body, Force, Free, Freedom, Inertia, Joint, JointKind, Mechanism, Wheel};
-use super::tokens::{expected, name, semicolon, text};
+use super::attributes::{Attributes, Shape};
+use super::declaration::{Body, Force, Free, Freedom, Joint, JointKind, Mechanism, Wheel};
+use super::tokens::{expected, name, semicolon, text, used};
 use crate::nearest::nearest;
 use crate::report::{Report, error};
 
@@ -21,8 +21,18 @@ pub fn starts(input: ParseStream<'_>) -> bool {
     word.is_some_and(|(word, _)| KEYWORDS.iter().any(|keyword| word == keyword)) && input.peek2(syn::Ident)
 }
 
-/// One statement of the block.
+/// One statement of the block. One that cannot be read leaves its name, which others may use.
 pub fn statement(input: ParseStream<'_>, mechanism: &mut Mechanism, report: &mut Report) -> syn::Result<()> {
+    let name = second_word(input);
+    part(input, mechanism, report).inspect_err(|_| mechanism.unread.push(name))
+}
+
+fn second_word(input: ParseStream<'_>) -> Option<Ident> {
+    let (_, behind) = input.cursor().ident()?;
+    behind.ident().map(|(name, _)| name)
+}
+
+fn part(input: ParseStream<'_>, mechanism: &mut Mechanism, report: &mut Report) -> syn::Result<()> {
     if !input.peek(syn::Ident) {
         return Err(expected(input, STATEMENTS));
     }
@@ -45,9 +55,9 @@ pub fn statement(input: ParseStream<'_>, mechanism: &mut Mechanism, report: &mut
         "revolute" => mechanism.joints.push(joint(input, JointKind::Revolute)?),
         "prismatic" => mechanism.joints.push(joint(input, JointKind::Prismatic)?),
         "fix" => {
-            let body = name(input, "the name of a body")?;
+            let body = used(input, "the name of a body")?;
             word_of(input, "to", "`to` and the body that it is fixed to")?;
-            mechanism.fixed.push((body, name(input, "the name of the body that it is fixed to")?));
+            mechanism.fixed.push((body, used(input, "the name of the body that it is fixed to")?));
             semicolon(input, "`;`", "the attachment")?;
         }
         "free" => mechanism.free.push(free(input)?),
@@ -62,17 +72,17 @@ fn body(input: ParseStream<'_>) -> syn::Result<Body> {
         [("mass", Shape::Formula), ("massless", Shape::Word), ("at", Shape::Vector), ("inertia", Shape::Inertia)];
     let name = name(input, "the name of a body")?;
     let label = text(input)?;
-    let mut found = attributes(input, &name, &KNOWN)?;
-    if found.take("massless").is_some() {
-        return match found.given.first() {
-            Some((other, _)) => Err(error(other, format!("`{name}` is `massless`: expected no `{other}`"))),
+    let mut found = Attributes::after_colon(input, &name, &KNOWN)?;
+    if found.word("massless") {
+        return match found.first() {
+            Some(other) => Err(error(other, format!("`{name}` is `massless`: expected no `{other}`"))),
             None => Ok(Body { name, label, mass: None }),
         };
     }
-    let mass = found.formula("mass", "`mass` and its mass, or `massless`")?;
-    let centre = found.vector("at", "`at` and its centre of mass `(x, y, z)`")?;
-    let inertia =
-        found.inertia("inertia", "`inertia` about the centre of mass: `[[…], […], […]]`, `[Ixx, Iyy, Izz]` or `0`")?;
+    let mass = found.formula("mass", "`mass` and its formula, or `massless`")?;
+    let centre = found.vector("at", "`at (x, y, z)`, its centre of mass")?;
+    let inertia = found
+        .inertia("inertia", "`inertia` and, about the centre of mass, `[[…], […], […]]`, `[Ixx, Iyy, Izz]` or `0`")?;
     Ok(Body { name, label, mass: Some((mass, centre, inertia)) })
 }
 
@@ -91,14 +101,14 @@ fn wheel(input: ParseStream<'_>) -> syn::Result<Wheel> {
     let carrier = match input.cursor().ident().filter(|(word, _)| word == "on") {
         Some(_) => {
             input.parse::<Ident>()?;
-            Some(self::name(input, "the name of the body that carries the wheel")?)
+            Some(used(input, "the name of the body that carries the wheel")?)
         }
         None => None,
     };
-    let mut found = attributes(input, &name, &KNOWN)?;
+    let mut found = Attributes::after_colon(input, &name, &KNOWN)?;
     Ok(Wheel {
-        mass: found.formula("mass", "`mass` and its mass")?,
-        centre: found.vector("at", "`at` and its centre `(x, y, z)`")?,
+        mass: found.formula("mass", "`mass` and its formula, which may be 0")?,
+        centre: found.vector("at", "`at (x, y, z)`, its centre")?,
         radius: found.formula("radius", "`radius` and the distance from the centre to the ground")?,
         axial: found.formula("axial", "`axial` and its moment of inertia about the axle")?,
         radial: found.formula("radial", "`radial` and its moment of inertia about a diameter")?,
@@ -115,23 +125,23 @@ fn joint(input: ParseStream<'_>, kind: JointKind) -> syn::Result<Joint> {
         [("through", Shape::Vector), ("along", Shape::Vector), ("spring", Shape::Formula), ("damper", Shape::Formula)];
     let name = name(input, "the name of the joint's coordinate")?;
     colon(input, "`:` and the two bodies that it joins, as in `B to H`")?;
-    let parent = self::name(input, "the name of a body, or `ground`")?;
+    let parent = used(input, "the name of a body, or `ground`")?;
     word_of(input, "to", "`to` and the body that moves")?;
-    let child = self::name(input, "the name of the body that moves")?;
+    let child = used(input, "the name of the body that moves")?;
     let known = if kind == JointKind::Revolute { &REVOLUTE[..] } else { &REVOLUTE[1..] };
     let mut found = Attributes::after_comma(input, &name, known)?;
     let through = match kind {
-        JointKind::Revolute => Some(found.vector("through", "`through` and a point `(x, y, z)` of its axis")?),
+        JointKind::Revolute => Some(found.vector("through", "`through (x, y, z)`, a point of its axis")?),
         JointKind::Prismatic => None,
     };
-    let along = found.vector("along", "`along` and the direction `(x, y, z)` of its axis")?;
+    let along = found.vector("along", "`along (x, y, z)`, the direction of its axis")?;
     let [spring, damper] = ["spring", "damper"].map(|word| found.optional(word));
     Ok(Joint { kind, name, parent, child, through, along, spring, damper })
 }
 
 /// `free B: lean phi, yaw psi;`
 fn free(input: ParseStream<'_>) -> syn::Result<Free> {
-    let body = name(input, "the name of a body or a wheel")?;
+    let body = used(input, "the name of a body or a wheel")?;
     let mut names = Vec::new();
     if input.peek(Token![:]) {
         input.parse::<Token![:]>()?;
@@ -156,7 +166,7 @@ fn force(input: ParseStream<'_>) -> syn::Result<Force> {
     let name = name(input, "the name of a force or torque")?;
     let label = text(input)?;
     word_of(input, "on", "`on` and the joint that it acts on")?;
-    let on = self::name(input, "the coordinate of a joint")?;
+    let on = used(input, "the coordinate of a joint")?;
     semicolon(input, "`;`", "the force")?;
     Ok(Force { name, label, on })
 }
@@ -175,35 +185,4 @@ fn colon(input: ParseStream<'_>, what: &str) -> syn::Result<()> {
         return Ok(());
     }
     Err(expected(input, what))
-}
-
-/// What an attribute is in the tree.
-impl Attributes {
-    fn formula(&mut self, word: &str, what: &str) -> syn::Result<super::Expression> {
-        match self.take(word) {
-            Some((_, Attribute::Formula(value))) => Ok(value),
-            _ => Err(self.missing(what)),
-        }
-    }
-
-    fn optional(&mut self, word: &str) -> Option<super::Expression> {
-        match self.take(word) {
-            Some((_, Attribute::Formula(value))) => Some(value),
-            _ => None,
-        }
-    }
-
-    fn vector(&mut self, word: &str, what: &str) -> syn::Result<super::declaration::Vector> {
-        match self.take(word) {
-            Some((_, Attribute::Vector(value))) => Ok(value),
-            _ => Err(self.missing(what)),
-        }
-    }
-
-    fn inertia(&mut self, word: &str, what: &str) -> syn::Result<Inertia> {
-        match self.take(word) {
-            Some((_, Attribute::Inertia(value))) => Ok(value),
-            _ => Err(self.missing(what)),
-        }
-    }
 }

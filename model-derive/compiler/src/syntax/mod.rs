@@ -12,7 +12,7 @@ mod unit;
 
 pub use declaration::{
     Assertion, Bound, Coordinate, Declaration, Definition, Direction, Freedom, Inertia, JointKind, Kinematics, Matrix,
-    MatrixName, Mechanism, ParameterSet, Printed, Published, Rate, Relation, Requirement, Value, Vector,
+    MatrixName, Mechanism, Parameter, ParameterSet, Printed, Published, Rate, Relation, Requirement, Value, Vector,
 };
 pub use expression::{Expression, Factor, Kind, Term, constant};
 pub use number::Decimal;

@@ -91,6 +91,11 @@ pub fn name(input: ParseStream<'_>, what: &str) -> syn::Result<syn::Ident> {
     }
 }
 
+/// A name that is declared elsewhere, where a reserved one is refused.
+pub fn used(input: ParseStream<'_>, what: &str) -> syn::Result<syn::Ident> {
+    if input.peek(syn::Ident::peek_any) { input.call(syn::Ident::parse_any) } else { Err(expected(input, what)) }
+}
+
 /// The `;` that ends a statement; `what` says what could stand in its place.
 pub fn semicolon(input: ParseStream<'_>, what: &str, after: &str) -> syn::Result<()> {
     if input.peek(Token![;]) {

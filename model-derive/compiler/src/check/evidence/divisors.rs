@@ -53,6 +53,9 @@ pub fn requirements(checked: &Checked<'_>, scope: &mut Scope, report: &mut Repor
     let entries = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten());
     let entries = entries.chain(kinematics.iter().flat_map(|kinematics| kinematics.formulas())).cloned().collect();
     let conditions = requirements.iter().map(|requirement| requirement.value.clone()).collect();
+    // What is derived from a mechanism needs what that does, but in other words.
+    let given = declaration.mechanism.iter().flat_map(|mechanism| mechanism.formulas());
+    search.settle(Origin::Matrices, Vec::new(), given);
     let written = declaration.matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
     let written = written.chain(declaration.kinematics.iter().flat_map(|kinematics| kinematics.formulas()));
     search.settle(Origin::Matrices, search.equations(entries).origins, written);

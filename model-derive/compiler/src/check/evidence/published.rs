@@ -64,7 +64,10 @@ fn compare(
 ) {
     let name = published.name.name();
     let Some(matrix) = declaration.matrices.iter().find(|matrix| matrix.name == published.name) else {
-        let message = format!("the model has no matrix `{name}`: expected one of those that it declares");
+        let message = match declaration.mechanism {
+            Some(_) => format!("`{name}` of the mechanism is zero: expected one of the matrices that follow from it"),
+            None => format!("the model has no matrix `{name}`: expected one of those that it declares"),
+        };
         report.error(published.span, message);
         return;
     };

@@ -2,14 +2,16 @@
 
 use proc_macro2::Ident;
 
+use super::named::{direction, named};
 use super::tree::{Role, Tree};
 use crate::check::names::Scope;
 use crate::check::resolve;
 use crate::mechanics::{self, Motion, Root};
 use crate::model::Expr;
-use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{Declaration, Freedom, Inertia, JointKind, Mechanism, Vector};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The mechanism that the derivation takes, if there is a tree; formulas are resolved in any case, for their mistakes.
 pub fn assemble(
@@ -36,7 +38,7 @@ pub fn assemble(
         .iter()
         .map(|body| {
             let (mass, centre, inertia) = body.mass.as_ref()?;
-            Some((formulas.of(mass), formulas.vector(centre), formulas.inertia(inertia)))
+            Some((formulas.of(mass), formulas.vector(centre), formulas.inertia(inertia, &body.name)))
         })
         .collect();
     let wheels: Vec<_> = mechanism
@@ -51,7 +53,7 @@ pub fn assemble(
             radial: formulas.of(&wheel.radial),
         })
         .collect();
-    let named = named(declaration, mechanism, report);
+    let named = named(declaration, mechanism, tree.is_some(), report);
     let tree = tree?;
 
     let parts = tree.joints.iter().map(|node| {
@@ -123,88 +125,10 @@ pub fn assemble(
     })
 }
 
-/// The names of joints and of freedoms; those that are no coordinates of the declaration, or not the other way round, are
-/// reported.
-fn named<'a>(declaration: &Declaration, mechanism: &'a Mechanism, report: &mut Report) -> Vec<(&'a Ident, Role)> {
-    let joints = mechanism.joints.iter().enumerate().map(|(index, joint)| (&joint.name, Role::Joint(index)));
-    let freedoms = mechanism.free.iter().flat_map(|free| &free.names);
-    let freedoms = freedoms.map(|(freedom, name)| (name, Role::Freedom(*freedom)));
-    let mut named: Vec<(&Ident, Role)> = Vec::new();
-    for (name, role) in joints.chain(freedoms) {
-        if named.iter().any(|(known, _)| *known == name) {
-            report.error(name, format!("`{name}` is the coordinate of two joints: expected one of each name"));
-        } else if named.iter().any(|(_, known)| *known == role) {
-            report.error(name, format!("a second name, `{name}`, of one freedom: expected one"));
-        } else {
-            named.push((name, role));
-        }
-    }
-    let hint = |name: &Ident| {
-        let known: Vec<String> = named.iter().map(|(known, _)| known.to_string()).collect();
-        let near = nearest(&name.to_string(), known.iter().map(String::as_str));
-        near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default()
-    };
-    if mechanism.unread {
-        return named;
-    }
-    for coordinate in &declaration.coordinates {
-        let name = &coordinate.name;
-        let Some((_, role)) = named.iter().find(|(known, _)| *known == name) else {
-            let message = format!(
-                "`{name}` is no joint of the mechanism: expected the name of a joint, or of a freedom as in `free B: lean \
-                 {name}`{}",
-                hint(name)
-            );
-            report.error(name, message);
-            continue;
-        };
-        let turns = match role {
-            Role::Joint(index) => mechanism.joints[*index].kind == JointKind::Revolute,
-            Role::Freedom(freedom) => direction(*freedom).0 == Motion::Turns,
-            Role::Forward | Role::Spin(_) => continue,
-        };
-        let (what, expected) = if turns { ("turns", "rad") } else { ("slides", "m") };
-        if let Some(unit) = coordinate.unit.as_ref().filter(|unit| unit.text != expected) {
-            report.error(unit.region, format!("`{name}` {what}: expected `{expected}`"));
-        }
-        if coordinate.direction.is_some() {
-            let message = format!("the mechanism says how `{name}` {what}: expected no direction here");
-            report.error(name, message);
-        }
-    }
-    for force in &mechanism.forces {
-        if !named.iter().any(|(known, _)| **known == force.on) {
-            let message = format!(
-                "`{}` is no joint of the mechanism: expected the coordinate of one{}",
-                force.on,
-                hint(&force.on)
-            );
-            report.error(&force.on, message);
-        }
-    }
-    for (index, force) in mechanism.forces.iter().enumerate() {
-        if mechanism.forces[..index].iter().any(|known| known.name == force.name) {
-            report.error(&force.name, format!("`{}` is declared twice: expected one force of each name", force.name));
-        }
-    }
-    named
-}
-
 fn freedom_name(mechanism: &Mechanism, freedom: Freedom) -> String {
     let names = mechanism.free.iter().flat_map(|free| &free.names);
     let mut names = names.filter(|(known, _)| *known == freedom);
     names.next().map_or(freedom.word().to_string(), |(_, name)| name.to_string())
-}
-
-/// How a freedom moves, and along or about which axis.
-fn direction(freedom: Freedom) -> (Motion, usize) {
-    match freedom {
-        Freedom::Lateral => (Motion::Slides, 1),
-        Freedom::Vertical => (Motion::Slides, 2),
-        Freedom::Yaw => (Motion::Turns, 2),
-        Freedom::Lean => (Motion::Turns, 0),
-        Freedom::Pitch => (Motion::Turns, 1),
-    }
 }
 
 fn origin() -> [Expr; 3] {
@@ -257,16 +181,27 @@ impl Formulas<'_> {
         vector.components.each_ref().map(|component| self.of(component))
     }
 
-    fn inertia(&mut self, inertia: &Inertia) -> [[Expr; 3]; 3] {
+    fn inertia(&mut self, inertia: &Inertia, body: &Ident) -> [[Expr; 3]; 3] {
         match inertia {
             Inertia::None => diagonal(origin()),
             Inertia::Principal(moments) => diagonal(moments.each_ref().map(|moment| self.of(moment))),
-            Inertia::Full(rows, region) => {
-                let rows = rows.each_ref().map(|row| row.each_ref().map(|entry| self.of(entry)));
-                if [(0, 1), (0, 2), (1, 2)].into_iter().any(|(row, column)| rows[row][column] != rows[column][row]) {
-                    let message = "an inertia matrix that is not symmetric: expected the same formula on both sides of the \
-                                   diagonal";
-                    self.report.error(*region, message);
+            Inertia::Full(written) => {
+                let rows = written.each_ref().map(|row| row.each_ref().map(|entry| self.of(entry)));
+                for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+                    if rows[row][column] == rows[column][row] {
+                        continue;
+                    }
+                    let name = |row: usize, column: usize| format!("{}{}", AXES[row], AXES[column]);
+                    let (above, below) = (&written[row][column], &written[column][row]);
+                    let message = format!(
+                        "the inertia of `{body}` is not symmetric: its entry {} is `{}`, and {} is `{}`; expected the same \
+                         formula",
+                        name(row, column),
+                        resolve::text(above),
+                        name(column, row),
+                        resolve::text(below),
+                    );
+                    self.report.error(below.region, message);
                 }
                 rows
             }

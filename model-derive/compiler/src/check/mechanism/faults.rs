@@ -1,11 +1,16 @@
 //! What the derivation finds wrong with a mechanism, in the words of the declaration.
 
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+
 use super::tree::{Role, Tree};
 use super::written::Names;
 use crate::check::resolve;
 use crate::mechanics::{Fault, Ground};
+use crate::model::Expr;
 use crate::report::{Region, Report};
-use crate::syntax::{Declaration, Mechanism};
+use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
 
 pub struct Place<'a> {
     pub declaration: &'a Declaration,
@@ -15,9 +20,30 @@ pub struct Place<'a> {
 }
 
 impl Place<'_> {
-    pub fn report(&self, fault: &Fault, report: &mut Report) {
-        let (region, message) = self.message(fault);
-        report.error(region, message);
+    /// Reports faults, but of those that follow from one mistake only the first.
+    pub fn report(&self, faults: &[Fault], report: &mut Report) {
+        let mut told = HashSet::new();
+        for fault in faults.iter().filter(|fault| !self.follows(fault, faults)) {
+            if joint_of(fault).is_none_or(|joint| told.insert(joint)) {
+                let (region, message) = self.message(fault);
+                report.error(region, message);
+            }
+        }
+    }
+
+    /// Whether a force is unbalanced because another one is: what moves a joint also moves those that it hangs on, and a
+    /// body that nothing bears falls before it turns.
+    fn follows(&self, fault: &Fault, faults: &[Fault]) -> bool {
+        let Fault::Unbalanced { joint, .. } = fault else { return false };
+        let falls = |joint: usize| self.tree.joints[joint].role == Role::Freedom(Freedom::Vertical);
+        let all = || faults.iter().filter_map(joint_of);
+        if all().any(falls) {
+            return !falls(*joint);
+        }
+        all().filter(|other| other != joint).any(|other| {
+            let mut above = std::iter::successors(Some(other), |other| self.tree.joints[*other].parent);
+            above.any(|above| above == *joint)
+        })
     }
 
     fn message(&self, fault: &Fault) -> (Region, String) {
@@ -34,7 +60,8 @@ impl Place<'_> {
                 let wheel = &self.mechanism.wheels[*wheel];
                 let [_, _, height] = &wheel.centre.components;
                 let message = format!(
-                    "the wheel `{}` is not on the ground, z = 0: its lowest point is at z = {}; expected a centre at z = -{}",
+                    "the wheel `{}` is not on the ground, z = 0: its lowest point is at z = `{}`; expected its centre at \
+                     z = `-{}`",
                     wheel.name,
                     resolve::text(&self.names.expression(below)),
                     enclosed(&resolve::text(&wheel.radius)),
@@ -43,22 +70,23 @@ impl Place<'_> {
             }
             Fault::Tied { ground, joints } => self.tied(*ground, joints),
             Fault::Undetermined(joints) => {
+                let expected = match joints.len() {
+                    1 => "a coordinate for it, or a wheel that determines it",
+                    _ => "coordinates for them, or wheels that determine them",
+                };
                 let message = format!(
-                    "more freedoms than coordinates: nothing determines {}; expected coordinates for them, or wheels",
+                    "more freedoms than coordinates: nothing determines {}; expected {expected}",
                     self.list(joints)
                 );
                 (joints.first().map_or(self.model(), |joint| self.region(*joint)), message)
             }
             Fault::Unbalanced { joint, force } => {
-                let what = match self.tree.joints[*joint].role {
-                    Role::Forward | Role::Freedom(crate::syntax::Freedom::Lateral) => "the force",
-                    Role::Freedom(crate::syntax::Freedom::Vertical) => "the weight",
-                    _ => "gravity, which would move it,",
-                };
+                let (kind, of) = if self.turns(*joint) { ("moment", "about") } else { ("force", "along") };
                 let message = format!(
-                    "the reference state is no steady motion: {what} at {} is g*{}, and nothing balances it; expected 0",
+                    "the reference state is no steady motion: gravity makes the {kind} `{}` {of} {}, and nothing balances \
+                     it; expected 0",
+                    self.times_gravity(force),
                     self.joint(*joint),
-                    enclosed(&resolve::text(&self.names.expression(force))),
                 );
                 (self.region(*joint), message)
             }
@@ -78,9 +106,14 @@ impl Place<'_> {
                 (self.region(*joint), message)
             }
             Fault::Massless { joint } => {
+                let first = self.declaration.coordinates.first().map(|coordinate| coordinate.name.to_string());
+                let along = match first == self.coordinate(*joint).map(ToString::to_string) {
+                    true => "",
+                    false => ", with the coordinates before it moving along,",
+                };
                 let message = format!(
-                    "a singular mass matrix: {} can move without moving any mass; expected masses or moments of inertia \
-                     behind every coordinate",
+                    "a singular mass matrix: {} can move{along} without moving any mass; expected masses or moments of \
+                     inertia that every motion of the coordinates moves",
                     self.joint(*joint)
                 );
                 (self.region(*joint), message)
@@ -98,28 +131,70 @@ impl Place<'_> {
 
     fn tied(&self, ground: Ground, joints: &[usize]) -> (Region, String) {
         let (Ground::Height(index) | Ground::Sideways(index) | Ground::Along(index)) = ground;
-        let name = &self.mechanism.wheels[index].name;
+        let wheel = &self.mechanism.wheels[index];
+        let name = &wheel.name;
         let condition = match ground {
-            Ground::Height(_) => format!("that the wheel `{name}` stays on the ground"),
-            Ground::Sideways(_) => format!("that the wheel `{name}` does not slip sideways"),
-            Ground::Along(_) => format!("that the wheel `{name}` rolls"),
+            Ground::Height(_) => "stays on the ground",
+            Ground::Sideways(_) => "does not slip sideways",
+            // Nothing else keeps its spin from following.
+            Ground::Along(_) => {
+                let message =
+                    format!("the wheel `{name}` has no radius, so it cannot roll: expected one that is not 0");
+                return (wheel.radius.region, message);
+            }
         };
         let message = match joints {
             [] => format!(
-                "{condition} follows from the other wheels: its load cannot be determined; expected a suspension, or fewer \
-                 wheels"
+                "too many constraints: that the wheel `{name}` {condition} follows from the other wheels, so its load \
+                 cannot be determined; expected a suspension, or fewer wheels"
             ),
             _ => format!(
-                "{condition} leaves {} no freedom: expected coordinates that are independent, and no more wheels than \
-                 joints let move",
-                self.list(joints)
+                "too many constraints: as the wheel `{name}` {condition}, {} cannot move{}; expected independent \
+                 coordinates, or fewer wheels",
+                self.list(joints),
+                if joints.len() == 1 { "" } else { " independently" },
             ),
         };
         (Region::from(name), message)
     }
 
     fn list(&self, joints: &[usize]) -> String {
-        joints.iter().map(|joint| self.joint(*joint)).collect::<Vec<_>>().join(", ")
+        let names: Vec<String> = joints.iter().map(|joint| self.joint(*joint)).collect();
+        match names.split_last() {
+            Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+            _ => names.concat(),
+        }
+    }
+
+    /// A force over gravity, with that.
+    fn times_gravity(&self, force: &Expr) -> String {
+        let gravity = self.declaration.parameters.iter().position(|parameter| parameter.gravity.is_some());
+        let mut factors = vec![(false, gravity.map_or(Expr::one(), Expr::Parameter))];
+        match force {
+            Expr::Product(others) => factors.extend(others.iter().cloned()),
+            other => factors.push((false, other.clone())),
+        }
+        resolve::text(&self.names.expression(&Expr::Product(factors)))
+    }
+
+    /// The name of the coordinate that is the motion of a joint.
+    fn coordinate(&self, joint: usize) -> Option<&Ident> {
+        match self.tree.joints[joint].role {
+            Role::Joint(index) => Some(&self.mechanism.joints[index].name),
+            Role::Freedom(freedom) => {
+                let names = &self.mechanism.free.first()?.names;
+                names.iter().find(|(known, _)| *known == freedom).map(|(_, name)| name)
+            }
+            Role::Forward | Role::Spin(_) => None,
+        }
+    }
+
+    fn turns(&self, joint: usize) -> bool {
+        match self.tree.joints[joint].role {
+            Role::Joint(index) => self.mechanism.joints[index].kind == JointKind::Revolute,
+            Role::Forward | Role::Freedom(Freedom::Lateral | Freedom::Vertical) => false,
+            Role::Freedom(_) | Role::Spin(_) => true,
+        }
     }
 
     /// What a joint is called in a message.
@@ -129,28 +204,42 @@ impl Place<'_> {
             Role::Spin(wheel) => format!("the spin of `{}`", self.mechanism.wheels[wheel].name),
             Role::Joint(index) => format!("`{}`", self.mechanism.joints[index].name),
             Role::Freedom(freedom) => {
-                let free = self.mechanism.free.first();
-                let body = free.map(|free| free.body.to_string()).unwrap_or_default();
-                match free.and_then(|free| free.names.iter().find(|(known, _)| *known == freedom)) {
-                    Some((_, name)) => format!("`{name}`, the {} of `{body}`", super::noun(freedom)),
-                    None => format!("the {} of `{body}`", super::noun(freedom)),
+                let body = self.mechanism.free.first().map(|free| free.body.to_string()).unwrap_or_default();
+                let noun = super::noun(freedom);
+                match self.coordinate(joint) {
+                    Some(name) => format!("`{name}` (the {noun} of `{body}`)"),
+                    None => format!("the {noun} of `{body}`"),
                 }
             }
         }
     }
 
     fn region(&self, joint: usize) -> Region {
+        if let Some(name) = self.coordinate(joint) {
+            return Region::from(name);
+        }
+        let free = self.mechanism.free.first();
         match self.tree.joints[joint].role {
             Role::Spin(wheel) => Region::from(&self.mechanism.wheels[wheel].name),
-            Role::Joint(index) => Region::from(&self.mechanism.joints[index].name),
-            Role::Forward | Role::Freedom(_) => {
-                self.mechanism.free.first().map_or(self.model(), |free| Region::from(&free.body))
-            }
+            _ => free.map_or(self.model(), |free| Region::from(&free.body)),
         }
     }
 
     fn model(&self) -> Region {
         Region::from(&self.declaration.name)
+    }
+}
+
+/// The joint that a fault is of, if it is of one.
+fn joint_of(fault: &Fault) -> Option<usize> {
+    match fault {
+        Fault::NoAxis { joint }
+        | Fault::Unbalanced { joint, .. }
+        | Fault::Coupled { joint }
+        | Fault::Remains { joint }
+        | Fault::Massless { joint }
+        | Fault::Dragged { joint } => Some(*joint),
+        Fault::OffGround { .. } | Fault::Tied { .. } | Fault::Undetermined(_) => None,
     }
 }
 

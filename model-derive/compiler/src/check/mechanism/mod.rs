@@ -1,7 +1,9 @@
 //! A mechanism to definitions, matrices and rates, as if these were written in the declaration.
 
 mod assemble;
+mod attachments;
 mod faults;
+mod named;
 mod tree;
 mod written;
 
@@ -13,10 +15,12 @@ use self::tree::{Role, Tree};
 use self::written::Names;
 use super::definitions::{self, uses};
 use super::names::Scope;
+use super::resolve;
 use super::units::{self, Dimensions};
-use crate::mechanics::{self, Derived};
+use crate::mechanics::{self, Derived, Written};
 use crate::model::Expr;
 use crate::report::{Region, Report};
+use crate::symbolic::{Failure, Place};
 use crate::syntax::{Declaration, Definition, Freedom, JointKind, Kinematics, Matrix, Mechanism, Rate};
 
 /// Puts what follows from the mechanism of a declaration into it. Mistakes are reported.
@@ -48,20 +52,24 @@ fn lower_mechanism(
     let order = if resolved.cyclic { &[] } else { &resolved.order[..] };
     let defined = units::check(declaration, dimensions, scope, order, &mut elsewhere);
     units::check_mechanism(declaration, mechanism, dimensions, scope, defined, report);
-    let assembled = assemble::assemble(declaration, mechanism, tree.as_ref(), &resolved.new_positions(), scope, report);
-    let (Some(tree), Some(assembled), true, true) = (tree, assembled, report.is_empty(), elsewhere.finish().is_ok())
-    else {
+    let new = resolved.new_positions();
+    let assembled = assemble::assemble(declaration, mechanism, tree.as_ref(), &new, scope, report);
+    let (Some(tree), Some(assembled)) = (tree, assembled) else { return };
+    // Without coordinates it is not known what is determined by others.
+    if declaration.coordinates.is_empty() || !report.is_empty() || !elsewhere.is_empty() {
         return;
-    };
+    }
     let known = resolved.in_order(declaration);
     let (known_names, known_values): (Vec<Ident>, Vec<Expr>) = known.into_iter().unzip();
     let parameters: Vec<Ident> = declaration.parameters.iter().map(|parameter| parameter.name.clone()).collect();
     let mut names = Names { parameters, definitions: known_names, span: mechanism.span };
-    match mechanics::derive(assembled, names.parameters.len(), known_values) {
-        Err(failure) => report.error(mechanism.span, failure),
+    let attributes = mechanism.formulas().map(|formula| resolve::expression(formula, scope, &mut elsewhere));
+    let attributes = attributes.map(|expr| expr.renumbered(&new)).collect();
+    let written = Written { parameters: names.parameters.len(), definitions: known_values, attributes };
+    match mechanics::derive(assembled, written) {
+        Err(failure) => report.error(region(mechanism, &names, &failure), failure),
         Ok(Err(faults)) => {
-            let place = faults::Place { declaration, mechanism, tree: &tree, names: &names };
-            faults.iter().for_each(|fault| place.report(fault, report));
+            faults::Place { declaration, mechanism, tree: &tree, names: &names }.report(&faults, report);
         }
         Ok(Ok(derived)) => {
             let taken = declared(declaration);
@@ -81,6 +89,17 @@ fn lower_mechanism(
             declaration.matrices = matrices(&derived, mechanism, &names);
             declaration.kinematics = Some(kinematics(&derived, mechanism, &tree, &names));
         }
+    }
+}
+
+/// Where in the declaration a failure belongs.
+fn region(mechanism: &Mechanism, names: &Names, failure: &Failure) -> Region {
+    match failure {
+        Failure::Undefined { place: Place::Definition(index), .. } => Region::from(&names.definitions[*index]),
+        Failure::Undefined { place: Place::Output(index), .. } => {
+            mechanism.formulas().nth(*index).map_or(mechanism.span.into(), |formula| formula.region)
+        }
+        Failure::System(_) | Failure::Engine(_) => mechanism.span.into(),
     }
 }
 

@@ -1,10 +1,8 @@
 //! Which body hangs on which: a tree, whose root is the ground or a free body.
 
-use std::collections::HashMap;
-
 use proc_macro2::Ident;
 
-use crate::nearest::nearest;
+use super::attachments::{Attachments, Hold};
 use crate::report::Report;
 use crate::syntax::{Freedom, Mechanism};
 
@@ -41,18 +39,6 @@ pub enum Role {
     Spin(usize),
 }
 
-/// What holds a body.
-#[derive(Clone, Copy, Debug)]
-enum Hold {
-    Free,
-    /// A joint, on a body or on the ground.
-    Joint(usize, Option<usize>),
-    /// Another body, or the ground.
-    Fixed(Option<usize>),
-}
-
-const GROUND: &str = "ground";
-
 /// The tree, unless there are mistakes in it, which are reported.
 pub fn tree(mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
     let names: Vec<&Ident> = mechanism
@@ -61,127 +47,23 @@ pub fn tree(mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
         .map(|body| &body.name)
         .chain(mechanism.wheels.iter().map(|wheel| &wheel.name))
         .collect();
-    let mut attachments = Attachments::new(&names, mechanism.bodies.len(), report);
-    attachments.read(mechanism, report);
-    // What could not be read may be what seems to be missing.
-    if mechanism.unread || !report.is_empty() {
+    if names.is_empty() && mechanism.unread.is_empty() {
+        report.error(mechanism.span, "a mechanism without a `body` or a `wheel`: expected at least one");
         return None;
     }
-    attachments.grow(mechanism, report)
+    let mut attachments = Attachments::new(mechanism, &names, report);
+    attachments.read(report);
+    // What could not be read may be what seems to be missing.
+    if !mechanism.unread.is_empty() || !report.is_empty() {
+        return None;
+    }
+    attachments.grow(report)
 }
 
-struct Attachments<'a> {
-    /// The bodies, and behind them the wheels.
-    names: &'a [&'a Ident],
-    /// How many of them are bodies.
-    bodies: usize,
-    known: HashMap<String, usize>,
-    /// What holds each, with the word of the statement that says so.
-    holds: Vec<Option<(Hold, &'a Ident)>>,
-}
-
-impl<'a> Attachments<'a> {
-    fn new(names: &'a [&'a Ident], bodies: usize, report: &mut Report) -> Self {
-        let mut known = HashMap::new();
-        for (index, name) in names.iter().enumerate() {
-            if *name == GROUND {
-                report.error(*name, "`ground` is what everything stands on: expected another name");
-            } else if known.insert(name.to_string(), index).is_some() {
-                report.error(*name, format!("`{name}` is declared twice: expected one body or wheel of each name"));
-            }
-        }
-        Self { names, bodies, known, holds: vec![None; names.len()] }
-    }
-
-    fn read(&mut self, mechanism: &'a Mechanism, report: &mut Report) {
-        if let [_, second, ..] = &mechanism.free[..] {
-            report.error(&second.body, "a second free body: expected one, on which all others hang");
-        }
-        for free in &mechanism.free {
-            let Some(body) = self.find(&free.body, report) else { continue };
-            if body >= self.bodies && mechanism.wheels[body - self.bodies].carrier.is_some() {
-                let message = format!("the wheel `{}` is free, and is on a body: expected one of both", free.body);
-                report.error(&free.body, message);
-                continue;
-            }
-            self.hold(body, Hold::Free, &free.body, report);
-        }
-        for (index, joint) in mechanism.joints.iter().enumerate() {
-            let parent = self.base(&joint.parent, report);
-            let Some(child) = self.movable(&joint.child, report) else { continue };
-            let Some(parent) = parent else { continue };
-            self.hold(child, Hold::Joint(index, parent), &joint.name, report);
-        }
-        for (body, base) in &mechanism.fixed {
-            let to = self.base(base, report);
-            let Some(fixed) = self.movable(body, report) else { continue };
-            let Some(to) = to else { continue };
-            if to.is_none() {
-                report.error(base, format!("`{body}` would never move: expected no body that is fixed to the ground"));
-                continue;
-            }
-            self.hold(fixed, Hold::Fixed(to), body, report);
-        }
-        for wheel in &mechanism.wheels {
-            let Some(carrier) = &wheel.carrier else { continue };
-            if self.base(carrier, report) == Some(None) {
-                let message =
-                    format!("the wheel `{}` is on the ground alone: expected the body that carries it", wheel.name);
-                report.error(carrier, message);
-            }
-        }
-    }
-
-    /// A body or a wheel.
-    fn find(&self, name: &Ident, report: &mut Report) -> Option<usize> {
-        let found = self.known.get(&name.to_string()).copied();
-        if found.is_none() {
-            let hint = nearest(&name.to_string(), self.known.keys().map(String::as_str).chain([GROUND]));
-            let hint = hint.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-            report.error(name, format!("unknown body `{name}`: expected one of the mechanism{hint}"));
-        }
-        found
-    }
-
-    /// A body that another one may hang on; the inner none is the ground.
-    fn base(&self, name: &Ident, report: &mut Report) -> Option<Option<usize>> {
-        if name == GROUND {
-            return Some(None);
-        }
-        let found = self.find(name, report)?;
-        if found >= self.bodies {
-            report.error(name, format!("`{name}` is a wheel, which carries nothing: expected a body"));
-            return None;
-        }
-        Some(Some(found))
-    }
-
-    /// A body that hangs on another one.
-    fn movable(&self, name: &Ident, report: &mut Report) -> Option<usize> {
-        match self.base(name, report)? {
-            Some(found) => Some(found),
-            None => {
-                report.error(name, "the ground does not move: expected the body that moves behind `to`");
-                None
-            }
-        }
-    }
-
-    fn hold(&mut self, body: usize, hold: Hold, by: &'a Ident, report: &mut Report) {
-        if let Some((_, first)) = self.holds[body] {
-            let name = self.names[body];
-            let message = format!(
-                "a loop of joints: `{name}` is held a second time, first by `{first}`; expected a tree, in which each \
-                 body hangs on one other"
-            );
-            report.error(by, message);
-            return;
-        }
-        self.holds[body] = Some((hold, by));
-    }
-
+impl Attachments<'_> {
     /// Joints from the root outward.
-    fn grow(&self, mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
+    fn grow(&self, report: &mut Report) -> Option<Tree> {
+        let mechanism = self.mechanism;
         let mut tree = Tree::default();
         let mut moved_by: Vec<Option<Option<usize>>> = vec![None; self.bodies];
         let is_free = |name: &Ident| mechanism.free.first().is_some_and(|free| free.body == *name);
@@ -229,8 +111,10 @@ impl<'a> Attachments<'a> {
                 None if is_free(&wheel.name) => Some(last),
                 None => {
                     let name = &wheel.name;
-                    let message =
-                        format!("the wheel `{name}` is not attached: expected `on` a body, or `free {name};`");
+                    let message = format!(
+                        "the wheel `{name}` is not attached: expected `on` and the body that carries it{}",
+                        self.or_free(name)
+                    );
                     report.error(name, message);
                     None
                 }
@@ -239,7 +123,8 @@ impl<'a> Attachments<'a> {
             let mut above = std::iter::successors(parent, |joint| tree.joints[*joint].parent);
             if !above.any(|joint| tree.joints[joint].role == Role::Forward) {
                 let message = format!(
-                    "the wheel `{}` hangs on the ground: expected it on the free body that rolls, or on what hangs on that",
+                    "the wheel `{}` is on what joints hold to the ground: expected it on a free body that rolls over the \
+                     ground, or on what hangs on that",
                     wheel.name
                 );
                 report.error(&wheel.name, message);
@@ -256,12 +141,19 @@ impl<'a> Attachments<'a> {
         Some(tree)
     }
 
+    /// The other way to attach something, where nothing else is free.
+    fn or_free(&self, name: &Ident) -> String {
+        if self.mechanism.free.is_empty() { format!(", or `free {name};`") } else { String::new() }
+    }
+
     /// Reports a body that no chain of joints leads to.
     fn report_loose(&self, body: usize, report: &mut Report) {
         let name = self.names[body];
         let Some((_, by)) = self.holds[body] else {
-            let message =
-                format!("`{name}` is not attached: expected a joint `… to {name}`, `fix {name} to …` or `free {name}`");
+            let message = format!(
+                "`{name}` is not attached: expected a joint `… to {name}`, or `fix {name} to …;`{}",
+                self.or_free(name)
+            );
             report.error(name, message);
             return;
         };

@@ -28,6 +28,9 @@ impl Names {
                 Kind::Sum(terms.iter().map(term).collect())
             }
             Expr::Product(factors) => {
+                if let Some(positive) = negated(factors) {
+                    return self.expression(&Expr::Sum(vec![(true, Expr::Product(positive))]));
+                }
                 let factor = |(inverse, factor): &(bool, Expr)| Factor { inverse: *inverse, value: inner(factor) };
                 Kind::Product(factors.iter().map(factor).collect())
             }
@@ -38,4 +41,22 @@ impl Names {
         };
         Expression { kind, region: Region::from(self.span) }
     }
+}
+
+/// The factors without the sign of a negative number among them, which reads better before all of them.
+fn negated(factors: &[(bool, Expr)]) -> Option<Vec<(bool, Expr)>> {
+    let number = |factor: &Expr| match factor {
+        Expr::Sum(terms) => match &terms[..] {
+            [(true, number)] => Some(number.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let (at, number) = factors.iter().enumerate().find_map(|(at, (_, factor))| Some((at, number(factor)?)))?;
+    let mut positive = factors.to_vec();
+    positive[at].1 = number;
+    if positive.len() > 1 {
+        positive.retain(|(_, factor)| *factor != Expr::one());
+    }
+    Some(positive)
 }

@@ -47,12 +47,14 @@ pub fn check_mechanism(
         }
         check.axis(&joint.along, &name.to_string());
         // Work over the square of the coordinate, which is an angle or a length.
-        let metres = if joint.kind == JointKind::Revolute { 2 } else { 0 };
-        if let Some(spring) = &joint.spring {
-            check.formula(spring, Dimension::new([1, metres, -2]), &format!("the spring of `{name}`"));
-        }
-        if let Some(damper) = &joint.damper {
-            check.formula(damper, Dimension::new([1, metres, -1]), &format!("the damper of `{name}`"));
+        let (metres, spring, damper) = match joint.kind {
+            JointKind::Revolute => (2, "N*m, as it turns", "N*m*s, as it turns"),
+            JointKind::Prismatic => (0, "N/m, as it slides", "N*s/m, as it slides"),
+        };
+        let held = [(&joint.spring, "spring", -2, spring), (&joint.damper, "damper", -1, damper)];
+        for (formula, what, seconds, unit) in held {
+            let Some(formula) = formula else { continue };
+            check.formula_in(formula, Dimension::new([1, metres, seconds]), &format!("the {what} of `{name}`"), unit);
         }
     }
 }
@@ -64,13 +66,18 @@ struct Check<'a> {
 
 impl Check<'_> {
     fn formula(&mut self, formula: &Expression, expected: Dimension, what: &str) {
+        self.formula_in(formula, expected, what, &expected.to_string());
+    }
+
+    /// As [`Self::formula`], with the expected unit in the form in which it is mostly written.
+    fn formula_in(&mut self, formula: &Expression, expected: Dimension, what: &str, unit: &str) {
         let Some(found) = self.analysis.dimension(formula, self.report) else { return };
         let text = short(formula);
         if !found.same_unit(expected) {
-            let message = format!("{what}, `{text}`, is {}: expected {expected}", found.place());
+            let message = format!("`{text}`, {what}, is {}: expected {unit}", found.place());
             self.report.error(formula.region, message);
         } else if self.analysis.dimensions.mirrored && found != expected {
-            let message = format!("{what}, `{text}`, {}: expected what {}", found.sign(), expected.sign());
+            let message = format!("`{text}`, {what}, {}: expected what {}", found.sign(), expected.sign());
             self.report.error(formula.region, message);
         }
     }
@@ -79,7 +86,7 @@ impl Check<'_> {
     fn length(&mut self, formula: &Expression, what: &str) {
         let Some(found) = self.analysis.dimension(formula, self.report) else { return };
         if !found.same_unit(LENGTH) {
-            let message = format!("{what}, `{}`, is {}: expected {LENGTH}", short(formula), found.place());
+            let message = format!("`{}`, {what}, is {}: expected {LENGTH}", short(formula), found.place());
             self.report.error(formula.region, message);
         }
     }
@@ -87,7 +94,7 @@ impl Check<'_> {
     fn position(&mut self, vector: &Vector, what: &str) {
         for (axis, component) in vector.components.iter().enumerate() {
             let expected = LENGTH.directed(Some(along(axis)));
-            self.formula(component, expected, &format!("{}, {what}", AXES[axis]));
+            self.formula(component, expected, &format!("the {} of {what}", AXES[axis]));
         }
     }
 
@@ -99,9 +106,10 @@ impl Check<'_> {
                     self.formula(moment, INERTIA, &format!("the moment of inertia of `{body}` about {}", AXES[axis]));
                 }
             }
-            Inertia::Full(rows, _) => {
+            Inertia::Full(rows) => {
+                // Below the diagonal are the same formulas.
                 for (row, entries) in rows.iter().enumerate() {
-                    for (column, entry) in entries.iter().enumerate() {
+                    for (column, entry) in entries.iter().enumerate().skip(row) {
                         let expected = match row == column {
                             true => INERTIA,
                             false => INERTIA.directed(Some(product(row, column))),
@@ -114,29 +122,30 @@ impl Check<'_> {
         }
     }
 
-    /// All components are in one unit, and each mirrors as its own axis does, or all of them the other way round.
+    /// All components are in one unit, and the ratio of two mirrors with both of their axes.
     fn axis(&mut self, vector: &Vector, joint: &str) {
-        let mut first: Option<(Dimension, Dimension)> = None;
+        let mut first: Option<(usize, Dimension)> = None;
         for (axis, component) in vector.components.iter().enumerate() {
             let Some(found) = self.analysis.dimension(component, self.report) else { continue };
-            let own = Dimension::NUMBER.directed(Some(along(axis)));
-            let Some(turned) = found.times(own) else { continue };
-            let Some((unit, mirrors)) = first else {
-                first = Some((found, turned));
+            let Some((other, unit)) = first else {
+                first = Some((axis, found));
                 continue;
             };
+            let what = format!("`{}`, the {} of the direction of `{joint}`,", short(component), AXES[axis]);
+            let reference = format!("its {}, `{}`,", AXES[other], short(&vector.components[other]));
             if !found.same_unit(unit) {
-                let message = format!(
-                    "the direction of `{joint}` has components that are {} and {}: expected one unit",
-                    unit.place(),
-                    found.place()
-                );
+                let message =
+                    format!("{what} is {}, but {reference} {}: expected one unit", found.place(), unit.place());
                 self.report.error(component.region, message);
-            } else if self.analysis.dimensions.mirrored && turned.odd != mirrors.odd {
+                continue;
+            }
+            let expected = Dimension::NUMBER.directed(Some(product(axis, other)));
+            let ratio = unit.power(-1).and_then(|inverse| found.times(inverse));
+            if let Some(ratio) = ratio.filter(|ratio| self.analysis.dimensions.mirrored && *ratio != expected) {
                 let message = format!(
-                    "this component of the direction of `{joint}` {}, but not as the others do with their axes: expected \
-                     a direction that mirrors like a line",
-                    found.sign()
+                    "the ratio of {what} to {reference} {}: expected one that {}",
+                    ratio.sign(),
+                    expected.sign()
                 );
                 self.report.error(component.region, message);
             }

@@ -1,0 +1,93 @@
+//! The names of joints and freedoms, which coordinates and forces refer to.
+
+use proc_macro2::Ident;
+
+use super::tree::Role;
+use crate::mechanics::Motion;
+use crate::nearest::nearest;
+use crate::report::Report;
+use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
+
+/// The names of joints and of freedoms. Coordinates and forces that are of none are reported, unless what is missing may
+/// be among other mistakes: if the mechanism is not `complete`.
+pub fn named<'a>(
+    declaration: &Declaration,
+    mechanism: &'a Mechanism,
+    complete: bool,
+    report: &mut Report,
+) -> Vec<(&'a Ident, Role)> {
+    let joints = mechanism.joints.iter().enumerate().map(|(index, joint)| (&joint.name, Role::Joint(index)));
+    let freedoms = mechanism.free.iter().flat_map(|free| &free.names);
+    let freedoms = freedoms.map(|(freedom, name)| (name, Role::Freedom(*freedom)));
+    let mut named: Vec<(&Ident, Role)> = Vec::new();
+    for (name, role) in joints.chain(freedoms) {
+        if named.iter().any(|(known, _)| *known == name) {
+            report.error(name, format!("`{name}` is the coordinate of two joints: expected one of each name"));
+        } else if named.iter().any(|(_, known)| *known == role) {
+            report.error(name, format!("a second name, `{name}`, of one freedom: expected one"));
+        } else {
+            named.push((name, role));
+        }
+    }
+    let hint = |name: &Ident| {
+        let known: Vec<String> = named.iter().map(|(known, _)| known.to_string()).collect();
+        let near = nearest(&name.to_string(), known.iter().map(String::as_str));
+        near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default()
+    };
+    for coordinate in &declaration.coordinates {
+        let name = &coordinate.name;
+        let Some((_, role)) = named.iter().find(|(known, _)| *known == name) else {
+            if !complete {
+                continue;
+            }
+            let message = format!(
+                "`{name}` is no joint of the mechanism: expected the name of a joint, or of a freedom in `free`{}",
+                hint(name)
+            );
+            report.error(name, message);
+            continue;
+        };
+        let turns = match role {
+            Role::Joint(index) => mechanism.joints[*index].kind == JointKind::Revolute,
+            Role::Freedom(freedom) => direction(*freedom).0 == Motion::Turns,
+            Role::Forward | Role::Spin(_) => continue,
+        };
+        let (what, expected) = if turns { ("turns", "rad") } else { ("slides", "m") };
+        if let Some(unit) = coordinate.unit.as_ref().filter(|unit| unit.text != expected) {
+            report.error(unit.region, format!("`{name}` {what}: expected `{expected}`"));
+        }
+        if coordinate.direction.is_some() {
+            let message = format!("the mechanism says how `{name}` {what}: expected no direction here");
+            report.error(name, message);
+        }
+    }
+    for force in &mechanism.forces {
+        // A coordinate that is no joint is reported already.
+        let known = named.iter().map(|(name, _)| *name).chain(declaration.coordinates.iter().map(|q| &q.name));
+        if complete && !known.into_iter().any(|known| *known == force.on) {
+            let message = format!(
+                "`{}` is no joint of the mechanism: expected the coordinate of one{}",
+                force.on,
+                hint(&force.on)
+            );
+            report.error(&force.on, message);
+        }
+    }
+    for (index, force) in mechanism.forces.iter().enumerate() {
+        if mechanism.forces[..index].iter().any(|known| known.name == force.name) {
+            report.error(&force.name, format!("`{}` is declared twice: expected one force of each name", force.name));
+        }
+    }
+    named
+}
+
+/// How a freedom moves, and along or about which axis.
+pub fn direction(freedom: Freedom) -> (Motion, usize) {
+    match freedom {
+        Freedom::Lateral => (Motion::Slides, 1),
+        Freedom::Vertical => (Motion::Slides, 2),
+        Freedom::Yaw => (Motion::Turns, 2),
+        Freedom::Lean => (Motion::Turns, 0),
+        Freedom::Pitch => (Motion::Turns, 1),
+    }
+}

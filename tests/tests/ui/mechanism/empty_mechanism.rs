@@ -1,0 +1,24 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0, along z;
+            g: N/kg, >= 0, gravity;
+        }
+
+        mechanism {
+        }
+
+        coordinates {
+            theta: rad;
+        }
+
+        set example {
+            m = 1;
+            l = 2;
+            g = 9.81;
+        }
+    }
+}
+
+fn main() {}

@@ -1,0 +1,30 @@
+carvallo::model! {
+    pub model Disc {
+        parameters {
+            r: m, > 0, along z;
+            m: kg, > 0;
+            Ia: kg*m^2, >= 0;
+            It: kg*m^2, > 0;
+            g: N/kg, >= 0, gravity;
+        }
+
+        mechanism {
+            wheel D "disc": mass m, at (0, 0, -r), radius r, axial Ia, radial It;
+        }
+
+        coordinates {
+            phi "lean": rad;
+            psi "yaw": rad;
+        }
+
+        set example {
+            r = 0.3;
+            m = 1;
+            Ia = 0.09;
+            It = 0.045;
+            g = 9.81;
+        }
+    }
+}
+
+fn main() {}
