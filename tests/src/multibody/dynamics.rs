@@ -74,10 +74,17 @@ impl Mechanism {
         self.stand(&mut state, &dependent);
         let rolling = self.rolling(&state);
         let by_dependent = rolling.select_columns(&dependent);
-        let (conditions, coordinates) = by_dependent.shape();
-        assert_eq!(conditions, coordinates, "as many conditions of rolling as coordinates that follow from it");
-        let inverse = by_dependent.try_inverse().expect("coordinates that follow from rolling");
-        let against = |slip: DMatrix<f64>| -&inverse * slip;
+        let inverse = inverse(&by_dependent).expect("coordinates that follow from rolling");
+        let against = |slip: DMatrix<f64>| {
+            let rates = -&inverse * &slip;
+            // Of more conditions than coordinates some follow from others, as for two wheels on one axle.
+            let left = (&by_dependent * &rates + &slip).amax();
+            assert!(
+                left <= 1e-6 * slip.amax().max(1.0),
+                "conditions of rolling that can all be met: {left} m/s of slip"
+            );
+            rates
+        };
         let rates = against(self.touches(&state, |touch| touch.slip));
         put(&mut state.qd, &dependent, rates);
         let accelerations = against(self.touches(&state, |touch| touch.slip_rate));
@@ -139,6 +146,16 @@ impl Mechanism {
             }
         }
         forces
+    }
+}
+
+/// What solves equations, of which there may be more than unknowns; none if they leave an unknown open.
+fn inverse(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    const SMALL: f64 = 1e-9;
+    match matrix.is_square() {
+        true => matrix.clone().try_inverse(),
+        false if matrix.rank(SMALL) < matrix.ncols() => None,
+        false => matrix.clone().pseudo_inverse(SMALL).ok(),
     }
 }
 

@@ -11,6 +11,8 @@ mod kinematics;
 mod others;
 #[cfg(feature = "compiler")]
 mod random;
+#[cfg(feature = "compiler")]
+mod vehicles;
 
 use carvallo::{Coefficients, Matrix};
 
