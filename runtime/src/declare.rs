@@ -18,7 +18,7 @@
 ///
 ///     let a = m*r^2*sin(lam)^2;                 // + - * / ^, parentheses, sin, cos, tan, sqrt, pi
 ///     require a/r^2 + m > 0;                    // a condition on several parameters; `!= 0` is one too
-///     assert a == m*r^2*(1 - cos(2*lam))/2;     // a claim, to be proved
+///     assert a == m*r^2*(1 - cos(2*lam))/2;     // a claim, to be proved; also of a matrix, `assert M == [[…]];`
 ///
 ///     coordinates {
 ///         phi "lean": rad;                      // angles and lengths; with a direction, `rad, about x`
@@ -84,8 +84,8 @@
 ///   circle of that radius. Two wheels on one axle are two wheels: neither slips sideways without the other.
 /// - `revolute` and `prismatic`: a joint, called like its coordinate, from one body, or the `ground`, `to` the one that
 ///   it moves: right-handed about an axis `through` a point, or along it. The length of `along` is of no account.
-///   `spring` (N*m or N/m) and `damper` (N*m*s or N*s/m) act on the coordinate; springs are unloaded in the reference
-///   configuration.
+///   `spring` (N*m or N/m) and `damper` (N*m*s or N*s/m) act on the coordinate. In the reference configuration a spring
+///   at a coordinate of the model carries the weight that rests on it, any other spring is unloaded.
 /// - `fix`: one body is a part of another one.
 /// - `free`: the body on which all others hang where nothing holds it to the ground. Beside the forward motion, which
 ///   is v, it has the freedoms `lateral`, `vertical`, `yaw`, `lean` and `pitch`: how its point at the origin moves to
@@ -97,8 +97,13 @@
 /// The coordinates are joints and named freedoms, and determine all others: by the wheels, which stay on the ground and
 /// do not slip. What follows beside the matrices is computed by `Name::kinematics`: the rates of all that is no
 /// coordinate, yaw and wheels among them, as [`Rate`](crate::Rate)s, and `forces`, which makes f out of applied forces.
+/// A joint that goes on by its own position, as a trailing caster does, has no rate that follows from the coordinates.
 ///
-/// Refused are a loop of joints and a body that hangs on nothing; a wheel off the ground; an axis of no length;
+/// Where formulas for a matrix are known, `assert M == [[…]];` has them compared: every entry that was derived is proved
+/// to be the one that is written.
+///
+/// Refused are a loop of joints and a body that hangs on nothing; a wheel off the ground, or without a parameter that is
+/// the `gravity`; an axis of no length;
 /// freedoms that nothing determines, and constraints that block or repeat each other, as with three wheels in line; a
 /// reference state that gravity would leave; coordinates that change the speed in the first order; a motion that
 /// depends on the position of a joint that rolls; and coordinates that move no mass.
@@ -129,7 +134,7 @@
 ///
 /// # What it proves
 /// `symmetric` before a matrix claims that each entry equals its mirror image; `assert` claims that two formulas of
-/// parameters and definitions are equal. Claims are proved exactly, for all parameters, under the rules of fractions,
+/// parameters and definitions are equal, or a matrix and its formulas. Claims are proved exactly, for all parameters, under the rules of fractions,
 /// roots, sin² + cos² = 1 and the addition theorems, but without the domains: `sqrt(a^2) == a` is not proved for a > 0.
 /// One that is wrong is an error with values for which it is, inside the domains and requirements; so is one that can be
 /// neither proved nor refuted. Claims make no code, and what only they mention is not used.

@@ -197,33 +197,32 @@ pub struct SkateboardMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> Skateboard<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 9 additions, 17 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 34 operations.
+    /// 9 additions, 18 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 35 operations.
     ///
     /// The parameters are not validated.
     #[inline]
     #[must_use]
     pub fn matrices(&self) -> SkateboardMatrices<T> {
         let P_gamma_lateral = self.m * self.h;
-        let t10 = (self.Ixx - (self.r * P_gamma_lateral))
-            + (self.h * (P_gamma_lateral + (self.r * self.m)));
-        let (t14, t12) = ::carvallo::Scalar::sin_cos(self.lamR);
+        let t10 = (self.Ixx + (self.r * (P_gamma_lateral - P_gamma_lateral)))
+            + (self.m * (self.h * self.h));
+        let (lateral_per_v_deltaR, t12) = ::carvallo::Scalar::sin_cos(self.lamR);
         let t13 = <T as ::carvallo::Scalar>::from_f64(1.0) / t12;
-        let t15 = t13 * t14;
-        let t25 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
-        let (t30, t28) = ::carvallo::Scalar::sin_cos(self.lamF);
-        let t29 = <T as ::carvallo::Scalar>::from_f64(1.0) / t28;
-        let t33 = (t25 * t15) + (t29 * (t30 * t25));
-        let t35 = ((self.Ixz + ((self.m * self.x) * ((self.r + self.h) - self.r))) * t33)
-            - (P_gamma_lateral * t15);
-        let t42 = (self.kF * (t29 * t29)) + (self.kR * (t13 * t13));
-        let t43 = P_gamma_lateral * t33;
-        let t44 = -P_gamma_lateral;
+        let (t27, t25) = ::carvallo::Scalar::sin_cos(self.lamF);
+        let t26 = <T as ::carvallo::Scalar>::from_f64(1.0) / t25;
+        let t29 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
+        let t34 = (t26 * (t27 * t29)) + (t13 * (lateral_per_v_deltaR * t29));
+        let t36 = ((self.Ixz + ((self.m * self.x) * ((self.r + self.h) - self.r))) * t34)
+            - ((t13 * lateral_per_v_deltaR) * P_gamma_lateral);
+        let t43 = (self.kF * (t26 * t26)) + (self.kR * (t13 * t13));
+        let t44 = P_gamma_lateral * t34;
+        let t45 = -P_gamma_lateral;
         SkateboardMatrices {
             m: [[t10]],
-            c1: [[t35]],
-            kc: [[t42]],
-            k0: [[t44]],
-            k2: [[t43]],
+            c1: [[t36]],
+            kc: [[t43]],
+            k0: [[t45]],
+            k2: [[t44]],
         }
     }
 }
@@ -258,41 +257,40 @@ pub struct SkateboardKinematics<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> Skateboard<T> {
     /// Rates and forces that follow from the coordinates:
-    /// 2 additions, 13 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 31 operations.
+    /// 2 additions, 12 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 30 operations.
     ///
     /// The parameters are not validated.
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> SkateboardKinematics<T> {
-        let (t6, t4) = ::carvallo::Scalar::sin_cos(self.lamR);
+        let (lateral_per_v_deltaR, t4) = ::carvallo::Scalar::sin_cos(self.lamR);
         let t5 = <T as ::carvallo::Scalar>::from_f64(1.0) / t4;
-        let t7 = t5 * t6;
-        let (t9, t13) = ::carvallo::Scalar::sin_cos(self.lamF);
-        let t11 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
-        let t12 = t9 * t11;
+        let t7 = t5 * lateral_per_v_deltaR;
+        let pitch_by_vertical = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
+        let (t11, t13) = ::carvallo::Scalar::sin_cos(self.lamF);
         let t14 = <T as ::carvallo::Scalar>::from_f64(1.0) / t13;
-        let t16 = t11 * t6;
-        let t18 = (t12 * t14) + (t5 * t16);
+        let t15 = (pitch_by_vertical * t11) * t14;
+        let t16 = pitch_by_vertical * lateral_per_v_deltaR;
+        let t18 = t15 + (t5 * t16);
         let t19 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.r;
-        let t21 = self.b * t19;
-        let t23 = (t21 * t14) * t9;
-        let spin_FL_per_v_deltaF = t21 * t12;
-        let spin_FL_per_v_deltaR = t21 * t16;
-        let t28 = (spin_FL_per_v_deltaF * t14) + (t5 * spin_FL_per_v_deltaR);
-        let spin_RL_by_gamma = t21 * t7;
-        let t30 = -self.r;
-        let t31 = -t7;
-        let t32 = -t14;
-        let t33 = -t5;
-        let t34 = -t19;
-        let t35 = -t23;
-        let t36 = -t28;
-        let t37 = -spin_RL_by_gamma;
+        let t22 = self.b * t19;
+        let t23 = (t11 * t14) * t22;
+        let spin_FL_per_v_deltaR = t16 * t22;
+        let t27 = (t22 * t15) + (t5 * spin_FL_per_v_deltaR);
+        let spin_RL_by_gamma = t7 * t22;
+        let t29 = -self.r;
+        let t30 = -t7;
+        let t31 = -t14;
+        let t32 = -t5;
+        let t33 = -t19;
+        let t34 = -t23;
+        let t35 = -t27;
+        let t36 = -spin_RL_by_gamma;
         SkateboardKinematics {
             lateral: ::carvallo::Rate {
                 speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [t30],
-                coordinates: [t31],
+                rates: [t29],
+                coordinates: [t30],
                 heading: <T as ::carvallo::Scalar>::from_f64(1.0),
             },
             yaw: ::carvallo::Rate {
@@ -303,38 +301,38 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
             },
             deltaF: ::carvallo::Rate {
                 speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [t32],
+                rates: [t31],
                 coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
                 heading: <T as ::carvallo::Scalar>::from_f64(0.0),
             },
             deltaR: ::carvallo::Rate {
                 speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [t33],
+                rates: [t32],
                 coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
                 heading: <T as ::carvallo::Scalar>::from_f64(0.0),
             },
             wheel_FL: ::carvallo::Rate {
-                speed: t34,
-                rates: [t35],
-                coordinates: [t36],
+                speed: t33,
+                rates: [t34],
+                coordinates: [t35],
                 heading: <T as ::carvallo::Scalar>::from_f64(0.0),
             },
             wheel_FR: ::carvallo::Rate {
-                speed: t34,
+                speed: t33,
                 rates: [t23],
-                coordinates: [t28],
+                coordinates: [t27],
                 heading: <T as ::carvallo::Scalar>::from_f64(0.0),
             },
             wheel_RL: ::carvallo::Rate {
-                speed: t34,
+                speed: t33,
                 rates: [spin_RL_by_gamma],
-                coordinates: [t36],
+                coordinates: [t35],
                 heading: <T as ::carvallo::Scalar>::from_f64(0.0),
             },
             wheel_RR: ::carvallo::Rate {
-                speed: t34,
-                rates: [t37],
-                coordinates: [t28],
+                speed: t33,
+                rates: [t36],
+                coordinates: [t27],
                 heading: <T as ::carvallo::Scalar>::from_f64(0.0),
             },
             forces: [[<T as ::carvallo::Scalar>::from_f64(1.0)]],

@@ -32,7 +32,7 @@ const MOST: [(&str, &str, usize); 9] = [
     ("whipple_leaning", include_str!("../../../generated/src/models/whipple_leaning.rs"), 141),
     ("rear_steered", include_str!("../../../generated/src/models/rear_steered.rs"), 109),
     ("rolling_disc", include_str!("../../../generated/src/models/rolling_disc.rs"), 8),
-    ("skateboard", include_str!("../../../generated/src/models/skateboard.rs"), 34),
+    ("skateboard", include_str!("../../../generated/src/models/skateboard.rs"), 35),
     ("double_pendulum", include_str!("../../../generated/src/models/double_pendulum.rs"), 21),
 ];
 

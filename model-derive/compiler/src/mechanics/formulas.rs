@@ -133,17 +133,22 @@ impl<'e> Formulas<'e> {
     /// Whether a formula may be divided by: one that is neither proved to be zero nor clearly not zero may not.
     pub fn is_divisor(&self, form: &Form) -> bool {
         let sample = self.at_sample(form);
-        sample.is_not_zero() || !sample.value().is_finite() && !self.is_zero(form)
+        sample.is_not_zero() || !sample.is_finite() && !self.is_zero(form)
     }
 
     /// A formula without the definitions that the derivation made.
-    pub fn inserted(&self, form: &Form) -> Expr {
+    pub fn opened(&self, form: &Form) -> Form {
         let first = self.values.len() - self.names.len();
         let made = self.values.iter().enumerate().skip(first).rev();
-        let form = made.fold(form.clone(), |form, (index, value)| {
+        let open = made.fold(form.clone(), |form, (index, value)| {
             form.replace(&self.engine.definition(self.parameters, index), value)
         });
-        form.simplest().expr(self.parameters)
+        self.simplest(&open)
+    }
+
+    /// The same without the engine.
+    pub fn inserted(&self, form: &Form) -> Expr {
+        self.opened(form).expr(self.parameters)
     }
 
     /// The names and values of the definitions that the derivation made.

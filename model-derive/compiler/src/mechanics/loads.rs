@@ -10,7 +10,9 @@ use crate::symbolic::Form;
 
 /// The load of each wheel, upward and divided by gravity.
 ///
-/// At every joint the loads balance the weight of what it moves, which acts along z.
+/// At every joint the loads balance the weight of what it moves, which acts along z. Only a spring at a coordinate may
+/// have a force of its own: whatever it holds in the reference configuration, a constant force at a joint makes no
+/// stiffness there.
 pub fn loads(
     mechanism: &Mechanism<Form>,
     contacts: &[Contact<'_>],
@@ -19,21 +21,21 @@ pub fn loads(
 ) -> Result<Vec<Form>, Vec<Fault>> {
     let wheels: Vec<usize> = (0..contacts.len()).collect();
     let heights: Vec<Vec<Form>> = contacts.iter().map(|contact| contact.height().rates).collect();
-    let mut solved = Solved::default();
-    let mut faults = Vec::new();
-    for joint in 0..mechanism.joints.len() {
-        let lifted = heights.iter().map(|height| height[joint].clone());
-        let row = lifted.chain([composites.moved(joint).momentum[2].clone()]).collect();
-        let name = |wheel: usize, _| format!("load_{}", mechanism.joints[mechanism.wheels[wheel].spin].name);
-        if let Err(left) = solved.add(row, &wheels, formulas, name)
-            && let Some(force) = left.last().filter(|force| !formulas.is_zero(force))
-        {
-            faults.push(Fault::Unbalanced { joint, force: formulas.inserted(force) });
-        }
-    }
-    let load = |wheel: &usize| {
-        let row = solved.rows.iter().find(|(unknown, _)| unknown == wheel).map(|(_, row)| row);
-        row.and_then(|row| row.last()).cloned().unwrap_or(Form::number(0))
+    let holds = |joint: &usize| mechanism.joints[*joint].stiffness.is_some() && mechanism.coordinates.contains(joint);
+    let joints: Vec<usize> = (0..mechanism.joints.len()).filter(|joint| !holds(joint)).collect();
+    let row = |joint: &usize| {
+        let lifted = heights.iter().map(|height| height[*joint].clone());
+        let row = lifted.chain([composites.moved(*joint).momentum[2].clone()]).collect();
+        (row, &wheels[..])
     };
+    let name = |wheel: usize, _| format!("load_{}", mechanism.joints[mechanism.wheels[wheel].spin].name);
+    let mut solved = Solved::default();
+    let left = solved.add(joints.iter().map(row).collect(), formulas, name);
+    let force = |(row, left): &(usize, Vec<Form>)| {
+        let force = left.last().filter(|force| !formulas.is_zero(force))?;
+        Some(Fault::Unbalanced { joint: joints[*row], force: formulas.inserted(force) })
+    };
+    let faults: Vec<Fault> = left.iter().filter_map(force).collect();
+    let load = |wheel: &usize| solved.get(*wheel).and_then(|row| row.last()).cloned().unwrap_or(Form::number(0));
     if faults.is_empty() { Ok(wheels.iter().map(load).collect()) } else { Err(faults) }
 }

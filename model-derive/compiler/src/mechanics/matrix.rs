@@ -38,3 +38,15 @@ pub fn plus(left: &Matrix, right: &Matrix) -> Matrix {
     let sum = |(a, b): (&Vec<Form>, &Vec<Form>)| a.iter().zip(b).map(|(a, b)| a + b).collect();
     left.iter().zip(right).map(sum).collect()
 }
+
+/// By the entries of the first row; for small matrices.
+pub fn determinant(matrix: &Matrix) -> Form {
+    let Some((first, rest)) = matrix.split_first() else { return Form::number(1) };
+    let without =
+        |column: usize| -> Matrix { rest.iter().map(|row| [&row[..column], &row[column + 1..]].concat()).collect() };
+    let terms = first.iter().enumerate().filter(|(_, entry)| !entry.is_nothing()).map(|(column, entry)| {
+        let term = entry * &determinant(&without(column));
+        if column % 2 == 0 { term } else { -&term }
+    });
+    terms.fold(Form::number(0), |sum, term| &sum + &term)
+}

@@ -39,7 +39,7 @@ pub struct Derived {
     /// Names and formulas; names may occur twice.
     pub definitions: Vec<(String, Expr)>,
     pub matrices: Matrices<Expr>,
-    /// For each joint that is no coordinate.
+    /// For each joint that is no coordinate, and whose rate follows from these.
     pub rates: Vec<Rate>,
     /// For each coordinate and each applied force: the force on the coordinate that it makes.
     pub forces: Vec<Vec<Expr>>,
@@ -65,6 +65,8 @@ pub enum Fault {
     OffGround { wheel: usize, below: Expr },
     /// A condition of rolling that only coordinates, at these joints, could satisfy; none for one that says nothing new.
     Tied { ground: Ground, joints: Vec<usize> },
+    /// A condition of rolling of which it could not be proved that it follows from others, nor that it does not.
+    Undecided { ground: Ground },
     /// Joints that neither are coordinates nor are determined by wheels.
     Undetermined(Vec<usize>),
     /// A force of gravity that nothing balances, divided by gravity.
@@ -139,7 +141,7 @@ fn derived(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Resul
         if formulas.is_zero(&square) {
             faults.push(Fault::NoAxis { joint: index });
         } else if !formulas.is_zero(&(&square - &Form::number(1))) {
-            let length = formulas.name(format!("length_{}", joint.name), &square.root());
+            let length = formulas.name(format!("length_{}", joint.name), &square.in_sines().root());
             joint.axis = joint.axis.each_ref().map(|component| component.over(&length));
         }
     }
@@ -171,7 +173,14 @@ impl Found {
         let expr = |form: &Form| form.expr(parameters);
         let all = |row: &[Form]| row.iter().map(expr).collect();
         let n = mechanism.coordinates.len();
-        let rates = (0..mechanism.joints.len()).filter(|joint| !mechanism.coordinates.contains(joint)).map(|joint| {
+        let yaw = mechanism.root.map(|root| root.yaw);
+        // A rate that depends on its own position, as that of a caster does, does not follow from the coordinates.
+        let follows = |joint: &usize| {
+            let others = motions.rolling.iter().filter(|other| Some(**other) != yaw);
+            !mechanism.coordinates.contains(joint)
+                && others.into_iter().all(|other| motions.positions[*joint][*other].is_nothing())
+        };
+        let rates = (0..mechanism.joints.len()).filter(follows).map(|joint| {
             let positions = &motions.positions[joint];
             Rate {
                 joint,

@@ -41,32 +41,27 @@ impl Motions {
                 false => format!("{}_per_v_{}", of(unknown), of(column - count)),
             }
         };
-        let mut faults = Vec::new();
         let mut solved = Solved::default();
-        for (wheel, contact) in contacts.iter().enumerate() {
-            if let Err(left) = solved.add(row(contact.height()), &dependent, formulas, name) {
-                faults.push(tied(&left, mechanism, formulas, Ground::Height(wheel)));
-            }
-        }
+        let rows = contacts.iter().map(|contact| (row(contact.height()), &dependent[..])).collect();
+        let left = solved.add(rows, formulas, name);
+        let mut faults: Vec<Fault> =
+            left.iter().map(|(wheel, left)| tied(left, mechanism, formulas, Ground::Height(*wheel))).collect();
         if !faults.is_empty() {
             return Err(faults);
         }
         let heights = solved.clone();
-        for (wheel, contact) in contacts.iter().enumerate() {
-            let spin = [mechanism.wheels[wheel].spin];
-            let conditions = [
-                (contact.sideways(), Ground::Sideways(wheel), &dependent[..]),
-                (contact.along(), Ground::Along(wheel), &spin),
-            ];
-            for (condition, ground, may) in conditions {
-                let Err(left) = solved.add(row(condition), may, formulas, name) else { continue };
-                // Two wheels on one axle cannot slip sideways one without the other.
-                if left.iter().any(|entry| !formulas.is_zero(entry)) {
-                    faults.push(tied(&left, mechanism, formulas, ground));
-                }
-            }
-        }
-        let free = dependent.iter().filter(|joint| !solved.rows.iter().any(|(unknown, _)| unknown == *joint));
+        let sideways = contacts.iter().map(|contact| (row(contact.sideways()), &dependent[..])).collect();
+        let sideways =
+            solved.add(sideways, formulas, name).into_iter().map(|(wheel, left)| (Ground::Sideways(wheel), left));
+        let spins: Vec<[usize; 1]> = mechanism.wheels.iter().map(|wheel| [wheel.spin]).collect();
+        let along = contacts.iter().zip(&spins).map(|(contact, spin)| (row(contact.along()), &spin[..])).collect();
+        let along = solved.add(along, formulas, name).into_iter().map(|(wheel, left)| (Ground::Along(wheel), left));
+        // Two wheels on one axle cannot slip sideways one without the other.
+        let tie = |(ground, left): &(Ground, Row)| {
+            left.iter().any(|entry| !formulas.is_zero(entry)).then(|| tied(left, mechanism, formulas, *ground))
+        };
+        faults.extend(sideways.chain(along).collect::<Vec<_>>().iter().filter_map(tie));
+        let free = dependent.iter().filter(|joint| solved.get(**joint).is_none());
         let free: Vec<usize> = free.copied().collect();
         if !free.is_empty() && faults.is_empty() {
             faults.push(Fault::Undetermined(free));
@@ -78,8 +73,8 @@ impl Motions {
         let by_height: Vec<usize> = heights.rows.iter().map(|(unknown, _)| *unknown).collect();
         let one = |is: bool| Form::number(i64::from(is));
         let places: Matrix = (0..count)
-            .map(|joint| match heights.rows.iter().find(|(unknown, _)| *unknown == joint) {
-                Some((_, row)) => {
+            .map(|joint| match heights.get(joint) {
+                Some(row) => {
                     (0..count).map(|other| if other == joint { one(false) } else { row[other].clone() }).collect()
                 }
                 None => (0..count).map(|other| one(other == joint)).collect(),
@@ -88,7 +83,7 @@ impl Motions {
         let mut rates = Matrix::new();
         let mut positions = Matrix::new();
         for joint in 0..count {
-            let Some((_, row)) = solved.rows.iter().find(|(unknown, _)| *unknown == joint) else {
+            let Some(row) = solved.get(joint) else {
                 rates.push(freedoms.iter().map(|freedom| one(*freedom == joint)).collect());
                 positions.push(vec![one(false); count]);
                 continue;
@@ -104,6 +99,12 @@ impl Motions {
 /// What is left of a condition that no dependent joint could satisfy.
 fn tied(left: &Row, mechanism: &Mechanism<Form>, formulas: &Formulas<'_>, ground: Ground) -> Fault {
     let count = mechanism.joints.len();
-    let joints = (0..count).filter(|joint| !formulas.is_zero(&left[*joint]) || !formulas.is_zero(&left[count + joint]));
-    Fault::Tied { ground, joints: joints.collect() }
+    let at = |joint: usize| [&left[joint], &left[count + joint]];
+    let joints = |is: &dyn Fn(&Form) -> bool| (0..count).filter(|joint| at(*joint).into_iter().any(is)).collect();
+    let moved: Vec<usize> = joints(&|entry| formulas.at_sample(entry).is_not_zero());
+    let open: Vec<usize> = joints(&|entry| !formulas.is_zero(entry));
+    match moved.is_empty() && !open.is_empty() {
+        true => Fault::Undecided { ground },
+        false => Fault::Tied { ground, joints: moved },
+    }
 }

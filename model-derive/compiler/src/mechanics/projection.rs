@@ -16,7 +16,7 @@ use super::mechanism::Mechanism;
 use super::motion::Motions;
 use super::unreduced::Unreduced;
 use super::{Fault, Matrices};
-use crate::symbolic::Form;
+use crate::symbolic::{Form, Sample};
 use crate::syntax::MatrixName;
 
 /// The equations of motion with a row for each freedom: the coordinates, and behind them the forward motion if there is
@@ -99,20 +99,22 @@ impl<'a> Projection<'a> {
     fn massless(&self, formulas: &Formulas<'_>) -> Option<usize> {
         let n = self.mechanism.coordinates.len();
         let [(_, mass), ..] = &self.by_rates;
-        let mut rows: Vec<Vec<f64>> = mass[..n]
-            .iter()
-            .map(|row| row[..n].iter().map(|entry| formulas.at_sample(entry).value()).collect())
-            .collect();
+        let mut rows: Vec<Vec<Sample>> =
+            mass[..n].iter().map(|row| row[..n].iter().map(|entry| formulas.at_sample(entry)).collect()).collect();
         for pivot in 0..n {
-            let size = rows[pivot].iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
             let divisor = rows[pivot][pivot];
-            if divisor.abs() <= ROUNDING * size {
-                return Some(pivot);
+            if divisor.is_finite() && !divisor.is_not_zero() {
+                let leading: Matrix = mass[..=pivot].iter().map(|row| row[..=pivot].to_vec()).collect();
+                // At other values it may be another number; the parameter sets of the model are looked at elsewhere.
+                return (pivot >= MAX_PROVED || formulas.is_zero(&matrix::determinant(&leading))).then_some(pivot);
             }
             let (done, rest) = rows.split_at_mut(pivot + 1);
             for row in rest {
-                let factor = row[pivot] / divisor;
-                row.iter_mut().zip(&done[pivot]).skip(pivot).for_each(|(entry, above)| *entry -= factor * above);
+                let factor = row[pivot].over(divisor);
+                row.iter_mut()
+                    .zip(&done[pivot])
+                    .skip(pivot)
+                    .for_each(|(entry, above)| *entry = entry.minus_product(factor, *above));
             }
         }
         None
@@ -137,8 +139,8 @@ impl<'a> Projection<'a> {
     }
 }
 
-/// A pivot that is smaller than this beside its row is a rounding error.
-const ROUNDING: f64 = 1e-9;
+/// Larger determinants would grow too long to be proved zero.
+const MAX_PROVED: usize = 4;
 
 /// With the same form for entries that mirror each other, where they are equal.
 fn mirrored(matrix: Matrix, formulas: &Formulas<'_>) -> Matrix {

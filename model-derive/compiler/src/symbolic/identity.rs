@@ -22,19 +22,13 @@ impl Form {
             return false;
         }
         let quotient = plain.expand().to_rational_polynomial::<_, _, u16>(&Q, &Z, None);
-        let numerator = quotient.numerator.to_expression().expand();
-        let reduced = numerator.replace_map_bottom_up(|view, _, out| {
-            let AtomView::Pow(power) = view else { return };
-            let (base, exponent) = power.get_base_exp();
-            let exponent = i64::try_from(exponent).unwrap_or(0);
-            if let Some(argument) = call_of(base, Symbol::COS)
-                && exponent >= 2
-            {
-                let sine = Atom::num(1) - argument.sin().pow(2);
-                **out = sine.pow(exponent / 2) * argument.cos().pow(exponent % 2);
-            }
-        });
-        reduced.expand().is_zero()
+        without_cosines(&quotient.numerator.to_expression().expand()).is_zero()
+    }
+
+    /// With sines in the place of squares of cosines, if that makes it shorter.
+    pub fn in_sines(&self) -> Self {
+        let sines = Self(without_cosines(&self.0.expand())).simplest();
+        if sines.operations() < self.operations() { sines } else { self.clone() }
     }
 
     /// Whether the formula would grow beyond what [`Form::is_zero`] looks at.
@@ -64,6 +58,22 @@ impl Form {
     pub fn replace(&self, name: &Self, value: &Self) -> Self {
         Self(self.0.replace(name.0.to_pattern()).with(value.0.to_pattern()))
     }
+}
+
+/// An expanded formula, expanded again with 1 - sin² in the place of each cos².
+fn without_cosines(expanded: &Atom) -> Atom {
+    let replaced = expanded.replace_map_bottom_up(|view, _, out| {
+        let AtomView::Pow(power) = view else { return };
+        let (base, exponent) = power.get_base_exp();
+        let exponent = i64::try_from(exponent).unwrap_or(0);
+        if let Some(argument) = call_of(base, Symbol::COS)
+            && exponent >= 2
+        {
+            let sine = Atom::num(1) - argument.sin().pow(2);
+            **out = sine.pow(exponent / 2) * argument.cos().pow(exponent % 2);
+        }
+    });
+    replaced.expand()
 }
 
 /// The sign of a number that is not zero.

@@ -69,9 +69,22 @@ impl Sample {
         Self { value, error: error + f64::EPSILON * value.abs() }
     }
 
-    /// The value, good or bad.
-    pub fn value(self) -> f64 {
-        self.value
+    /// This less a multiple of another one.
+    pub fn minus_product(self, factor: Self, other: Self) -> Self {
+        let error = factor.value.abs() * other.error + factor.error * other.value.abs();
+        let product = Self::rounded(factor.value * other.value, error);
+        Self::rounded(self.value - product.value, self.error + product.error)
+    }
+
+    /// Divided by one that is not zero.
+    pub fn over(self, divisor: Self) -> Self {
+        let quotient = self.value / divisor.value;
+        Self::rounded(quotient, (self.error + quotient.abs() * divisor.error) / divisor.value.abs())
+    }
+
+    /// Whether there is a value at all.
+    pub fn is_finite(self) -> bool {
+        self.value.is_finite()
     }
 
     /// Whether it is another number than zero, whatever rounding has done.

@@ -121,7 +121,7 @@ fn a_tricycle_tilts_on_its_axle() {
 
 #[test]
 fn a_caster_shimmies_on_a_springy_mount() {
-    // Nothing leans, so nothing has weight: a cart of two wheels on one axle that yaws as its caster, which slides and swivels, makes it.
+    // A cart of two wheels on one axle that yaws as its caster, which slides and swivels, makes it.
     let (x, b, r, w, c, rc) = (0.5, 0.3, 0.2, 1.0, 0.1, 0.08);
     let (m, iz, mw, a, t) = (75.0, 3.0, 2.0, 0.03, 0.02);
     let (ms, mk, iy, k, d, ky, dy) = (1.3, 1.0, 0.02, 500.0, 3.0, 4.0, 0.1);
@@ -144,6 +144,7 @@ fn a_caster_shimmies_on_a_springy_mount() {
         ("d", "N*s/m", d),
         ("ky", "N*m", ky),
         ("dy", "N*m*s", dy),
+        ("g", "N/kg, gravity", 9.81),
     ];
     let found = compiled(
         &parameters,
@@ -222,4 +223,70 @@ fn a_wheel_may_hang_on_any_joints() {
     }
     let coordinates = [slide, front, lean, root.lean, steer];
     assert_close(&found, &bicycle.linearized(coordinates, Some(root.x)), DIFFERENCES, "bicycle");
+}
+
+#[test]
+fn a_spring_at_a_coordinate_carries_what_rests_on_it() {
+    // The hanging mass: its weight stretches the spring, and changes nothing else.
+    let parameters = [("m", "kg", 2.0), ("k", "N/m", 50.0), ("g", "N/kg, gravity", 9.81)];
+    let parts = "body B: mass m, at (0, 0, 0), inertia 0; prismatic z: ground to B, along (0, 0, 1), spring k;";
+    let found = compiled::<1>(&parameters, parts, "z: m;");
+    let expected = Coefficients::from_rows([[[2.0]], [[0.0]], [[0.0]], [[50.0]], [[0.0]], [[0.0]]]);
+    assert_eq!(found, expected);
+    // A pendulum held level by a torsion spring: of its second derivatives the one of the height is zero there.
+    let parameters = [("m", "kg", 2.0), ("l", "m", 0.5), ("k", "N*m", 50.0), ("g", "N/kg, gravity", 9.81)];
+    let parts = "body B: mass m, at (0, l, 0), inertia 0; \
+                 revolute phi: ground to B, through (0, 0, 0), along (1, 0, 0), spring k;";
+    let found = compiled::<1>(&parameters, parts, "phi: rad;");
+    let expected = Coefficients::from_rows([[[0.5]], [[0.0]], [[0.0]], [[50.0]], [[0.0]], [[0.0]]]);
+    assert_eq!(found, expected);
+}
+
+/// A cart on two wheels with a massless caster behind them, on a vertical axis.
+const CASTER: &str = "body B: mass m, at (x, 0, -h), inertia [0, 0, I]; body K: massless; \
+    revolute kappa: B to K, through (w, 0, 0), along (0, 0, 1); \
+    wheel C on K: mass 0, at (w - c, 0, -r), radius r, axial 0, radial 0; \
+    wheel L on B: mass 0, at (0, -b, -r), radius r, axial 0, radial 0; \
+    wheel R on B: mass 0, at (0, b, -r), radius r, axial 0, radial 0; \
+    free B: yaw psi;";
+
+#[test]
+fn what_does_not_follow_from_the_coordinates_has_no_rate() {
+    let parameters = "m: kg; x: m; h: m, unused; I: kg*m^2; w: m, unused; c: m, unused; r: m; b: m; g: N/kg, gravity;";
+    let text =
+        format!("model Cart {{ parameters {{ {parameters} }} mechanism {{ {CASTER} }} coordinates {{ psi: rad; }} }}");
+    let compiled = compile(text.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
+    let rates = compiled.model.kinematics.expect("it is a mechanism").rates;
+    // The caster follows its own position: c kappa' = (w - c) psi' - v kappa. So does its wheel's heading, but not its spin.
+    let names: Vec<&str> = rates.iter().map(|rate| rate.name.as_str()).collect();
+    assert_eq!(names, ["lateral", "lean", "wheel_C", "wheel_L", "wheel_R"]);
+}
+
+#[test]
+fn a_side_wheel_may_stand_beside_another_one_and_before_it() {
+    // The massless wheel W hangs beside the rear wheel on an arm of its own, and changes nothing.
+    let parameters = [
+        ("m", "kg", 80.0),
+        ("x", "m", 0.5),
+        ("h", "m", 0.9),
+        ("I", "kg*m^2", 8.0),
+        ("w", "m", 1.0),
+        ("c", "m", 0.1),
+        ("r", "m", 0.3),
+        ("b", "m", 0.2),
+        ("a", "m", 0.4),
+        ("g", "N/kg, gravity", 9.81),
+    ];
+    let bicycle = "body B: mass m, at (x, 0, -h), inertia [I, 0, I]; body H: massless; \
+                   revolute delta: B to H, through (w + c, 0, 0), along (0, 0, 1); \
+                   wheel R on B: mass m/40, at (0, 0, -r), radius r, axial m*r^2/40, radial m*r^2/80; \
+                   wheel F on H: mass m/40, at (w, 0, -r), radius r, axial m*r^2/40, radial m*r^2/80; \
+                   free B: lean phi;";
+    let side = "body A: massless; revolute arm: B to A, through (a, 0, -r), along (0, 1, 0); \
+                wheel W on A: mass 0, at (0, b, -r), radius r, axial 0, radial 0;";
+    let without: Vec<_> = parameters.into_iter().filter(|(name, ..)| !["a", "b"].contains(name)).collect();
+    let expected = compiled::<2>(&without, bicycle, "phi: rad; delta: rad;");
+    for parts in [format!("{side} {bicycle}"), format!("{bicycle} {side}")] {
+        assert_close(&compiled::<2>(&parameters, &parts, "phi: rad; delta: rad;"), &expected, 1e-12, "side wheel");
+    }
 }

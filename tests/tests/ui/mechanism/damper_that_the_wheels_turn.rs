@@ -6,12 +6,12 @@ carvallo::model! {
             c: m, along x;
             r: m, > 0, along z;
             mB: kg, > 0;
-            xB: m, along x;
             zB: m, < 0, along z;
+            g: N/kg, >= 0, gravity;
         }
 
         mechanism {
-            body B "rear frame": mass mB, at (xB, 0, zB), inertia 0;
+            body B "rear frame": mass mB, at (0, 0, zB), inertia [1 [kg*m^2], 0, 1 [kg*m^2]];
             body H "front frame": massless;
             wheel R "rear wheel" on B: mass 0, at (0, 0, -r), radius r, axial 0, radial 0;
             wheel F "front wheel" on H: mass 0, at (w, 0, -r), radius r, axial 0, radial 0;
@@ -30,8 +30,8 @@ carvallo::model! {
             c = 0.1;
             r = 0.3;
             mB = 80;
-            xB = 0.4;
             zB = -1;
+            g = 9.81;
         }
     }
 }

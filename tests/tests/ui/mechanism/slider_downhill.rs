@@ -3,13 +3,12 @@ carvallo::model! {
         parameters {
             g: N/kg, >= 0, gravity;
             m: kg, > 0;
-            k: N/m, >= 0;
             d: N*s/m, >= 0;
         }
 
         mechanism {
             body B "block": mass m, at (0, 0, 0), inertia 0;
-            prismatic x: ground to B, along (1, 0, 1), spring k, damper d;
+            prismatic x: ground to B, along (1, 0, 1), damper d;
             force F "push" on x;
         }
 
@@ -20,7 +19,6 @@ carvallo::model! {
         set example {
             g = 9.81;
             m = 1;
-            k = 2;
             d = 3;
         }
     }

@@ -63,12 +63,22 @@ impl Place<'_> {
                     "the wheel `{}` is not on the ground, z = 0: its lowest point is at z = `{}`; expected its centre at \
                      z = `-{}`",
                     wheel.name,
-                    resolve::text(&self.names.expression(below)),
+                    self.names.text(below),
                     enclosed(&resolve::text(&wheel.radius)),
                 );
                 (height.region, message)
             }
             Fault::Tied { ground, joints } => self.tied(*ground, joints),
+            Fault::Undecided { ground } => {
+                let (Ground::Height(index) | Ground::Sideways(index) | Ground::Along(index)) = *ground;
+                let name = &self.mechanism.wheels[index].name;
+                let message = format!(
+                    "it could not be decided whether the wheel `{name}` adds a constraint to those of the other wheels: \
+                     formulas in their places differ by what is not proved to be zero; expected the same formula for \
+                     equal lengths and angles"
+                );
+                (Region::from(name), message)
+            }
             Fault::Undetermined(joints) => {
                 let expected = match joints.len() {
                     1 => "a coordinate for it, or a wheel that determines it",
@@ -82,9 +92,12 @@ impl Place<'_> {
             }
             Fault::Unbalanced { joint, force } => {
                 let (kind, of) = if self.turns(*joint) { ("moment", "about") } else { ("force", "along") };
+                let balance = match self.mechanism.wheels.is_empty() {
+                    true => "and nothing balances it",
+                    false => "which the loads of the wheels do not balance",
+                };
                 let message = format!(
-                    "the reference state is no steady motion: gravity makes the {kind} `{}` {of} {}, and nothing balances \
-                     it; expected 0",
+                    "the reference state is no steady motion: gravity makes the {kind} `{}` {of} {}, {balance}; expected 0",
                     self.times_gravity(force),
                     self.joint(*joint),
                 );
@@ -174,7 +187,7 @@ impl Place<'_> {
             Expr::Product(others) => factors.extend(others.iter().cloned()),
             other => factors.push((false, other.clone())),
         }
-        resolve::text(&self.names.expression(&Expr::Product(factors)))
+        self.names.text(&Expr::Product(factors))
     }
 
     /// The name of the coordinate that is the motion of a joint.
@@ -239,7 +252,7 @@ fn joint_of(fault: &Fault) -> Option<usize> {
         | Fault::Remains { joint }
         | Fault::Massless { joint }
         | Fault::Dragged { joint } => Some(*joint),
-        Fault::OffGround { .. } | Fault::Tied { .. } | Fault::Undetermined(_) => None,
+        Fault::OffGround { .. } | Fault::Tied { .. } | Fault::Undecided { .. } | Fault::Undetermined(_) => None,
     }
 }
 

@@ -41,9 +41,20 @@ fn lower_mechanism(
     report: &mut Report,
 ) {
     if let Some(matrix) = declaration.matrices.first() {
-        let message =
-            format!("`{}` beside a mechanism, from which it follows: expected one of both", matrix.name.name());
+        let message = format!(
+            "`{0}` beside a mechanism, from which it follows: expected `assert {0} == …` to have both compared",
+            matrix.name.name()
+        );
         report.error(matrix.span, message);
+    }
+    let is_light = declaration.parameters.iter().all(|parameter| parameter.gravity.is_none());
+    if let Some(wheel) = mechanism.wheels.first().filter(|_| is_light) {
+        let message = format!(
+            "nothing presses the wheel `{}` onto the ground: expected a parameter that is the field strength, `g: N/kg, \
+             >= 0, gravity;`",
+            wheel.name
+        );
+        report.error(&wheel.name, message);
     }
     let tree = tree::tree(mechanism, report);
     // Mistakes of the definitions are reported where all definitions are checked.

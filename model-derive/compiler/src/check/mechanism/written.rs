@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span};
 
+use crate::check::resolve;
 use crate::model::Expr;
 use crate::report::Region;
 use crate::syntax::{Expression, Factor, Kind, Term};
@@ -15,6 +16,11 @@ pub struct Names {
 }
 
 impl Names {
+    /// A formula as text, for messages.
+    pub fn text(&self, expr: &Expr) -> String {
+        resolve::text(&self.expression(&signs_first(expr)))
+    }
+
     pub fn expression(&self, expr: &Expr) -> Expression {
         let inner = |expr: &Expr| self.expression(expr);
         let kind = match expr {
@@ -28,9 +34,6 @@ impl Names {
                 Kind::Sum(terms.iter().map(term).collect())
             }
             Expr::Product(factors) => {
-                if let Some(positive) = negated(factors) {
-                    return self.expression(&Expr::Sum(vec![(true, Expr::Product(positive))]));
-                }
                 let factor = |(inverse, factor): &(bool, Expr)| Factor { inverse: *inverse, value: inner(factor) };
                 Kind::Product(factors.iter().map(factor).collect())
             }
@@ -40,6 +43,21 @@ impl Names {
             }
         };
         Expression { kind, region: Region::from(self.span) }
+    }
+}
+
+/// The same formula with the signs of products before them.
+fn signs_first(expr: &Expr) -> Expr {
+    let all = |parts: &[(bool, Expr)]| parts.iter().map(|(is, part)| (*is, signs_first(part))).collect();
+    match expr {
+        Expr::Product(factors) => match negated(factors) {
+            Some(positive) => Expr::Sum(vec![(true, Expr::Product(all(&positive)))]),
+            None => Expr::Product(all(factors)),
+        },
+        Expr::Sum(terms) => Expr::Sum(all(terms)),
+        Expr::Power(base, exponent) => Expr::Power(Box::new(signs_first(base)), *exponent),
+        Expr::Call(function, argument) => Expr::Call(*function, Box::new(signs_first(argument))),
+        Expr::Number(_) | Expr::Pi | Expr::Parameter(_) | Expr::Definition(_) => expr.clone(),
     }
 }
 

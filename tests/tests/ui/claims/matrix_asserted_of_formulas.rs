@@ -1,0 +1,10 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters { m: kg, > 0; l: m, > 0; }
+        coordinates { theta: rad; }
+        M = [[m*l^2]];
+        assert M == [[2*m*l^2]];
+    }
+}
+
+fn main() {}
