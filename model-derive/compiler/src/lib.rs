@@ -18,6 +18,7 @@ mod emit;
 mod equations;
 #[cfg(feature = "files")]
 pub mod files;
+pub mod kinematics;
 mod mechanics;
 pub mod model;
 mod nearest;

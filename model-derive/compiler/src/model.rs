@@ -2,8 +2,9 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 
+use crate::kinematics::Kinematics;
 use crate::report::Region;
-use crate::syntax::{Decimal, Kinematics, MatrixName};
+use crate::syntax::{Decimal, MatrixName};
 
 /// A model that passed all checks.
 #[derive(Debug)]

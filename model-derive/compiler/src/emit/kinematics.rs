@@ -8,9 +8,9 @@ use quote::{format_ident, quote};
 use super::evaluator::Body;
 use super::names::Names;
 use super::{allow, docs};
+use crate::kinematics::Kinematics;
 use crate::model::{Expr, Model};
 use crate::program::{Counts, Program};
-use crate::syntax::Kinematics;
 
 /// Nothing for a model whose formulas are written, or whose mechanism has no motions and forces beside its coordinates.
 pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> Option<TokenStream> {

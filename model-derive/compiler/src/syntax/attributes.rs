@@ -4,9 +4,9 @@ use proc_macro2::Ident;
 use syn::Token;
 use syn::parse::ParseStream;
 
-use super::declaration::{Inertia, Vector};
 use super::expression::{Expression, expression};
 use super::items::list;
+use super::parts::{Inertia, Vector};
 use super::tokens::{expected, semicolon};
 use crate::nearest::nearest;
 use crate::report::{Region, error};

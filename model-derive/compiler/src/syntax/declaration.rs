@@ -3,7 +3,9 @@
 use proc_macro2::{Ident, Span, TokenStream};
 
 use super::expression::Expression;
+use super::parts::Mechanism;
 use super::unit::Unit;
+use crate::kinematics::Kinematics;
 use crate::report::Region;
 
 /// Documentation lines, joined.
@@ -29,7 +31,7 @@ pub struct Declaration {
     /// What the matrices are derived from, unless they are written.
     pub mechanism: Option<Mechanism>,
     /// What else is derived from it.
-    pub kinematics: Option<Kinematics>,
+    pub kinematics: Option<Kinematics<Expression>>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,
 }
@@ -172,211 +174,6 @@ pub struct Matrix {
     pub rows: Vec<(Region, Vec<Expression>)>,
     /// The brackets and all between.
     pub region: Region,
-}
-
-/// `mechanism { … }`
-#[derive(Debug)]
-pub struct Mechanism {
-    /// Its first word.
-    pub span: Span,
-    pub bodies: Vec<Body>,
-    pub wheels: Vec<Wheel>,
-    pub joints: Vec<Joint>,
-    /// Each body with the one that it is fixed to.
-    pub fixed: Vec<(Ident, Ident)>,
-    pub free: Vec<Free>,
-    pub forces: Vec<Force>,
-    /// The parts that could not be read, each with its name if it has one.
-    pub unread: Vec<Option<Ident>>,
-}
-
-impl Mechanism {
-    /// Without parts.
-    pub fn new(span: Span) -> Self {
-        let (bodies, wheels, joints) = (Vec::new(), Vec::new(), Vec::new());
-        let (fixed, free, forces) = (Vec::new(), Vec::new(), Vec::new());
-        Self { span, bodies, wheels, joints, fixed, free, forces, unread: Vec::new() }
-    }
-
-    /// All formulas in it.
-    pub fn formulas(&self) -> impl Iterator<Item = &Expression> {
-        let bodies = self.bodies.iter().filter_map(|body| body.mass.as_ref()).flat_map(|(mass, centre, inertia)| {
-            let moments = match inertia {
-                Inertia::None => Vec::new(),
-                Inertia::Principal(moments) => moments.iter().collect(),
-                Inertia::Full(rows) => rows.iter().flatten().collect(),
-            };
-            [mass].into_iter().chain(&centre.components).chain(moments)
-        });
-        let wheels = self.wheels.iter().flat_map(|wheel| {
-            let moments = [&wheel.mass, &wheel.radius, &wheel.axial, &wheel.radial];
-            moments.into_iter().chain(&wheel.centre.components).chain(&wheel.tyre)
-        });
-        let joints = self.joints.iter().flat_map(|joint| {
-            let point = joint.through.iter().flat_map(|through| &through.components);
-            point.chain(&joint.along.components).chain(&joint.spring).chain(&joint.damper)
-        });
-        bodies.chain(wheels).chain(joints)
-    }
-}
-
-/// `(x, y, z)`
-#[derive(Clone, Debug)]
-pub struct Vector {
-    pub components: [Expression; 3],
-    pub region: Region,
-}
-
-/// A moment of inertia about the centre of mass.
-#[derive(Clone, Debug)]
-pub enum Inertia {
-    /// Of a point mass.
-    None,
-    Principal(Box<[Expression; 3]>),
-    Full(Box<[[Expression; 3]; 3]>),
-}
-
-/// `body B "rear frame": mass mB, at (xB, 0, zB), inertia [[…], […], […]];`
-#[derive(Debug)]
-pub struct Body {
-    pub name: Ident,
-    pub label: Option<String>,
-    /// The mass, its centre and the inertia about it, of a body that is not massless.
-    pub mass: Option<(Expression, Vector, Inertia)>,
-}
-
-/// `wheel R "rear wheel" on B: mass mR, at (0, 0, -rR), radius rR, axial IRyy, radial IRxx;`
-#[derive(Debug)]
-pub struct Wheel {
-    pub name: Ident,
-    pub label: Option<String>,
-    /// None for a wheel that is free itself.
-    pub carrier: Option<Ident>,
-    pub mass: Expression,
-    pub centre: Vector,
-    pub radius: Expression,
-    pub tyre: Option<Expression>,
-    pub axial: Expression,
-    pub radial: Expression,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum JointKind {
-    Revolute,
-    Prismatic,
-}
-
-/// `revolute delta: B to H, through (w + c, 0, 0), along (sin(lam), 0, cos(lam));`
-#[derive(Debug)]
-pub struct Joint {
-    pub kind: JointKind,
-    /// The coordinate.
-    pub name: Ident,
-    pub parent: Ident,
-    pub child: Ident,
-    /// Of a revolute joint.
-    pub through: Option<Vector>,
-    pub along: Vector,
-    pub spring: Option<Expression>,
-    pub damper: Option<Expression>,
-}
-
-/// `free B: lean phi, yaw psi;`
-#[derive(Debug)]
-pub struct Free {
-    pub body: Ident,
-    pub names: Vec<(Freedom, Ident)>,
-}
-
-/// The freedoms of a body on the ground, beside the forward motion: displacements, then rotations about the vertical, the
-/// forward and the lateral axis, each turned by those before it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Freedom {
-    Lateral,
-    Vertical,
-    Yaw,
-    Lean,
-    Pitch,
-}
-
-impl Freedom {
-    /// In the order in which each turns the axes of the next.
-    pub const ALL: [Self; 5] = [Self::Lateral, Self::Vertical, Self::Yaw, Self::Lean, Self::Pitch];
-
-    /// As it is written.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Lateral => "lateral",
-            Self::Vertical => "vertical",
-            Self::Yaw => "yaw",
-            Self::Lean => "lean",
-            Self::Pitch => "pitch",
-        }
-    }
-
-    /// The freedom called `word`.
-    pub fn from_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|freedom| freedom.word() == word)
-    }
-}
-
-/// `force T "steer torque" on delta;`
-#[derive(Debug)]
-pub struct Force {
-    pub name: Ident,
-    pub label: Option<String>,
-    /// The coordinate of the joint that it acts on.
-    pub on: Ident,
-}
-
-/// Rates and forces that are derived from a mechanism beside the matrices.
-#[derive(Debug)]
-pub struct Kinematics<V = Expression> {
-    /// The bodies and wheels, each with what it is.
-    pub parts: Vec<String>,
-    pub rates: Vec<Rate<V>>,
-    /// The names of applied forces, each with what it is and its unit.
-    pub applied: Vec<[String; 3]>,
-    /// For each coordinate, by applied force.
-    pub forces: Vec<Vec<V>>,
-}
-
-/// The rate of a joint that is no coordinate: `v speed + rates · q' + v (coordinates · q + heading psi)`, with the yaw psi
-/// where that is no coordinate.
-#[derive(Debug)]
-pub struct Rate<V = Expression> {
-    pub name: String,
-    /// What it is.
-    pub docs: String,
-    pub speed: V,
-    pub rates: Vec<V>,
-    pub coordinates: Vec<V>,
-    pub heading: V,
-}
-
-impl<V> Kinematics<V> {
-    /// The same with other formulas, taken one by one in a fixed order.
-    pub fn map<W>(&self, mut f: impl FnMut(&V) -> W) -> Kinematics<W> {
-        let rates = self.rates.iter().map(|rate| Rate {
-            name: rate.name.clone(),
-            docs: rate.docs.clone(),
-            speed: f(&rate.speed),
-            rates: rate.rates.iter().map(&mut f).collect(),
-            coordinates: rate.coordinates.iter().map(&mut f).collect(),
-            heading: f(&rate.heading),
-        });
-        let rates = rates.collect();
-        let forces = self.forces.iter().map(|row| row.iter().map(&mut f).collect()).collect();
-        Kinematics { parts: self.parts.clone(), rates, applied: self.applied.clone(), forces }
-    }
-
-    /// All formulas, in the order of [`Kinematics::map`].
-    pub fn formulas(&self) -> impl Iterator<Item = &V> {
-        let rates = self.rates.iter().flat_map(|rate| {
-            [&rate.speed].into_iter().chain(&rate.rates).chain(&rate.coordinates).chain([&rate.heading])
-        });
-        rates.chain(self.forces.iter().flatten())
-    }
 }
 
 /// The six coefficient matrices.

@@ -7,13 +7,14 @@ use syn::parse::discouraged::Speculative as _;
 use syn::parse::{ParseStream, Parser};
 
 use super::declaration::{
-    Assertion, Declaration, Definition, Doc, Matrix, MatrixName, Mechanism, ParameterSet, Printed, Published,
-    Requirement, SetValue,
+    Assertion, Declaration, Definition, Doc, Matrix, MatrixName, ParameterSet, Printed, Published, Requirement,
+    SetValue,
 };
 use super::expression::expression;
 use super::mechanism;
 use super::number::Decimal;
 use super::parameters::{self, comparison, coordinate, parameter, value};
+use super::parts::Mechanism;
 use super::tokens::{declared, docs, expected, name, semicolon, skip_statement, text};
 use crate::nearest::nearest;
 use crate::report::{Region, Report, error};

@@ -5,7 +5,7 @@ use syn::Token;
 use syn::parse::ParseStream;
 
 use super::attributes::{Attributes, Shape};
-use super::declaration::{Body, Force, Free, Freedom, Joint, JointKind, Mechanism, Wheel};
+use super::parts::{Body, Force, Free, Freedom, Joint, JointKind, Mechanism, Wheel};
 use super::tokens::{expected, name, semicolon, text, used};
 use crate::nearest::nearest;
 use crate::report::{Report, error};

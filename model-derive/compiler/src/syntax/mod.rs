@@ -7,15 +7,17 @@ mod items;
 mod mechanism;
 mod number;
 mod parameters;
+mod parts;
 mod tokens;
 mod unit;
 
 pub use declaration::{
-    Assertion, Bound, Coordinate, Declaration, Definition, Direction, Freedom, Inertia, JointKind, Kinematics, Matrix,
-    MatrixName, Mechanism, Parameter, ParameterSet, Printed, Published, Rate, Relation, Requirement, Value, Vector,
+    Assertion, Bound, Coordinate, Declaration, Definition, Direction, Matrix, MatrixName, Parameter, ParameterSet,
+    Printed, Published, Relation, Requirement, Value,
 };
 pub use expression::{Expression, Factor, Kind, Term, constant};
 pub use number::Decimal;
+pub use parts::{Freedom, Inertia, JointKind, Mechanism, Vector};
 pub use tokens::reserved;
 pub use unit::Unit;
 

@@ -11,10 +11,11 @@ use crate::check::definitions::Resolved;
 use crate::check::names::{Meaning, Scope};
 use crate::check::resolve;
 use crate::equations::Equations;
+use crate::kinematics::Kinematics;
 use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
 use crate::report::{Region, Report};
 use crate::symbolic::{self, Depth, Proof, Sign};
-use crate::syntax::{Decimal, Declaration, Expression, Kind, Kinematics};
+use crate::syntax::{Decimal, Declaration, Expression, Kind};
 
 /// A checked declaration, before it is a model.
 pub struct Checked<'a> {

@@ -17,9 +17,10 @@ use super::definitions::Resolved;
 use super::names::Scope;
 use super::units::Dimensions;
 use super::{resolve, sets};
+use crate::kinematics::Kinematics;
 use crate::model::{Domain, Expr, Matrices, ParameterSet, Requirement};
 use crate::report::{Region, Report};
-use crate::syntax::{Assertion, Declaration, Kinematics};
+use crate::syntax::{Assertion, Declaration};
 
 /// A declaration, and what became of its formulas; definitions are numbered in their order.
 #[derive(Debug)]

@@ -17,11 +17,12 @@ use super::definitions::{self, uses};
 use super::names::Scope;
 use super::resolve;
 use super::units::{self, Dimensions};
+use crate::kinematics::{Kinematics, Rate};
 use crate::mechanics::{self, Derived, Written};
 use crate::model::Expr;
 use crate::report::{Region, Report};
 use crate::symbolic::{Failure, Place};
-use crate::syntax::{Declaration, Definition, Freedom, JointKind, Kinematics, Matrix, Mechanism, Rate};
+use crate::syntax::{Declaration, Definition, Expression, Freedom, JointKind, Matrix, Mechanism};
 
 /// Puts what follows from the mechanism of a declaration into it. Mistakes are reported.
 pub fn lower(declaration: &mut Declaration, scope: &mut Scope, dimensions: &Dimensions, report: &mut Report) {
@@ -164,7 +165,7 @@ fn matrices(derived: &Derived, mechanism: &Mechanism, names: &Names) -> Vec<Matr
     matrices.collect()
 }
 
-fn kinematics(derived: &Derived, mechanism: &Mechanism, tree: &Tree, names: &Names) -> Kinematics {
+fn kinematics(derived: &Derived, mechanism: &Mechanism, tree: &Tree, names: &Names) -> Kinematics<Expression> {
     let formula = |expr: &Expr| names.expression(expr);
     let all = |row: &[Expr]| row.iter().map(formula).collect();
     let rates = derived.rates.iter().filter_map(|rate| {
