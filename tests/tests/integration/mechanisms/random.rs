@@ -117,9 +117,11 @@ impl Pair {
                 Ok(compiled) => break compiled,
                 Err(error) => {
                     let unused: Vec<String> = error.into_iter().map(|error| error.to_string()).collect();
-                    let names =
-                        unused.iter().filter_map(|message| message.strip_prefix('`')?.split_once("` is never used"));
-                    let names: Vec<&str> = names.map(|(name, _)| name).collect();
+                    let name = |message: &'_ str| {
+                        let (name, end) = message.strip_prefix("no matrix depends on `")?.split_once("`: ")?;
+                        end.starts_with("expected the word `unused`").then(|| name.to_owned())
+                    };
+                    let names: Vec<String> = unused.iter().filter_map(|message| name(message)).collect();
                     prop_assert_eq!(names.len(), unused.len(), "{:?} in {}", unused, text);
                     for name in names {
                         let start =
