@@ -4,6 +4,8 @@ use carvallo_compiler::compile;
 use carvallo_tests::chain::declaration;
 use carvallo_tests::textbook::pendulum::{Link, standing_at_hinges};
 
+use super::{assert_close, interpreted};
+
 /// Links of which no two are alike.
 fn link(index: usize) -> Link {
     let index = index as f64;
@@ -14,19 +16,9 @@ fn check<const N: usize>() {
     let links: [Link; N] = std::array::from_fn(link);
     let compiled = compile(declaration(N).parse().expect("tokens")).expect("the chain compiles");
     let parameters: Vec<f64> = links.iter().flat_map(|link| [link.l, link.a, link.m, link.i]).chain([9.81]).collect();
-    let found = compiled.programs.matrices.interpret(&parameters);
-    let expected = standing_at_hinges(links);
-    let expected: Vec<f64> =
-        [expected.m, expected.k0].iter().flat_map(|m| m.transpose().iter().copied().collect::<Vec<_>>()).collect();
     let names: Vec<&str> = compiled.model.matrices.iter().map(|(name, _)| name.name()).collect();
     assert_eq!(names, ["M", "K0"], "{N} links");
-    assert_eq!(found.len(), expected.len());
-    for (position, (found, expected)) in found.iter().zip(&expected).enumerate() {
-        assert!(
-            (found - expected).abs() <= 1e-14 * expected.abs().max(1.0),
-            "{N} links, {position}: {found} {expected}"
-        );
-    }
+    assert_close(&interpreted(&compiled, &parameters), &standing_at_hinges(links), 1e-14, &format!("{N} links"));
 }
 
 #[test]

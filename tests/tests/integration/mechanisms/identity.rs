@@ -9,11 +9,11 @@ use num_rational::BigRational;
 use proc_macro2::TokenStream;
 use proptest::prelude::*;
 
+use super::declaration;
+
 /// The model of a source.
 fn model(source: &str) -> Model {
-    let (_, body) = source.split_once('{').expect("an opening brace");
-    let (body, _) = body.rsplit_once('}').expect("a closing brace");
-    let tokens: TokenStream = body.parse().expect("tokens");
+    let tokens: TokenStream = declaration(source).parse().expect("tokens");
     check(tokens).expect("a model without mistakes")
 }
 

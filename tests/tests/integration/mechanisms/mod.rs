@@ -16,6 +16,28 @@ mod vehicles;
 
 use carvallo::{Coefficients, Matrix};
 
+/// The matrices of a compiled model at values of its parameters.
+#[cfg(feature = "compiler")]
+fn interpreted<const N: usize>(compiled: &carvallo_compiler::Compiled, values: &[f64]) -> Coefficients<f64, N> {
+    let entries = compiled.programs.matrices.interpret(values);
+    let mut rows = [[[0.0; N]; N]; 6];
+    for ((name, _), entries) in compiled.model.matrices.iter().zip(entries.chunks(N * N)) {
+        let known = ["M", "C0", "C1", "Kc", "K0", "K2"];
+        let place = known.iter().position(|known| *known == name.name()).expect("a matrix");
+        for (row, entries) in rows[place].iter_mut().zip(entries.chunks(N)) {
+            row.copy_from_slice(entries);
+        }
+    }
+    Coefficients::from_rows(rows)
+}
+
+/// What stands between the braces of a source.
+#[cfg(feature = "compiler")]
+fn declaration(source: &str) -> &str {
+    let (_, body) = source.split_once('{').expect("an opening brace");
+    body.rsplit_once('}').expect("a closing brace").0
+}
+
 /// Whether each matrix agrees with another one, to a part of the largest entry of that.
 fn assert_close<const N: usize>(found: &Coefficients<f64, N>, expected: &Coefficients<f64, N>, part: f64, what: &str) {
     let matrices = |c: &Coefficients<f64, N>| [c.m, c.c0, c.c1, c.kc, c.k0, c.k2];

@@ -7,7 +7,7 @@ use carvallo_tests::multibody::{Body, Joint, Mechanism, Wheel};
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 
-use super::assert_close;
+use super::{assert_close, interpreted};
 
 /// What the differences of the nonlinear dynamics may be off.
 const DIFFERENCES: f64 = 1e-6;
@@ -133,18 +133,7 @@ impl Pair {
             }
         };
         let values: Vec<f64> = values.iter().copied().chain(gravity).collect();
-        let entries = compiled.programs.matrices.interpret(&values);
-        let mut rows = [[[0.0; N]; N]; 6];
-        for (matrix, (name, _)) in compiled.model.matrices.iter().enumerate() {
-            let place =
-                ["M", "C0", "C1", "Kc", "K0", "K2"].iter().position(|known| *known == name.name()).expect("known");
-            for row in 0..N {
-                for column in 0..N {
-                    rows[place][row][column] = entries[(matrix * N + row) * N + column];
-                }
-            }
-        }
-        Ok(Coefficients::from_rows(rows))
+        Ok(interpreted(&compiled, &values))
     }
 }
 

@@ -5,7 +5,7 @@ use carvallo_compiler::compile;
 use carvallo_tests::multibody::{Body, Joint, Mechanism, Wheel};
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
-use super::assert_close;
+use super::{assert_close, interpreted};
 
 /// What the differences of the nonlinear dynamics may be off.
 const DIFFERENCES: f64 = 1e-6;
@@ -23,16 +23,7 @@ fn compiled<const N: usize>(
     );
     let compiled = compile(text.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
     let values: Vec<f64> = parameters.iter().map(|(.., value)| *value).collect();
-    let entries = compiled.programs.matrices.interpret(&values);
-    let mut rows = [[[0.0; N]; N]; 6];
-    for ((name, _), entries) in compiled.model.matrices.iter().zip(entries.chunks(N * N)) {
-        let known = ["M", "C0", "C1", "Kc", "K0", "K2"];
-        let place = known.iter().position(|known| *known == name.name()).expect("a matrix");
-        for (row, entries) in entries.chunks(N).enumerate() {
-            rows[place][row].copy_from_slice(entries);
-        }
-    }
-    Coefficients::from_rows(rows)
+    interpreted(&compiled, &values)
 }
 
 fn body(joint: usize, mass: f64, centre: Vector3<f64>, moments: Vector3<f64>) -> Body {
