@@ -112,18 +112,26 @@ fn signed(term: AtomView<'_>, parameters: usize) -> (bool, Expr) {
     }
 }
 
+/// More roots of roots than a formula can have, since its brackets nest less deeply.
+const MAX_ROOTS: usize = 256;
+
 /// A factor and whether it divides.
 fn divided(factor: AtomView<'_>, parameters: usize) -> (bool, Expr) {
     let AtomView::Pow(power) = factor else { return (false, expr(factor, parameters)) };
     let (base, exponent) = power.get_base_exp();
-    let exponent = Rational::try_from(exponent).unwrap_or_else(|_| unreachable!("powers are rational"));
-    let base = expr(base, parameters);
-    // Roots are written with powers of a half.
-    let (base, exponent) = match exponent.is_integer() {
-        true => (base, exponent),
-        false => (Expr::Call(Function::Sqrt, Box::new(base)), exponent * Rational::from(2)),
-    };
-    let exponent = exponent.floor().to_i64().and_then(|exponent| i32::try_from(exponent).ok()).unwrap_or_default();
+    let mut exponent = Rational::try_from(exponent).unwrap_or_else(|_| unreachable!("powers are rational"));
+    let mut base = expr(base, parameters);
+    // Roots are powers of a half, roots of roots of a quarter, and so on.
+    for root in 0.. {
+        if exponent.is_integer() {
+            break;
+        }
+        assert!(root < MAX_ROOTS, "no root but square ones");
+        base = Expr::Call(Function::Sqrt, Box::new(base));
+        exponent *= Rational::from(2);
+    }
+    let exponent = exponent.floor().to_i64().and_then(|exponent| i32::try_from(exponent).ok());
+    let exponent = exponent.unwrap_or_else(|| unreachable!("a power beyond all use"));
     let power = match exponent.abs() {
         1 => base,
         other => Expr::Power(Box::new(base), other),
@@ -156,5 +164,42 @@ fn symbol_at(symbol: Symbol, parameters: usize) -> Expr {
         Some(index) if index <= parameters => Expr::Parameter(index - 1),
         Some(index) => Expr::Definition(index - 1 - parameters),
         None => unreachable!("a symbol that no formula has"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::enter;
+    use super::*;
+
+    #[test]
+    fn formulas_come_out_with_the_values_they_went_in_with() {
+        let [x, y] = [0, 1].map(Expr::Parameter);
+        let call = |function, argument: &Expr| Expr::Call(function, Box::new(argument.clone()));
+        let power = |base: &Expr, exponent| Expr::Power(Box::new(base.clone()), exponent);
+        let sum = Expr::Sum(vec![(false, x.clone()), (true, power(&y, 2)), (false, whole("30"))]);
+        let root = call(Function::Sqrt, &sum);
+        let cases = [
+            whole("0"),
+            Expr::Product(vec![(false, whole("7")), (true, whole("1200")), (true, Expr::Pi)]),
+            Expr::Sum(vec![(true, call(Function::Sin, &x)), (true, call(Function::Cos, &sum))]),
+            Expr::Product(vec![(true, call(Function::Tan, &y)), (false, call(Function::Tan, &x))]),
+            Expr::Product(vec![(false, power(&root, 3)), (true, power(&x, 4))]),
+            call(Function::Sqrt, &call(Function::Sqrt, &root)),
+            Expr::Product(vec![(false, x.clone()), (true, call(Function::Sqrt, &root))]),
+            Expr::Product(vec![
+                (false, sum.clone()),
+                (false, Expr::Definition(0)),
+                (false, Expr::Sum(vec![(true, x)])),
+            ]),
+        ];
+        for case in cases {
+            let same = case.clone();
+            let out =
+                enter(move |engine| engine.form(&same, &[engine.definition(2, 0)]).expect("it has a value").expr(2));
+            let out = out.expect("the engine works");
+            let [before, after] = [&case, &out].map(|formula| formula.evaluate(&[0.7, 1.9], &[1.3]));
+            assert!((before - after).abs() <= 1e-14 * before.abs(), "{case:?} became {out:?}: {before} {after}");
+        }
     }
 }
