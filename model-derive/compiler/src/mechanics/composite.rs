@@ -2,7 +2,7 @@
 
 use super::formulas::Formulas;
 use super::mechanism::{Mechanism, Motion};
-use super::vectors::{Vector, add, cross, scale, subtract, tidy, unit, zero};
+use super::vectors::{AXES, Vector, add, cross, dot, scale, subtract, tidy, zero};
 use crate::symbolic::Form;
 
 /// Mass, static moment and inertia of rigid bodies about a point.
@@ -58,7 +58,7 @@ impl<'a> Composites<'a> {
                 add(angular, &cross(&arm, momentum))
             }
         };
-        super::vectors::dot(&joint.axis, &seen)
+        dot(&joint.axis, &seen)
     }
 }
 
@@ -88,7 +88,6 @@ fn composite(
     let sum =
         sum.unwrap_or_else(|| Composite { mass: Form::number(0), moment: zero(), inertia: [zero(), zero(), zero()] });
     let of = mechanism.moved(index);
-    const AXES: [char; 3] = ['x', 'y', 'z'];
     let mut entry = |row: usize, column: usize| {
         formulas.name(format!("J{}{}_{of}", AXES[row], AXES[column]), &sum.inertia[row][column])
     };
@@ -129,7 +128,6 @@ fn motion(mechanism: &Mechanism<Form>, index: usize, composite: &Composite, form
             (cross(&joint.axis, &composite.moment), angular)
         }
     };
-    const AXES: [char; 3] = ['x', 'y', 'z'];
     let of = &joint.name;
     let momentum = [0, 1, 2].map(|axis| formulas.name(format!("p{}_{of}", AXES[axis]), &momentum[axis]));
     let angular = [0, 1, 2].map(|axis| formulas.name(format!("h{}_{of}", AXES[axis]), &angular[axis]));
@@ -154,9 +152,4 @@ pub fn spin_momenta(mechanism: &Mechanism<Form>, formulas: &mut Formulas<'_>) ->
             formulas.name(format!("h_wheels_{}", mechanism.moved(joint)), &sum)
         })
         .collect()
-}
-
-/// The unit vector of the axle.
-pub fn axle() -> Vector {
-    unit(1)
 }

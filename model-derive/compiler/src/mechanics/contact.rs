@@ -1,6 +1,5 @@
 //! Wheels on the ground: what a wheel that rolls without slip says of the rates of the joints.
 
-use super::composite::axle;
 use super::mechanism::{Mechanism, Motion, Wheel};
 use super::vectors::{Vector, cross, subtract, tidy, zero};
 use crate::symbolic::Form;
@@ -92,6 +91,6 @@ pub fn gyroscopic(mechanism: &Mechanism<Form>, one: usize, other: usize) -> Form
     if a.motion == Motion::Slides || b.motion == Motion::Slides {
         return Form::number(0);
     }
-    let normal = cross(&a.axis, &b.axis);
-    -&super::vectors::dot(&normal, &axle())
+    // The axle is along y.
+    -&cross(&a.axis, &b.axis)[1]
 }

@@ -4,15 +4,14 @@ use crate::symbolic::Form;
 
 pub type Vector = [Form; 3];
 
+/// What the axes are called in names of definitions.
+pub const AXES: [char; 3] = ['x', 'y', 'z'];
+
 /// The axes in the order in which they follow each other, beginning with each.
 const CYCLE: [[usize; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
 
 pub fn zero() -> Vector {
     [(); 3].map(|()| Form::number(0))
-}
-
-pub fn unit(axis: usize) -> Vector {
-    [0, 1, 2].map(|other| Form::number(i64::from(other == axis)))
 }
 
 pub fn add(a: &Vector, b: &Vector) -> Vector {

@@ -15,7 +15,7 @@ use crate::kinematics::Kinematics;
 use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
 use crate::report::{Region, Report};
 use crate::symbolic::{self, Depth, Proof, Sign};
-use crate::syntax::{Decimal, Declaration, Expression, Kind};
+use crate::syntax::{Declaration, Expression, Kind};
 
 /// A checked declaration, before it is a model.
 pub struct Checked<'a> {
@@ -168,8 +168,7 @@ impl<'a> Search<'a> {
         if !maybe_zero(&self.samples.of(value)) {
             return false;
         }
-        let zero = Expr::Number(Decimal { digits: "0".into(), exponent: 0 });
-        let proofs = symbolic::proofs(vec![self.equations(vec![value.clone(), zero])], Depth::Formulas);
+        let proofs = symbolic::proofs(vec![self.equations(vec![value.clone(), Expr::zero()])], Depth::Formulas);
         proofs.is_ok_and(|proofs| proofs.contains(&Proof::Found))
     }
 

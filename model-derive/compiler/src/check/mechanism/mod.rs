@@ -13,10 +13,11 @@ use proc_macro2::Ident;
 
 use self::tree::{Role, Tree};
 use self::written::Names;
-use super::definitions::{self, uses};
+use super::definitions;
 use super::names::Scope;
 use super::resolve;
 use super::units::{self, Dimensions};
+use crate::equations::Equations;
 use crate::kinematics::{Kinematics, Rate};
 use crate::mechanics::{self, Derived, Written};
 use crate::model::Expr;
@@ -77,7 +78,7 @@ fn lower_mechanism(
     let mut names = Names { parameters, definitions: known_names, span: mechanism.span };
     let attributes = mechanism.formulas().map(|formula| resolve::expression(formula, scope, &mut elsewhere));
     let attributes = attributes.map(|expr| expr.renumbered(&new)).collect();
-    let written = Written { parameters: names.parameters.len(), definitions: known_values, attributes };
+    let written = Written { parameters: names.parameters.len(), definitions: known_values.clone(), attributes };
     match mechanics::derive(assembled, written) {
         Err(failure) => report.error(region(mechanism, &names, &failure), failure),
         Ok(Err(faults)) => {
@@ -85,13 +86,15 @@ fn lower_mechanism(
         }
         Ok(Ok(derived)) => {
             let taken = declared(declaration);
-            let kept = kept(&derived, names.definitions.len());
+            let first = names.definitions.len();
             names.definitions.extend(unique(&derived, taken, mechanism));
-            let first = names.definitions.len() - derived.definitions.len();
-            let definitions = derived.definitions.iter().enumerate().filter(|(index, _)| kept[*index]);
-            let definitions = definitions.map(|(index, (_, value))| Definition {
-                name: names.definitions[first + index].clone(),
-                value: names.expression(value),
+            let values = known_values.into_iter().chain(derived.definitions.iter().map(|(_, value)| value.clone()));
+            let all: Vec<(Ident, Expr)> = names.definitions.iter().cloned().zip(values).collect();
+            let results = results(&derived, mechanism, &tree);
+            let needed = Equations::of_formulas(names.parameters.len(), &all, results).origins;
+            let definitions = needed.into_iter().filter(|index| *index >= first).map(|index| Definition {
+                name: all[index].0.clone(),
+                value: names.expression(&all[index].1),
                 derived: true,
             });
             for definition in definitions {
@@ -115,21 +118,13 @@ fn region(mechanism: &Mechanism, names: &Names, failure: &Failure) -> Region {
     }
 }
 
-/// For each definition of the derivation whether a result depends on it; those of the model stand before them.
-fn kept(derived: &Derived, first: usize) -> Vec<bool> {
-    let mut kept = vec![false; derived.definitions.len()];
+/// The formulas of the results that become a part of the model.
+fn results(derived: &Derived, mechanism: &Mechanism, tree: &Tree) -> Vec<Expr> {
     let entries = derived.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten());
-    let rates = derived
-        .rates
-        .iter()
-        .flat_map(|rate| [&rate.speed, &rate.heading].into_iter().chain(&rate.rates).chain(&rate.coordinates));
-    let mut open: Vec<usize> = entries.chain(rates).chain(derived.forces.iter().flatten()).flat_map(uses).collect();
-    while let Some(index) = open.pop() {
-        if index >= first && !std::mem::replace(&mut kept[index - first], true) {
-            open.extend(uses(&derived.definitions[index - first].1));
-        }
-    }
-    kept
+    let told = derived.rates.iter().filter(|rate| called(tree.joints[rate.joint].role, mechanism).is_some());
+    let rates =
+        told.flat_map(|rate| [&rate.speed, &rate.heading].into_iter().chain(&rate.rates).chain(&rate.coordinates));
+    entries.chain(rates).chain(derived.forces.iter().flatten()).cloned().collect()
 }
 
 /// All names of a declaration.
