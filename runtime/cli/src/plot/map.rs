@@ -104,8 +104,8 @@ const PANELS: [Panel; 2] = [
 /// Two panels: where the stable range begins, and how wide it is. Of the axes the first is horizontal; the cells of each of
 /// its values stand together.
 pub fn map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
-    let [x, y] = axes else { return Scene::new(String::new(), 1.0, 1.0) };
-    let edges = [x.edges(), y.edges()];
+    let [x_axis, y_axis] = axes else { return Scene::new(String::new(), 1.0, 1.0) };
+    let edges = [x_axis.edges(), y_axis.edges()];
     let [x_range, y_range] = [MapAxis::extent(&edges[0]), MapAxis::extent(&edges[1])];
     let left = axes::margin(y_range);
     let width = 2.0 * (left + SIDE) + BETWEEN + SCALE[1] + 40.0;
@@ -126,11 +126,17 @@ pub fn map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
             MapCell::Unstable => Shade::Unstable,
             MapCell::Error => Shade::Error,
         });
-        mark(&mut scene, &axes, (x.base, y.base));
-        axes.frame(&mut scene, &x.label, &y.label);
+        mark(&mut scene, &axes, (x_axis.base, y_axis.base));
+        axes.frame(&mut scene, &x_axis.label, &y_axis.label);
         scale.draw(&mut scene, area);
     }
-    legend(&mut scene, cells, left);
+    let x = legend(&mut scene, cells, left);
+    let is_marked = |axis: &MapAxis, (low, high): (f64, f64)| (low..=high).contains(&axis.base);
+    if is_marked(x_axis, x_range) && is_marked(y_axis, y_range) {
+        let y = HEIGHT - 34.0;
+        cross(&mut scene, (x + 8.0, y));
+        scene.text((x + 24.0, y + 5.0), Anchor::Start, TEXT, INK, name);
+    }
     scene
 }
 
@@ -199,11 +205,14 @@ fn fill(
 /// A cross where the design is that was varied, if the map shows it.
 fn mark(scene: &mut Scene, axes: &Axes, (x, y): (f64, f64)) {
     if (axes.x.0..=axes.x.1).contains(&x) && (axes.y.0..=axes.y.1).contains(&y) {
-        let (x, y) = axes.place(x, y);
-        for (width, color) in [(5.0, Color(0xff, 0xff, 0xff)), (2.0, INK)] {
-            scene.polyline(&[(x - 6.0, y), (x + 6.0, y)], line(width), color);
-            scene.polyline(&[(x, y - 6.0), (x, y + 6.0)], line(width), color);
-        }
+        cross(scene, axes.place(x, y));
+    }
+}
+
+fn cross(scene: &mut Scene, (x, y): (f32, f32)) {
+    for (width, color) in [(5.0, Color(0xff, 0xff, 0xff)), (2.0, INK)] {
+        scene.polyline(&[(x - 6.0, y), (x + 6.0, y)], line(width), color);
+        scene.polyline(&[(x, y - 6.0), (x, y + 6.0)], line(width), color);
     }
 }
 
@@ -250,8 +259,8 @@ impl Scale {
     }
 }
 
-/// What the colours beside the scale mean, as far as they occur.
-fn legend(scene: &mut Scene, cells: &[MapCell], mut x: f32) {
+/// What the colours beside the scale mean, as far as they occur; where the next entry goes.
+fn legend(scene: &mut Scene, cells: &[MapCell], mut x: f32) -> f32 {
     let is_endless = |cell: &MapCell| matches!(cell, MapCell::Stable(StableRange { to: None, .. }));
     let y = HEIGHT - 30.0;
     for (is_there, color, text) in [
@@ -266,4 +275,5 @@ fn legend(scene: &mut Scene, cells: &[MapCell], mut x: f32) {
             x += 24.0 + font::width(text, TEXT) + 32.0;
         }
     }
+    x
 }

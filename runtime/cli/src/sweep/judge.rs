@@ -83,6 +83,16 @@ impl Judge {
         })
     }
 
+    /// Whether the results would replace the designs.
+    pub fn paths(&mut self, request: &Request) {
+        if let (Some(designs), Some(output)) = (&request.designs, &request.output)
+            && let (Ok(from), Ok(to)) = (designs.canonicalize(), output.canonicalize())
+            && from == to
+        {
+            self.option("--output", &output.display().to_string(), "the designs are read from this file");
+        }
+    }
+
     /// The speeds of eigenvalues.
     pub fn speeds(&mut self, text: &str) -> Vec<f64> {
         let speeds = speeds::parse(text).and_then(|speeds| {

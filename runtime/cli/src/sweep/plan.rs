@@ -46,6 +46,7 @@ impl Plan {
         let (vary, random) = judge.parameters(request, info);
         let format = request.output.as_deref().map_or(Format::Csv, |path| judge.table("--output", path));
         let file = request.designs.as_deref().map(|path| (path, judge.table("--designs", path)));
+        judge.paths(request);
         let speeds = request.eigenvalues.as_ref().map(|text| judge.speeds(text)).unwrap_or_default();
         if info.coordinates.len() != 2 && request.eigenvalues.is_none() {
             let (name, count) = (info.name, info.coordinates.len());

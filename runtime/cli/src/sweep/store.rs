@@ -12,7 +12,7 @@ use super::write::{Format, parquet};
 use crate::failure::{Failure, Place, Problem};
 
 /// How much work a kill may cost; more often would wait for the disk.
-const SAVED_EVERY: Duration = Duration::from_millis(500);
+const SAVED_EVERY: Duration = Duration::from_millis(200);
 
 /// The file while it is not complete: its contents are in FILE.partial, and FILE.journal tells how far they are.
 pub struct Store {
