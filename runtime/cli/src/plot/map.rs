@@ -216,32 +216,42 @@ fn cross(scene: &mut Scene, (x, y): (f32, f32)) {
     }
 }
 
-/// From values to colours; `None` where there are no values.
-struct Scale(Option<(f64, f64)>);
+/// From values to colours.
+struct Scale {
+    /// `None` where there are no values.
+    range: Option<(f64, f64)>,
+    /// Whether there are values above.
+    is_cut: bool,
+}
 
 impl Scale {
+    /// From the least value to the largest one; but widths grow without bound next to ranges without end, and a few of them
+    /// would leave no colours for the others.
     fn of(values: impl Iterator<Item = f64>) -> Self {
-        let (low, high) =
-            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
+        let [Some(&low), Some(&most), Some(&last)] = [values.first(), values.get(values.len() * 9 / 10), values.last()]
+        else {
+            return Self { range: None, is_cut: false };
+        };
+        let is_cut = last > 2.0 * most && most > low;
+        let high = if is_cut { most } else { last };
         if low < high {
-            Self(Some((low, high)))
-        } else if low == high {
-            // One value alone has a scale around it.
-            let half = (low.abs() / 2.0).max(0.5);
-            Self(Some((low - half, low + half)))
-        } else {
-            Self(None)
+            return Self { range: Some((low, high)), is_cut };
         }
+        // One value alone has a scale around it.
+        let half = (low.abs() / 2.0).max(0.5);
+        Self { range: Some((low - half, low + half)), is_cut }
     }
 
     fn shade(&self, value: f64) -> Shade {
-        let share = self.0.map_or(0.0, |(low, high)| (value - low) / (high - low));
+        let share = self.range.map_or(0.0, |(low, high)| (value - low) / (high - low));
         Shade::Level(((share * LEVELS as f64) as usize).min(LEVELS - 1))
     }
 
     /// The colours from bottom to top right of a panel, with their values.
     fn draw(&self, scene: &mut Scene, [_, top, right, bottom]: [f32; 4]) {
-        let Some(range) = self.0 else { return };
+        let Some(range) = self.range else { return };
         let [left, right] = SCALE.map(|distance| right + distance);
         let step = (bottom - top) / LEVELS as f32;
         for level in 0..LEVELS {
@@ -250,6 +260,9 @@ impl Scale {
             scene.rectangles(&[rectangle], Shade::Level(level).color());
         }
         scene.rectangle([left, top, right, bottom], line(1.2), INK);
+        if self.is_cut {
+            scene.text((left, top - 7.0), Anchor::Start, TEXT, INK, "and more");
+        }
         let axes = Axes { x: (0.0, 1.0), y: range, area: [left, top, right, bottom] };
         for (value, text) in axes::labels(range) {
             let (_, y) = axes.place(0.0, value);
@@ -266,7 +279,7 @@ fn legend(scene: &mut Scene, cells: &[MapCell], mut x: f32) -> f32 {
     for (is_there, color, text) in [
         (cells.iter().any(is_endless), ENDLESS, "stable range without end"),
         (cells.contains(&MapCell::Unstable), UNSTABLE, "no stable range"),
-        (cells.contains(&MapCell::Error), ERROR, "no results: parameters that cannot be"),
+        (cells.contains(&MapCell::Error), ERROR, "no results: invalid parameters"),
     ] {
         if is_there {
             scene.rectangle([x, y - 12.0, x + 16.0, y + 4.0], Paint::Fill, color);

@@ -28,7 +28,7 @@ fn a_map_has_axes_scales_and_a_legend() {
         "width of the stable range (m/s)",
         "no stable range",
         "stable range without end",
-        "no results: parameters that cannot be",
+        "no results: invalid parameters",
         "benchmark",
         "1.0",
         "−10",

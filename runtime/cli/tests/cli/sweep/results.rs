@@ -114,7 +114,7 @@ fn designs_that_cannot_be_have_their_error_and_nothing_else() {
 #[test]
 fn models_without_critical_speeds_have_their_eigenvalues() {
     let arguments =
-        ["--model", "Pendulum", "--set", "g=9", "--set", "d=0", "--vary", "l=0.25:4:0.25", "--eigenvalues", "0"];
+        ["--model", "Pendulum", "--set", "g=9", "--set", "c=0", "--vary", "l=0.25:4:0.25", "--eigenvalues", "0"];
     let table = sweep(&arguments);
     assert_eq!(table.rows.len(), 16);
     assert!(!table.header.iter().any(|name| name.starts_with("weave") || name.starts_with("stable")));
