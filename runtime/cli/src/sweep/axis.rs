@@ -18,7 +18,7 @@ pub struct Axis {
 
 impl Axis {
     /// # Errors
-    /// What is wrong. Values outside of the parameter's domain are not: they are designs without a result.
+    /// What is wrong. Some values outside of the parameter's domain are not: they are designs without a result.
     pub fn parse(text: &str, info: &ModelInfo) -> Result<Self, String> {
         let expected = "expected NAME=LOW:HIGH:STEP, NAME=LOW:HIGH:N points or NAME=a,b,c, such as w=0.9:1.2:0.01";
         let (position, parameter, values) = split(text, info, expected)?;
@@ -33,6 +33,7 @@ impl Axis {
             }
             _ => return Err(expected.to_owned()),
         };
+        any_possible(&values, parameter)?;
         Ok(Self { position, values })
     }
 }
@@ -65,6 +66,19 @@ pub fn position(name: &str, info: &ModelInfo) -> Result<usize, String> {
 /// If it is no number: what was expected.
 pub fn number(text: &str, info: &ParameterInfo) -> Result<f64, String> {
     evaluated(text, info).map_err(|found| format!("a value of `{}` is {found}", info.name))
+}
+
+/// # Errors
+/// If all values lie outside of the domain of the parameter: then a slip is more likely than a sweep without results.
+pub fn any_possible(values: &[f64], info: &ParameterInfo) -> Result<(), String> {
+    let ParameterInfo { name, unit, domain, .. } = info;
+    if values.iter().any(|value| domain.contains(*value)) {
+        return Ok(());
+    }
+    let degrees = values.iter().any(|value| domain.contains(value.to_radians()));
+    let hint = if *unit == "rad" && degrees { " (for degrees write `18 deg`)" } else { "" };
+    let first = values.first().map(|value| with_unit(*value, unit)).unwrap_or_default();
+    Err(format!("no value of `{name}` is possible, such as {first}; it must be {domain}{hint}"))
 }
 
 struct Range {
@@ -181,6 +195,12 @@ mod tests {
             ("w=1:2:1 points", "the number of points is `1`; it must be a whole number from 2 to 1000000"),
             ("w=1:2:1e-9", "the range has more than 1000000 points"),
             ("w=1,,2", "a value of `w` is empty; expected a number, or an expression such as `pi/10`"),
+            ("w=-2:-1:0.5", "no value of `w` is possible, such as -2 m; it must be > 0"),
+            (
+                "lam=10:30:1",
+                "no value of `lam` is possible, such as 10 rad; it must be > -1.5707963267948966 and < \
+                 1.5707963267948966 (for degrees write `18 deg`)",
+            ),
             ("w=1 kg", "a value of `w` is `1 kg`; no unit is accepted here: `w` is in m"),
         ] {
             assert_eq!(Axis::parse(text, WHIPPLE.info), Err(message.to_owned()), "{text}");

@@ -47,14 +47,20 @@ impl From<std::io::Error> for Refusal {
 
 impl Journal {
     /// The journal of a sweep, empty if there is none yet or if it begins anew. What it tells of more bytes than there are
-    /// does not count; without a number all of it does.
-    pub fn open(path: &Path, definition: u64, bytes: Option<u64>, restart: bool) -> Result<Self, Refusal> {
+    /// does not count; without a number all of it does. Bytes are counted when nobody else can write them any more.
+    pub fn open(
+        path: &Path,
+        definition: u64,
+        bytes: impl FnOnce() -> Option<u64>,
+        restart: bool,
+    ) -> Result<Self, Refusal> {
         let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path)?;
         match file.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => return Err(Refusal::Busy),
             Err(TryLockError::Error(error)) => return Err(error.into()),
         }
+        let bytes = bytes();
         let mut text = String::new();
         if !restart {
             // What is not text was not written here, or not completely.

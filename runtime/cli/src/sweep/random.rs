@@ -4,7 +4,7 @@ use carvallo::ModelInfo;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore as _, SeedableRng as _};
 
-use super::axis::{number, split};
+use super::axis::{any_possible, number, split};
 use crate::number::with_unit;
 
 /// The 32-bit words that each sample takes, whatever its distribution.
@@ -27,7 +27,7 @@ pub enum Distribution {
 
 impl Random {
     /// # Errors
-    /// What is wrong. Distributions that leave the parameter's domain are not: they make designs without a result.
+    /// What is wrong. Distributions that partly leave the parameter's domain are not: they make designs without a result.
     pub fn parse(text: &str, info: &ModelInfo) -> Result<Self, String> {
         let expected = "expected NAME=LOW..HIGH or NAME=MEAN+-DEVIATION, such as c=0.02..0.12 or mB=85+-5";
         let (position, parameter, values) = split(text, info, expected)?;
@@ -41,6 +41,7 @@ impl Random {
             if deviation < 0.0 {
                 return Err(format!("the standard deviation is {}; it must be >= 0", with_unit(deviation)));
             }
+            any_possible(&[mean], parameter)?;
             Distribution::Normal { mean, deviation }
         } else {
             let (low, high) = both(values.split_once("..").ok_or(expected)?)?;
@@ -48,6 +49,7 @@ impl Random {
                 let [low, high] = [low, high].map(with_unit);
                 return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
             }
+            any_possible(&[low, low / 2.0 + high / 2.0, high], parameter)?;
             Distribution::Uniform { low, high }
         };
         Ok(Self { position, distribution })

@@ -33,10 +33,12 @@ impl Store {
             return Err(refused(path, "the file exists already; --restart replaces it"));
         }
         let fail = |error| io(path, error);
-        // Only who has the journal may touch the other file.
-        let length = std::fs::metadata(&partial_path).ok().map(|metadata| metadata.len());
-        let renamed = length.is_none() && path.exists() && !restart;
-        let length = if renamed { None } else { Some(length.unwrap_or_default()) };
+        let mut renamed = false;
+        let length = || {
+            let length = std::fs::metadata(&partial_path).ok().map(|metadata| metadata.len());
+            renamed = length.is_none() && path.exists() && !restart;
+            if renamed { None } else { Some(length.unwrap_or_default()) }
+        };
         let journal =
             Journal::open(&journal_path, plan.definition, length, restart).map_err(|refusal| match refusal {
                 Refusal::Busy => Failure::Run(format!("another sweep is writing {}", path.display())),
@@ -73,11 +75,12 @@ impl Store {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn add(&mut self, bytes: &[u8], designs: usize, errors: usize) -> Result<(), Failure> {
-        self.partial.write_all(bytes).map_err(|error| io(&self.path, error))?;
+    pub fn add(&mut self, bytes: &[Vec<u8>], designs: usize, errors: usize) -> Result<(), Failure> {
+        let write = bytes.iter().try_for_each(|bytes| self.partial.write_all(bytes));
+        write.map_err(|error| io(&self.path, error))?;
+        let length: usize = bytes.iter().map(Vec::len).sum();
         let Progress { designs: d, bytes: b, errors: e } = self.progress();
-        let progress =
-            Progress { designs: d + designs as u64, bytes: b + bytes.len() as u64, errors: e + errors as u64 };
+        let progress = Progress { designs: d + designs as u64, bytes: b + length as u64, errors: e + errors as u64 };
         self.journal.batches.push(progress);
         if self.saved.elapsed() >= SAVED_EVERY { self.save() } else { Ok(()) }
     }

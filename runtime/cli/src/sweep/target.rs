@@ -43,7 +43,7 @@ impl Target {
             _ => true,
         };
         if plan.format == Format::Csv && is_empty {
-            target.put(&csv::header(&plan.headings), 0, 0)?;
+            target.put(&[csv::header(&plan.headings)], 0, 0)?;
         }
         Ok(target)
     }
@@ -75,22 +75,20 @@ impl Target {
         }
         let sizes: Vec<usize> = designs.iter().map(|designs| designs.rows).collect();
         let tables: Vec<Vec<Column>> = designs.into_iter().zip(results).map(|(d, r)| table(d, r)).collect();
-        let bytes = match plan.format {
-            Format::Csv => {
-                let texts: Vec<Vec<u8>> =
-                    tables.par_iter().zip(&sizes).map(|(table, rows)| csv::rows(table, *rows)).collect();
-                texts.concat()
+        let bytes: Vec<Vec<u8>> = match plan.format {
+            Format::Csv => tables.par_iter().zip(&sizes).map(|(table, rows)| csv::rows(table, *rows)).collect(),
+            Format::Parquet => {
+                let part = parquet::part(&plan.headings, &tables);
+                vec![part.map_err(|error| Failure::Run(format!("cannot write the results: {error}")))?]
             }
-            Format::Parquet => parquet::part(&plan.headings, &tables)
-                .map_err(|error| Failure::Run(format!("cannot write the results: {error}")))?,
         };
         self.put(&bytes, rows, errors)
     }
 
-    fn put(&mut self, bytes: &[u8], designs: usize, errors: usize) -> Result<bool, Failure> {
+    fn put(&mut self, bytes: &[Vec<u8>], designs: usize, errors: usize) -> Result<bool, Failure> {
         match &mut self.kind {
             Kind::File(store) => store.add(bytes, designs, errors).map(|()| true),
-            Kind::Stdout => match std::io::stdout().lock().write_all(bytes) {
+            Kind::Stdout => match bytes.iter().try_for_each(|bytes| std::io::stdout().lock().write_all(bytes)) {
                 Ok(()) => Ok(true),
                 // A reader that has seen enough is no failure.
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
