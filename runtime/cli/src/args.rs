@@ -98,6 +98,7 @@ fn command() -> clap::Command {
         .usage(AnsiColor::Green.on_default().bold())
         .literal(AnsiColor::Cyan.on_default().bold())
         .placeholder(AnsiColor::Cyan.on_default());
+    let sweep = sweep::command([design.clone(), model.clone(), gravity.clone(), set.clone()]);
     let analyze = clap::Command::new("analyze")
         .about("Matrices, critical speeds, and eigenvalues against speed")
         .after_help(ANALYZE_HELP)
@@ -122,7 +123,6 @@ fn command() -> clap::Command {
                 .help("table, json or csv"),
         )
         .arg(plot.clone().help("Draws the eigenvalues against speed; .svg or .png"));
-    let sweep = sweep::command([design.clone(), model.clone(), gravity.clone(), set.clone()]);
     let show = clap::Command::new("show")
         .about("The parameters as a file, with units and warnings")
         .arg(design.required_unless_present("model"))
