@@ -44,7 +44,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Bicycles => bicycles(),
         Command::Models => print(&output::models(model::MODELS)),
         Command::Show { request, plot } => show(&request, plot.as_deref()),
-        Command::Sweep(request) => sweep::run(load(&request.base)?, &request),
+        Command::Sweep(request) => sweep::run(load(&request.base), &request),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Everything that can be wrong with a request, told at once.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use carvallo::ModelInfo;
 
@@ -16,14 +16,52 @@ use crate::speeds;
 /// More speeds than this would make tables that nobody reads.
 const MAX_SPEEDS: usize = 100;
 
+/// What was asked for, with everything in it that can be judged without reading a file.
+pub struct Judged {
+    pub vary: Vec<Axis>,
+    pub random: Vec<Random>,
+    pub speeds: Vec<f64>,
+    pub format: Format,
+    pub file: Option<(PathBuf, Format)>,
+}
+
+/// # Errors
+/// Everything that is wrong with the request for a model.
+pub fn judge(request: &Request, info: &ModelInfo) -> Result<Judged, Failure> {
+    let mut judge = Judge::default();
+    let (vary, random) = judge.parameters(request, info);
+    let format = request.output.as_deref().map_or(Format::Csv, |path| judge.table("--output", path));
+    let file = request.designs.clone().map(|path| {
+        let format = judge.table("--designs", &path);
+        (path, format)
+    });
+    judge.paths(request);
+    let speeds = request.eigenvalues.as_ref().map(|text| judge.speeds(text)).unwrap_or_default();
+    if info.coordinates.len() != 2 && request.eigenvalues.is_none() {
+        let (name, count) = (info.name, info.coordinates.len());
+        judge.problem(
+            Place::Nowhere,
+            format!("critical speeds are for two coordinates, and {name} has {count}: give --eigenvalues SPEEDS"),
+        );
+    }
+    if let Some(path) = &request.map {
+        judge.map(path, request, info, &vary);
+    }
+    if judge.problems.is_empty() {
+        Ok(Judged { vary, random, speeds, format, file })
+    } else {
+        Err(Failure::Input(judge.problems))
+    }
+}
+
 /// Collects what is wrong.
 #[derive(Default)]
-pub struct Judge {
+struct Judge {
     problems: Vec<Problem>,
 }
 
 impl Judge {
-    pub fn problem(&mut self, place: Place, message: impl Into<String>) {
+    fn problem(&mut self, place: Place, message: impl Into<String>) {
         self.problems.push(Problem { place, message: message.into() });
     }
 
@@ -31,14 +69,8 @@ impl Judge {
         self.problem(Place::Option(format!("{option} {value}")), message);
     }
 
-    /// # Errors
-    /// What was collected.
-    pub fn done(self) -> Result<(), Failure> {
-        if self.problems.is_empty() { Ok(()) } else { Err(Failure::Input(self.problems)) }
-    }
-
     /// What varies and what is drawn.
-    pub fn parameters(&mut self, request: &Request, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
+    fn parameters(&mut self, request: &Request, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
         let vary = self.each("--vary", &request.vary, |text| Axis::parse(text, info));
         let random = self.each("--random", &request.random, |text| Random::parse(text, info));
         let varied = request.vary.iter().map(|text| ("--vary", text));
@@ -76,7 +108,7 @@ impl Judge {
     }
 
     /// The format of a table by the ending of its name.
-    pub fn table(&mut self, option: &str, path: &Path) -> Format {
+    fn table(&mut self, option: &str, path: &Path) -> Format {
         Format::of(path).unwrap_or_else(|| {
             self.option(option, &path.display().to_string(), "the name must end in .csv or .parquet");
             Format::Csv
@@ -84,7 +116,7 @@ impl Judge {
     }
 
     /// Whether the results would replace the designs.
-    pub fn paths(&mut self, request: &Request) {
+    fn paths(&mut self, request: &Request) {
         if let (Some(designs), Some(output)) = (&request.designs, &request.output)
             && let (Ok(from), Ok(to)) = (designs.canonicalize(), output.canonicalize())
             && from == to
@@ -94,7 +126,7 @@ impl Judge {
     }
 
     /// The speeds of eigenvalues.
-    pub fn speeds(&mut self, text: &str) -> Vec<f64> {
+    fn speeds(&mut self, text: &str) -> Vec<f64> {
         let speeds = speeds::parse(text).and_then(|speeds| {
             if speeds.len() > MAX_SPEEDS {
                 return Err(format!("there are {} speeds; there must be at most {MAX_SPEEDS}", speeds.len()));
@@ -111,7 +143,7 @@ impl Judge {
     }
 
     /// Whether there is a map to draw.
-    pub fn map(&mut self, path: &Path, request: &Request, info: &ModelInfo, vary: &[Axis]) {
+    fn map(&mut self, path: &Path, request: &Request, info: &ModelInfo, vary: &[Axis]) {
         let path = path.display().to_string();
         if ![".svg", ".png"].iter().any(|ending| path.to_lowercase().ends_with(ending)) {
             self.option("--map", &path, "the name must end in .svg or .png");

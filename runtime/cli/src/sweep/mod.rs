@@ -32,7 +32,7 @@ use self::progress::Progress;
 use self::read::{File, Records};
 use self::target::Target;
 use crate::failure::Failure;
-use crate::input::Design;
+use crate::input::{self, Design};
 use crate::{WARNING, note, plot};
 
 /// The designs that one core computes before it looks for more: small enough for its cache.
@@ -43,7 +43,8 @@ const CHUNK: usize = 512;
 /// # Errors
 /// Everything that is wrong with the request; and if a file cannot be read or written. Designs without an answer are no
 /// failure: their rows say why.
-pub fn run(design: Design, request: &Request) -> Result<(), Failure> {
+pub fn run(design: Result<Design, Failure>, request: &Request) -> Result<(), Failure> {
+    let design = design.map_err(|failure| with_options(failure, request))?;
     let plan = Plan::new(&design, request)?;
     let mut map = request.map.as_ref().map(|_| Map::new(&plan));
     let mut target = Target::open(request, &plan)?;
@@ -96,6 +97,18 @@ pub fn run(design: Design, request: &Request) -> Result<(), Failure> {
         note(Style::new(), "wrote", &path.display().to_string());
     }
     Ok(())
+}
+
+/// What is wrong with the design, and with everything else as far as its model is known.
+fn with_options(failure: Failure, request: &Request) -> Failure {
+    let Failure::Input(mut problems) = failure else { return failure };
+    let base = input::Request { overrides: Vec::new(), ..request.base.clone() };
+    if let Ok(design) = input::load(&base)
+        && let Err(Failure::Input(others)) = judge::judge(request, design.info())
+    {
+        problems.extend(others);
+    }
+    Failure::Input(problems)
 }
 
 /// The designs, one batch after the other.

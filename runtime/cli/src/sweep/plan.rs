@@ -5,11 +5,11 @@ use super::columns::Heading;
 use super::definition::definition;
 use super::evaluate::{self, Task};
 use super::generate::Generator;
-use super::judge::Judge;
+use super::judge::{Judged, judge};
 use super::layout::Layout;
 use super::read::File;
 use super::write::Format;
-use crate::failure::{Failure, Place};
+use crate::failure::Failure;
 use crate::input::Design;
 
 /// More designs than this are taken for a slip in a step.
@@ -42,26 +42,9 @@ impl Plan {
     /// Everything that is wrong with the request.
     pub fn new(design: &Design, request: &Request) -> Result<Self, Failure> {
         let info = design.info();
-        let mut judge = Judge::default();
-        let (vary, random) = judge.parameters(request, info);
-        let format = request.output.as_deref().map_or(Format::Csv, |path| judge.table("--output", path));
-        let file = request.designs.as_deref().map(|path| (path, judge.table("--designs", path)));
-        judge.paths(request);
-        let speeds = request.eigenvalues.as_ref().map(|text| judge.speeds(text)).unwrap_or_default();
-        if info.coordinates.len() != 2 && request.eigenvalues.is_none() {
-            let (name, count) = (info.name, info.coordinates.len());
-            judge.problem(
-                Place::Nowhere,
-                format!("critical speeds are for two coordinates, and {name} has {count}: give --eigenvalues SPEEDS"),
-            );
-        }
-        if let Some(path) = &request.map {
-            judge.map(path, request, info, &vary);
-        }
-        judge.done()?;
-
+        let Judged { vary, random, speeds, format, file } = judge(request, info)?;
         let source = match file {
-            Some((path, format)) => Source::File(File::open(path, format, info)?),
+            Some((path, format)) => Source::File(File::open(&path, format, info)?),
             None => {
                 let samples = request.samples.unwrap_or(1);
                 Source::Generated(Generator { vary, random, samples, seed: request.seed })
