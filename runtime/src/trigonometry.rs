@@ -30,16 +30,17 @@ pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
 
 #[inline(never)]
 fn reduced(angle: f64) -> (f64, f64) {
-    if angle.abs() <= LIMIT { sin_cos_of_lanes_within_limit(angle) } else { far(angle) }
+    if angle.abs() <= LIMIT { within_limit(angle) } else { far(angle) }
 }
 
 /// Sine and cosine of angles in rad.
+#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn sin_cos_of_lanes<T: Lane>(angle: T) -> (T, T) {
     if T::all(angle.abs().less_or_equal(angle.like(QUARTER))) {
         return kernel(angle, angle.like(0.0));
     }
-    let (sin, cos) = sin_cos_of_lanes_within_limit(angle);
+    let (sin, cos) = within_limit(angle);
     let is_near = angle.abs().less_or_equal(angle.like(LIMIT));
     if T::all(is_near) {
         return (sin, cos);
@@ -48,7 +49,7 @@ pub(crate) fn sin_cos_of_lanes<T: Lane>(angle: T) -> (T, T) {
 }
 
 #[inline(always)]
-fn sin_cos_of_lanes_within_limit<T: Lane>(angle: T) -> (T, T) {
+fn within_limit<T: Lane>(angle: T) -> (T, T) {
     let rounded = angle * angle.like(TWO_OVER_PI) + angle.like(ROUND);
     let quarters = rounded - angle.like(ROUND);
     let [first, second, third] = PARTS.map(|part| quarters * angle.like(part));

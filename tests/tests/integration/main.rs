@@ -1,5 +1,6 @@
 //! Integration tests: results of generated code and of the runtime against facts from outside of both.
 
+mod batch;
 mod bicycles;
 #[cfg(feature = "compiler")]
 mod claims;
@@ -24,5 +25,6 @@ mod regenerate;
 mod stability;
 mod state_space;
 mod textbook;
+mod trigonometry;
 #[cfg(feature = "compiler")]
 mod ui;
