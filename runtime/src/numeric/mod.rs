@@ -9,6 +9,10 @@ pub(crate) use real::Real;
 pub(crate) use scale::{equilibrate, exponent, ldexp};
 
 #[cfg(feature = "std")]
+pub(crate) mod fixed;
+#[cfg(feature = "std")]
+pub(crate) mod isolation;
+#[cfg(feature = "std")]
 mod polynomial;
 #[cfg(feature = "std")]
 mod roots;

@@ -1,0 +1,48 @@
+//! Polynomials of known degree, as arrays of their coefficients, ascending.
+
+use super::Sum;
+
+/// The product of two polynomials; `C` is `A + B - 1`.
+#[inline]
+pub(crate) fn product<const A: usize, const B: usize, const C: usize>(a: &[Sum; A], b: &[Sum; B]) -> [Sum; C] {
+    const { assert!(C + 1 == A + B) }
+    let mut product = [Sum::ZERO; C];
+    for i in 0..A {
+        for j in 0..B {
+            let term = a[i] * b[j];
+            product[i + j] = if i == 0 || j == B - 1 { term } else { product[i + j] + term };
+        }
+    }
+    product
+}
+
+/// The square of a polynomial; `C` is `2 A - 1`.
+#[inline]
+pub(crate) fn square<const A: usize, const C: usize>(a: &[Sum; A]) -> [Sum; C] {
+    const { assert!(C + 1 == 2 * A) }
+    core::array::from_fn(|power| {
+        let first = (power + 1).saturating_sub(A);
+        // The terms before the middle one come twice.
+        let mut sum = Sum::ZERO;
+        for i in first..power.div_ceil(2) {
+            sum = sum + a[i] * a[power - i];
+        }
+        sum = sum + sum;
+        if power % 2 == 0 { sum + a[power / 2] * a[power / 2] } else { sum }
+    })
+}
+
+#[inline]
+pub(crate) fn add<const N: usize>(a: [Sum; N], b: [Sum; N]) -> [Sum; N] {
+    core::array::from_fn(|i| a[i] + b[i])
+}
+
+#[inline]
+pub(crate) fn sub<const N: usize>(a: [Sum; N], b: [Sum; N]) -> [Sum; N] {
+    core::array::from_fn(|i| a[i] - b[i])
+}
+
+#[inline]
+pub(crate) fn times<const N: usize>(a: [Sum; N], factor: f64) -> [Sum; N] {
+    a.map(|a| a.times(factor))
+}
