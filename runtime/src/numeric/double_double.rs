@@ -35,6 +35,12 @@ impl DoubleDouble {
         quick_sum(product.hi, product.lo + self.lo * factor)
     }
 
+    /// Twice the number, exactly.
+    #[inline]
+    pub(crate) fn doubled(self) -> Self {
+        Self { hi: 2.0 * self.hi, lo: 2.0 * self.lo }
+    }
+
     /// The sum, to within 2^-104 of the magnitudes of both: not of the sum itself, and so with less work.
     #[inline]
     pub(crate) fn add_roughly(self, other: Self) -> Self {

@@ -20,16 +20,24 @@ pub(crate) fn product<const A: usize, const B: usize, const C: usize>(a: &[Sum; 
 #[inline]
 pub(crate) fn square<const A: usize, const C: usize>(a: &[Sum; A]) -> [Sum; C] {
     const { assert!(C + 1 == 2 * A) }
-    core::array::from_fn(|power| {
-        let first = (power + 1).saturating_sub(A);
+    let mut square = [Sum::ZERO; C];
+    for power in 0..C {
         // The terms before the middle one come twice.
         let mut sum = Sum::ZERO;
-        for i in first..power.div_ceil(2) {
-            sum = sum + a[i] * a[power - i];
+        for i in (power + 1).saturating_sub(A)..power.div_ceil(2) {
+            let term = a[i] * a[power - i];
+            sum = if i == (power + 1).saturating_sub(A) { term } else { sum + term };
         }
-        sum = sum + sum;
-        if power % 2 == 0 { sum + a[power / 2] * a[power / 2] } else { sum }
-    })
+        sum = sum.doubled();
+        square[power] = if power % 2 == 1 {
+            sum
+        } else if power == 0 || power == C - 1 {
+            a[power / 2] * a[power / 2]
+        } else {
+            sum + a[power / 2] * a[power / 2]
+        };
+    }
+    square
 }
 
 #[inline]
@@ -45,4 +53,16 @@ pub(crate) fn sub<const N: usize>(a: [Sum; N], b: [Sum; N]) -> [Sum; N] {
 #[inline]
 pub(crate) fn times<const N: usize>(a: [Sum; N], factor: f64) -> [Sum; N] {
     a.map(|a| a.times(factor))
+}
+
+/// Without what is left of highest coefficients that cancel.
+#[inline]
+pub(crate) fn trimmed<const N: usize>(mut a: [Sum; N]) -> [Sum; N] {
+    for i in (0..N).rev() {
+        if a[i].sign() != 0 {
+            break;
+        }
+        a[i] = Sum::ZERO;
+    }
+    a
 }

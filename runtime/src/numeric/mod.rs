@@ -22,6 +22,6 @@ mod sum;
 #[cfg(feature = "std")]
 pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
-pub(crate) use roots::{Root, positive_roots};
+pub(crate) use roots::{Root, candidates, positive_roots};
 #[cfg(feature = "std")]
 pub(crate) use sum::{NOISE, Sum};

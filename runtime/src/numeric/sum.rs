@@ -32,6 +32,12 @@ impl Sum {
         Self { value: self.value.times(factor), size: self.size * factor.abs() }
     }
 
+    /// Twice the number.
+    #[inline]
+    pub(crate) fn doubled(self) -> Self {
+        Self { value: self.value.doubled(), size: 2.0 * self.size }
+    }
+
     /// -1, 0 or 1; zero if the terms cancel as far as the arithmetic can tell.
     pub(crate) fn sign(self) -> i8 {
         let value = self.value.to_f64();

@@ -1,6 +1,6 @@
 //! The characteristic polynomial without damping at rest, and the polynomials in the square of the speed made from it.
 
-use crate::numeric::fixed::{add, product, square, sub, times};
+use crate::numeric::fixed::{add, product, square, sub, times, trimmed};
 use crate::numeric::{DoubleDouble, Sum};
 use crate::{Coefficients, Matrix, Scalar};
 
@@ -46,6 +46,7 @@ impl Even {
         let p1 = [mixed(c1, k), mixed_exact(c1, k2)];
         let p2 = [mixed(m, k), mixed_exact(m, k2) + determinant(c1)];
         let p3 = mixed_exact(m, c1);
+        let (p0, p1, p2) = (trimmed(p0), trimmed(p1), trimmed(p2));
         if sign < 0.0 {
             return Some(Self { p0: p0.map(|p| -p), p1: p1.map(|p| -p), p2: p2.map(|p| -p), p3: -p3, p4: -p4 });
         }
@@ -60,7 +61,7 @@ impl Even {
         let p11: [Sum; 3] = square(p1);
         let p33 = *p3 * *p3;
         let rest: [Sum; 3] = core::array::from_fn(|i| *p4 * p11[i] + p33 * p0[i]);
-        let hurwitz = sub(first, rest);
+        let hurwitz = trimmed(sub(first, rest));
 
         let p40 = p0.map(|p0| *p4 * p0);
         let p22: [Sum; 3] = square(p2);

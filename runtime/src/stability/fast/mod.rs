@@ -22,6 +22,12 @@ struct Found {
 /// The least relative distance of two critical speeds.
 const APART: f64 = 1.0 / (1u64 << 36) as f64;
 
+/// The least that may be left of terms that cancel, for the digits that a root in `f64` gives.
+const CANCELLED: f64 = 1.0 / (1u64 << 16) as f64;
+
+/// What may be lacking of a root, relative to it.
+const NEGLIGIBLE: f64 = f64::EPSILON / (1u64 << 16) as f64;
+
 /// The largest relative error.
 const SHARP: f64 = 1.0 / (1u64 << 20) as f64;
 
@@ -57,7 +63,11 @@ pub(super) fn stability<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f
         }
         let change = if bracket.rises == (signs.p3 > 0) { Change::Stabilizes } else { Change::Destabilizes };
         let mut critical = critical(CriticalKind::Weave, root.square, root.error, change)?;
-        let numerator = at(&even.p1, u).value + (even.p1[1].value.to_f64() * root.square.rest).into();
+        let sum = at(&even.p1, u);
+        if sum.value.to_f64().abs() < CANCELLED * sum.size {
+            return None;
+        }
+        let numerator = sum.value + (even.p1[1].value.to_f64() * root.square.rest).into();
         let first = numerator.to_f64() / even.p3.value.to_f64();
         let rest = (numerator - even.p3.value.times(first)).to_f64() / even.p3.value.to_f64();
         critical.eigenvalue.im = Square { u: first, rest }.speed().0;
@@ -137,8 +147,7 @@ fn simple_root(polynomial: &[Sum; 3], rounded: &Rounded<3>, bracket: &Bracket) -
     let step = -value.value.to_f64() / slope;
     let error = f64::EPSILON * value.size / slope.abs();
     let left = (c2 / slope).abs() * step * step;
-    (step.abs() <= APART * u && left <= u * f64::EPSILON / 32.0)
-        .then_some(Root { square: Square { u, rest: step }, error })
+    (step.abs() <= APART * u && left <= NEGLIGIBLE * u).then_some(Root { square: Square { u, rest: step }, error })
 }
 
 fn critical(kind: CriticalKind, square: Square, error: f64, change: Change) -> Option<CriticalSpeed> {
