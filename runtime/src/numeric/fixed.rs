@@ -66,3 +66,19 @@ pub(crate) fn trimmed<const N: usize>(mut a: [Sum; N]) -> [Sum; N] {
     }
     a
 }
+
+/// The same polynomial with more coefficients.
+#[inline]
+pub(crate) fn padded<const A: usize, const B: usize>(a: [Sum; A]) -> [Sum; B] {
+    let mut padded = [Sum::ZERO; B];
+    padded[..A].copy_from_slice(&a);
+    padded
+}
+
+/// The value at x.
+#[inline]
+pub(crate) fn at(coefficients: &[Sum], x: f64) -> Sum {
+    let mut descending = coefficients.iter().rev().skip_while(|c| c.size == 0.0);
+    let first = descending.next().copied().unwrap_or(Sum::ZERO);
+    descending.fold(first, |value, &coefficient| value.times(x) + coefficient)
+}

@@ -63,6 +63,18 @@ impl<const N: usize> Rounded<N> {
         }
     }
 
+    /// The first derivative at x, and half of the second one.
+    #[inline]
+    pub(crate) fn derivatives(&self, x: f64) -> [f64; 2] {
+        let (mut value, mut slope, mut half_curvature) = (0.0, 0.0, 0.0);
+        for i in (0..N).rev() {
+            half_curvature = half_curvature * x + slope;
+            slope = slope * x + value;
+            value = value * x + self.value[i];
+        }
+        [slope, half_curvature]
+    }
+
     /// Intervals with one root each of all positive roots; `None` if it is not certain how many there are.
     pub(crate) fn isolate(&self, brackets: &mut Brackets) -> Option<()> {
         let last = (0..N).rev().find(|&i| self.size[i] != 0.0)?;

@@ -95,7 +95,7 @@ fn diagonal(x: f64, y: f64) -> Rows {
 }
 
 proptest! {
-    #![proptest_config(designs::config(1000))]
+    #![proptest_config(designs::config(20000))]
 
     #[test]
     fn on_designs_at_the_edge(design in designs::any()) {

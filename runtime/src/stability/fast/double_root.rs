@@ -1,141 +1,140 @@
-//! The double eigenvalue near a root of the discriminant.
+//! The double eigenvalue at a root of the discriminant.
 
-use super::even::{Even, Square};
+use super::characteristic::{Conditions, Variable};
+use super::root::{NEGLIGIBLE, Root};
 use crate::numeric::{DoubleDouble, Sum};
 
+/// A speed with a real double eigenvalue.
 pub(super) struct DoubleRoot {
-    pub(super) square: Square,
-    /// An estimate of the error of the square of the speed.
-    pub(super) error: f64,
-    /// The eigenvalue divided by the speed.
-    pub(super) sigma: f64,
-    pub(super) sigma_rest: f64,
-    /// Whether two real eigenvalues become a pair.
+    pub(super) root: Root,
+    /// The eigenvalue in two parts; for [`Variable::Square`] divided by the speed.
+    pub(super) sigma: (f64, f64),
+    /// Whether two real eigenvalues become a pair as the speed grows.
     pub(super) merges: bool,
 }
 
-/// With s = v sigma the characteristic polynomial is `a(sigma) u^2 + b(sigma) u + p_00`.
-struct Terms<T> {
-    a: [T; 5],
-    b: [T; 3],
-    c: T,
-}
-
-impl Terms<Sum> {
-    fn new(even: &Even) -> Self {
-        let Even { p0, p1, p2, p3, p4 } = even;
-        Self { a: [p0[2], p1[1], p2[1], *p3, *p4], b: [p0[1], p1[0], p2[0]], c: p0[0] }
-    }
-
-    fn map<T>(&self, f: impl Fn(Sum) -> T) -> Terms<T> {
-        Terms { a: self.a.map(&f), b: self.b.map(&f), c: f(self.c) }
-    }
-}
-
-pub(super) struct DoubleRoots {
-    exact: Terms<DoubleDouble>,
-    value: Terms<f64>,
-    size: Terms<f64>,
+/// The characteristic polynomial in x and sigma, by powers of sigma: that is s or, for [`Variable::Square`], s / v.
+pub(super) struct DoubleRoots<const P: usize> {
+    exact: [[DoubleDouble; P]; 5],
+    value: [[f64; P]; 5],
+    size: [[f64; P]; 5],
 }
 
 /// The least of derivatives that are not nearly zero, relative to their terms.
 const SAFE: f64 = 1.0 / (1u64 << 24) as f64;
 
-impl DoubleRoots {
-    pub(super) fn new(even: &Even) -> Self {
-        let terms = Terms::new(even);
-        Self {
-            exact: terms.map(|sum| sum.value),
-            value: terms.map(|sum| sum.value.to_f64()),
-            size: terms.map(|sum| sum.size),
+/// How close to the double root a root of the discriminant in `f64` must be, relative to it.
+const CLOSE: f64 = 1.0 / (1u64 << 14) as f64;
+
+impl<const P: usize> DoubleRoots<P> {
+    pub(super) fn new<const H: usize, const D: usize>(conditions: &Conditions<P, H, D>) -> Self {
+        let mut p = conditions.p;
+        if conditions.variable == Variable::Square {
+            for (p, power) in p.iter_mut().zip([0, 1, 1, 2, 2]) {
+                p.rotate_right(power);
+            }
         }
+        let exact = p.map(|p| p.map(|c| c.value));
+        let value = exact.map(|p| p.map(DoubleDouble::to_f64));
+        Self { exact, value, size: p.map(|p| p.map(|c: Sum| c.size)) }
     }
 
-    pub(super) fn near(&self, u: f64) -> Option<DoubleRoot> {
-        let sigma = self.double(u);
-        // Newton's iteration for p = p_sigma = 0: one step in f64, one with residuals in double-double.
-        let at = derivatives(&self.value, sigma, u);
-        let (du, ds) = step([at.p, at.slope], &at);
-        let (u, sigma) = (u + du, sigma + ds);
-        let at = derivatives(&self.value, sigma, u);
-        let (dv, dt) = step(self.residuals(sigma, u), &at);
-        let size = derivatives(&self.size, sigma.abs(), u);
-        let safe = at.by_u.abs() > SAFE * size.by_u && at.curvature.abs() > SAFE * size.curvature;
-        let error = f64::EPSILON * size.p / at.by_u.abs();
-        // What the last step leaves.
-        let left = (size.curvature * dt * dt + (size.by_u / u) * dv * dv) / at.by_u.abs();
-        let is_close = du.abs() <= CLOSE * u && ds.abs() <= CLOSE * sigma.abs() && left <= NEGLIGIBLE * u;
-        (safe && is_close).then_some(DoubleRoot {
-            square: Square { u, rest: dv },
-            error,
-            sigma,
-            sigma_rest: dt,
-            merges: (at.by_u > 0.0) == (at.curvature > 0.0),
+    /// The double root near x by Newton's iteration for `p = p_sigma = 0`: a step in `f64`, and one in double-double.
+    #[inline]
+    pub(super) fn near(&self, x: f64) -> Option<DoubleRoot> {
+        let sigma = double_root(self.value.map(|p| value_and_slope(&p, x).0));
+        let at = Derivatives::new(&self.value, sigma, x);
+        let (dx, dsigma) = at.step([at.p, at.slope]);
+        let (x, sigma) = (x + dx, sigma + dsigma);
+        let at = Derivatives::new(&self.value, sigma, x);
+        let (x_rest, sigma_rest) = at.step(self.residuals(sigma, x));
+
+        let size = Derivatives::new(&self.size, sigma.abs(), x);
+        let is_safe = at.by_x.abs() > SAFE * size.by_x && at.curvature.abs() > SAFE * size.curvature;
+        let is_close = dx.abs() <= CLOSE * x && dsigma.abs() <= CLOSE * sigma.abs();
+        // The next step would be about this.
+        let left = (size.curvature * sigma_rest * sigma_rest + size.by_x / x * x_rest * x_rest) / at.by_x.abs();
+        let error = f64::EPSILON * size.p / at.by_x.abs();
+        (is_safe && is_close && left <= NEGLIGIBLE * x).then_some(DoubleRoot {
+            root: Root::new(x, x_rest, error),
+            sigma: (sigma, sigma_rest),
+            // Nearby `sigma^2 = -2 p_x x / p_sigma_sigma`, both measured from there.
+            merges: (at.by_x > 0.0) == (at.curvature > 0.0),
         })
     }
 
-    /// The double root in sigma at u, if there is one: of the remainder of degree one of p and its derivative.
-    fn double(&self, u: f64) -> f64 {
-        let Terms { a: [a0, a1, a2, a3, a4], b: [b0, b1, b2], c } = self.value;
-        let (a, b, c, d, e) = (a4 * u, a3 * u, a2 * u + b2, a1 * u + b1, (a0 * u + b0) + c / u);
-        let (q2, q1, q0) = (8.0 * a * c - 3.0 * b * b, 12.0 * a * d - 2.0 * b * c, 16.0 * a * e - b * d);
-        let constant = 4.0 * a * q1 * q0 + q2 * (q2 * d - 3.0 * b * q0);
-        let linear = 4.0 * a * (q1 * q1 - q0 * q2) + q2 * (2.0 * c * q2 - 3.0 * b * q1);
-        -constant / linear
-    }
-
-    /// p and p_sigma in double-double, rounded.
-    fn residuals(&self, sigma: f64, u: f64) -> [f64; 2] {
-        let Terms { a, b, c } = &self.exact;
-        let mut value = a[4];
-        let mut slope = a[4];
-        value = value.times(sigma).add_roughly(a[3]);
-        for i in (0..3).rev() {
-            slope = slope.times(sigma).add_roughly(value);
-            value = value.times(sigma).add_roughly(a[i]);
+    /// p and its derivative by sigma, as far as double-double tells.
+    #[inline]
+    fn residuals(&self, sigma: f64, x: f64) -> [f64; 2] {
+        let mut p = [DoubleDouble::ZERO; 5];
+        for power in 0..5 {
+            p[power] = self.exact[power][P - 1];
+            for i in (0..P - 1).rev() {
+                p[power] = p[power].times(x).add_roughly(self.exact[power][i]);
+            }
         }
-        let b_slope = b[2].times(sigma).add_roughly(b[1]);
-        let b_value = b_slope.times(sigma).add_roughly(b[0]);
-        let b_slope = b[2].times(sigma).add_roughly(b_slope);
-        let p = value.times(u).add_roughly(b_value).times(u).add_roughly(*c);
-        let slope = slope.times(u).add_roughly(b_slope).times(u).to_f64();
-        [p.to_f64(), slope]
+        let mut value = p[4].times(sigma).add_roughly(p[3]);
+        let mut slope = p[4];
+        for power in (0..3).rev() {
+            slope = slope.times(sigma).add_roughly(value);
+            value = value.times(sigma).add_roughly(p[power]);
+        }
+        [value.to_f64(), slope.to_f64()]
     }
 }
 
-const CLOSE: f64 = 1.0 / (1u64 << 14) as f64;
-const NEGLIGIBLE: f64 = 1.0 / (1u64 << 57) as f64;
+/// The double root of a quartic that has one: the root of the remainder of degree one of the quartic and its derivative.
+#[inline]
+fn double_root([e, d, c, b, a]: [f64; 5]) -> f64 {
+    let (q2, q1, q0) = (8.0 * a * c - 3.0 * b * b, 12.0 * a * d - 2.0 * b * c, 16.0 * a * e - b * d);
+    let constant = 4.0 * a * q1 * q0 + q2 * (q2 * d - 3.0 * b * q0);
+    let linear = 4.0 * a * (q1 * q1 - q0 * q2) + q2 * (2.0 * c * q2 - 3.0 * b * q1);
+    -constant / linear
+}
 
-/// The polynomial and its derivatives.
+/// A polynomial in x and sigma, and its derivatives.
 struct Derivatives {
     p: f64,
+    /// By sigma.
     slope: f64,
+    /// Twice by sigma.
     curvature: f64,
-    by_u: f64,
-    slope_by_u: f64,
+    by_x: f64,
+    /// By sigma and by x.
+    slope_by_x: f64,
 }
 
-#[inline]
-fn derivatives(terms: &Terms<f64>, sigma: f64, u: f64) -> Derivatives {
-    let Terms { a, b, c } = terms;
-    let a0 = (((a[4] * sigma + a[3]) * sigma + a[2]) * sigma + a[1]) * sigma + a[0];
-    let a1 = ((4.0 * a[4] * sigma + 3.0 * a[3]) * sigma + 2.0 * a[2]) * sigma + a[1];
-    let a2 = (12.0 * a[4] * sigma + 6.0 * a[3]) * sigma + 2.0 * a[2];
-    let b0 = (b[2] * sigma + b[1]) * sigma + b[0];
-    let b1 = 2.0 * b[2] * sigma + b[1];
-    let b2 = 2.0 * b[2];
-    Derivatives {
-        p: (a0 * u + b0) * u + c,
-        slope: (a1 * u + b1) * u,
-        curvature: (a2 * u + b2) * u,
-        by_u: 2.0 * a0 * u + b0,
-        slope_by_u: 2.0 * a1 * u + b1,
+impl Derivatives {
+    #[inline]
+    fn new<const P: usize>(coefficients: &[[f64; P]; 5], sigma: f64, x: f64) -> Self {
+        let mut at = [(0.0, 0.0); 5];
+        for power in 0..5 {
+            at[power] = value_and_slope(&coefficients[power], x);
+        }
+        let [(e, e_x), (d, d_x), (c, c_x), (b, b_x), (a, a_x)] = at;
+        Self {
+            p: (((a * sigma + b) * sigma + c) * sigma + d) * sigma + e,
+            slope: ((4.0 * a * sigma + 3.0 * b) * sigma + 2.0 * c) * sigma + d,
+            curvature: (12.0 * a * sigma + 6.0 * b) * sigma + 2.0 * c,
+            by_x: (((a_x * sigma + b_x) * sigma + c_x) * sigma + d_x) * sigma + e_x,
+            slope_by_x: ((4.0 * a_x * sigma + 3.0 * b_x) * sigma + 2.0 * c_x) * sigma + d_x,
+        }
+    }
+
+    /// The step of x and of sigma that makes p and its derivative by sigma zero, to first order.
+    #[inline]
+    fn step(&self, [p, slope]: [f64; 2]) -> (f64, f64) {
+        let scale = 1.0 / (self.by_x * self.curvature - slope * self.slope_by_x);
+        ((slope * slope - p * self.curvature) * scale, (p * self.slope_by_x - slope * self.by_x) * scale)
     }
 }
 
-/// The steps of u and sigma.
 #[inline]
-fn step([p, slope]: [f64; 2], at: &Derivatives) -> (f64, f64) {
-    let scale = 1.0 / (at.by_u * at.curvature - slope * at.slope_by_u);
-    ((slope * slope - p * at.curvature) * scale, (p * at.slope_by_u - slope * at.by_u) * scale)
+fn value_and_slope<const P: usize>(coefficients: &[f64; P], x: f64) -> (f64, f64) {
+    let (mut value, mut slope) = (0.0, 0.0);
+    for i in (0..P).rev() {
+        slope = slope * x + value;
+        value = value * x + coefficients[i];
+    }
+    (value, slope)
 }
