@@ -1,7 +1,7 @@
 //! The double eigenvalue at a root of the discriminant.
 
 use super::characteristic::{Conditions, Variable};
-use super::root::{NEGLIGIBLE, Root};
+use super::root::Root;
 use crate::numeric::{DoubleDouble, Sum};
 
 /// A speed with a real double eigenvalue.
@@ -25,6 +25,9 @@ const SAFE: f64 = 1.0 / (1u64 << 24) as f64;
 
 /// How close to the double root a root of the discriminant in `f64` must be, relative to it.
 const CLOSE: f64 = 1.0 / (1u64 << 14) as f64;
+
+/// What may be lacking of the speed, relative to it.
+const LACKING: f64 = f64::EPSILON / 256.0;
 
 impl<const P: usize> DoubleRoots<P> {
     pub(super) fn new<const H: usize, const D: usize>(conditions: &Conditions<P, H, D>) -> Self {
@@ -55,7 +58,7 @@ impl<const P: usize> DoubleRoots<P> {
         // The next step would be about this.
         let left = (size.curvature * sigma_rest * sigma_rest + size.by_x / x * x_rest * x_rest) / at.by_x.abs();
         let error = f64::EPSILON * size.p / at.by_x.abs();
-        (is_safe && is_close && left <= NEGLIGIBLE * x).then_some(DoubleRoot {
+        (is_safe && is_close && left <= LACKING * x).then_some(DoubleRoot {
             root: Root::new(x, x_rest, error),
             sigma: (sigma, sigma_rest),
             // Nearby `sigma^2 = -2 p_x x / p_sigma_sigma`, both measured from there.

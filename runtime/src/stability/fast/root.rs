@@ -21,7 +21,7 @@ pub(super) struct Root {
 const STEP: f64 = 1.0 / (1u64 << 32) as f64;
 
 /// What may be lacking of a root, relative to it.
-pub(super) const NEGLIGIBLE: f64 = f64::EPSILON / (1u64 << 16) as f64;
+const NEGLIGIBLE: f64 = f64::EPSILON / (1u64 << 16) as f64;
 
 impl Root {
     #[inline]
