@@ -8,6 +8,7 @@
 use arrayvec::ArrayVec;
 
 use super::{NOISE, Sum};
+use crate::Scalar;
 
 /// A polynomial with coefficients in `f64`, ascending, with a size for each: coefficients err by a rounding of their size.
 #[derive(Clone, Copy, Debug)]
@@ -19,9 +20,9 @@ pub(crate) struct Rounded<const N: usize> {
 /// An interval with exactly one root.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bracket {
-    low: f64,
+    pub(crate) low: f64,
     /// Infinite if the interval has no end.
-    high: f64,
+    pub(crate) high: f64,
     guess: f64,
     /// Whether the polynomial is negative below the root and positive above it.
     pub(crate) rises: bool,
@@ -63,16 +64,16 @@ impl<const N: usize> Rounded<N> {
         }
     }
 
-    /// The first derivative at x, and half of the second one.
+    /// The value at x, the first derivative, and half of the second one.
     #[inline]
-    pub(crate) fn derivatives(&self, x: f64) -> [f64; 2] {
-        let (mut value, mut slope, mut half_curvature) = (0.0, 0.0, 0.0);
+    pub(crate) fn taylor(&self, x: f64) -> [f64; 3] {
+        let [mut value, mut slope, mut half_curvature] = [0.0; 3];
         for i in (0..N).rev() {
             half_curvature = half_curvature * x + slope;
             slope = slope * x + value;
             value = value * x + self.value[i];
         }
-        [slope, half_curvature]
+        [value, slope, half_curvature]
     }
 
     /// Intervals with one root each of all positive roots; `None` if it is not certain how many there are.
@@ -158,35 +159,43 @@ impl<const N: usize> Rounded<N> {
         Bracket { low: u(from), high: u(to), guess: u(from + x * (to - from)), rises: first < 0.0 }
     }
 
-    /// The root in an interval, to about half of the digits of `f64` or more, by Newton's iteration.
+    /// The root in an interval, to a relative error of about the cube of `close`, by Halley's iteration.
     #[inline]
-    pub(crate) fn refine(&self, &Bracket { mut low, mut high, mut guess, rises }: &Bracket) -> Option<f64> {
+    pub(crate) fn refine(&self, bracket: &Bracket, close: f64) -> Option<f64> {
         const STEPS: usize = 24;
-        const CLOSE: f64 = 1.0 / (1u64 << 20) as f64;
+        let &Bracket { mut low, mut high, guess, rises } = bracket;
+        let mut x = if N == 3 { self.quadratic_root(bracket) } else { guess };
         for _ in 0..STEPS {
-            let (mut value, mut slope) = (0.0, 0.0);
-            for i in (0..N).rev() {
-                slope = slope * guess + value;
-                value = value * guess + self.value[i];
-            }
+            let [value, slope, half_curvature] = self.taylor(x);
             if (value > 0.0) == rises {
-                high = guess;
+                high = x;
             } else {
-                low = guess;
+                low = x;
             }
-            let newton = guess - value / slope;
-            if (newton - guess).abs() <= CLOSE * guess {
-                return Some(newton);
+            let step = value * slope / (slope * slope - value * half_curvature);
+            let next = x - step;
+            if step.abs() <= close * x {
+                return Some(next);
             }
-            guess = if newton > low && newton < high {
-                newton
+            x = if next > low && next < high {
+                next
             } else if high < f64::INFINITY {
                 0.5 * (low + high)
             } else {
-                2.0 * guess
+                2.0 * x
             };
         }
         None
+    }
+
+    /// The root in an interval by the formula for quadratics, or a guess where it is not precise enough for that.
+    #[inline]
+    fn quadratic_root(&self, bracket: &Bracket) -> f64 {
+        let [c, b, a] = [0, 1, 2].map(|i| self.value[i]);
+        // The numerator without cancellation.
+        let q = -0.5 * (b + Scalar::sqrt((b * b - 4.0 * a * c).max(0.0)).copysign(b));
+        let is_in = |x: &f64| *x > bracket.low && *x < bracket.high;
+        [q / a, c / q].into_iter().find(is_in).unwrap_or(bracket.guess)
     }
 }
 

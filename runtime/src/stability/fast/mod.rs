@@ -18,6 +18,7 @@ use super::ranges::Verdicts;
 use super::verdict::{Verdict, verdict};
 use crate::{Coefficients, Scalar};
 use characteristic::{Conditions, Matrices, Variable};
+use search::All;
 use signs::Signs;
 
 /// All critical speeds and stable ranges; `None` if they are not certain.
@@ -29,7 +30,8 @@ pub(super) fn stability<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f
 impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
     fn stability(&self) -> Option<Stability> {
         let signs = Signs::new(self);
-        let found = self.search(&signs)?;
+        let mut found = All::new();
+        self.search(&signs, &mut found)?;
         let bounds = found.iter().filter_map(|found| Some((found.critical.speed, found.there?)));
         let bounds: ArrayVec<(f64, Verdict), 24> = bounds.collect();
         let verdicts = Verdicts::between(self.at_rest(), &bounds, |speed| {

@@ -17,6 +17,9 @@ pub(super) struct Root {
     pub(super) error: f64,
 }
 
+/// The last step of a root in `f64`, relative to it.
+const CLOSE: f64 = 1.0 / (1u64 << 14) as f64;
+
 /// The largest step that polishes a root, relative to it.
 const STEP: f64 = 1.0 / (1u64 << 32) as f64;
 
@@ -37,13 +40,13 @@ impl Root {
         rounded: &Rounded<N>,
         bracket: &Bracket,
     ) -> Option<Self> {
-        let x = rounded.refine(bracket)?;
+        let x = rounded.refine(bracket, CLOSE)?;
         let value = at(polynomial, x);
-        let [slope, curvature] = rounded.derivatives(x);
+        let [_, slope, half_curvature] = rounded.taylor(x);
         let rest = -value.value.to_f64() / slope;
         let error = f64::EPSILON * value.size / slope.abs();
         // The next step would be about this.
-        let left = (curvature / slope).abs() * rest * rest;
+        let left = (half_curvature / slope).abs() * rest * rest;
         (rest.abs() <= STEP * x && left <= NEGLIGIBLE * x).then(|| Self::new(x, rest, error))
     }
 

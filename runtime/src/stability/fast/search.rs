@@ -28,20 +28,22 @@ const APART: f64 = 1.0 / (1u64 << 36) as f64;
 /// The largest relative error of a critical speed that is surely one.
 const SHARP: f64 = 1.0 / (1u64 << 20) as f64;
 
+/// The last step of a root of the discriminant, relative to it, from where on it is polished as a double root.
+const CLOSE: f64 = 1.0 / (1u64 << 7) as f64;
+
 /// The least that may be left of terms that cancel, for a quotient to have all the digits of `f64`.
 const CANCELLED: f64 = 1.0 / (1u64 << 16) as f64;
 
 impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
     /// All critical speeds, ascending; `None` if it is not certain which there are.
-    pub(super) fn search(&self, signs: &Signs<P, H>) -> Option<All> {
-        let mut found = All::new();
+    pub(super) fn search(&self, signs: &Signs<P, H>, found: &mut All) -> Option<()> {
         let mut brackets = Brackets::new();
-        self.capsize(signs, &mut brackets, &mut found)?;
-        self.weave(signs, &mut brackets, &mut found)?;
-        self.meet(&mut brackets, &mut found)?;
+        self.capsize(signs, &mut brackets, found)?;
+        self.weave(signs, &mut brackets, found)?;
+        self.meet(&mut brackets, found)?;
         found.sort_unstable_by(|x, y| x.critical.speed.total_cmp(&y.critical.speed));
         let distance = |pair: &[Found]| pair[1].critical.speed - pair[0].critical.speed;
-        found.windows(2).all(|pair| distance(pair) > APART * pair[1].critical.speed).then_some(found)
+        found.windows(2).all(|pair| distance(pair) > APART * pair[1].critical.speed).then_some(())
     }
 
     /// Where the lowest coefficient is zero. Nearby the eigenvalue is about `-p_0 / p_1`.
@@ -80,7 +82,7 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
     fn frequency(&self, root: &Root) -> Option<f64> {
         let coefficient = |p: &[Sum; P]| {
             let sum = at(p, root.x);
-            let slope = Rounded::new(p).derivatives(root.x)[0];
+            let slope = Rounded::new(p).taylor(root.x)[1];
             let is_sharp = sum.value.to_f64().abs() >= CANCELLED * sum.size;
             is_sharp.then(|| sum.value.add_roughly((slope * root.rest).into()))
         };
@@ -99,7 +101,7 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
         }
         let double_roots = DoubleRoots::new(self);
         for bracket in brackets.drain(..) {
-            let at = double_roots.near(discriminant.refine(&bracket)?)?;
+            let at = double_roots.near(discriminant.refine(&bracket, CLOSE)?, &bracket)?;
             let (sigma, sigma_rest) = at.sigma;
             let eigenvalue = match self.variable {
                 Variable::Speed => sigma + sigma_rest,
