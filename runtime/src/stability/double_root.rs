@@ -19,17 +19,28 @@ pub(super) struct DoubleRoot {
     pub(super) unfolding: i8,
 }
 
-/// The speeds, ascending, at which the discriminant is zero, with the double eigenvalues there.
+/// The speeds, ascending, at which the discriminant is zero, polished, with the double eigenvalues there.
 ///
 /// A speed that is not certain from the discriminant, whose terms are large and cancel, may be so once it is polished.
 pub(super) fn all(characteristic: &Characteristic) -> Vec<(Root, DoubleRoot)> {
     let discriminant = characteristic.discriminant();
     let polished = |mut root: Root| {
         let double_root = find(characteristic, &discriminant, &mut root);
-        (root, double_root)
+        root.is_there().then_some((root, double_root))
     };
-    let roots = candidates(&discriminant).into_iter().map(polished);
-    roots.filter(|(root, _)| root.is_there()).collect()
+    candidates(&discriminant).into_iter().filter_map(polished).collect()
+}
+
+/// The same speeds, polished only where they are not certain otherwise.
+pub(super) fn speeds(characteristic: &Characteristic) -> Vec<DoubleDouble> {
+    let discriminant = characteristic.discriminant();
+    let certain = |mut root: Root| {
+        if !root.is_there() {
+            find(characteristic, &discriminant, &mut root);
+        }
+        root.is_there().then_some(root.at)
+    };
+    candidates(&discriminant).into_iter().filter_map(certain).collect()
 }
 
 /// The double eigenvalue at a root of the discriminant; polishes a simple root.
