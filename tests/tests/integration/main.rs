@@ -11,6 +11,7 @@ mod determinism;
 mod eigenvalues;
 #[cfg(feature = "compiler")]
 mod enormous;
+mod fast_stability;
 #[cfg(feature = "compiler")]
 mod generation;
 mod mechanisms;
