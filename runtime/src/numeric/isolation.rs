@@ -8,7 +8,7 @@
 use arrayvec::ArrayVec;
 
 use super::{NOISE, Sum};
-use crate::Scalar;
+use crate::Number;
 
 /// A polynomial with coefficients in `f64`, ascending, with a size for each: coefficients err by a rounding of their size.
 #[derive(Clone, Copy, Debug)]
@@ -193,7 +193,7 @@ impl<const N: usize> Rounded<N> {
     fn quadratic_root(&self, bracket: &Bracket) -> f64 {
         let [c, b, a] = [0, 1, 2].map(|i| self.value[i]);
         // The numerator without cancellation.
-        let q = -0.5 * (b + Scalar::sqrt((b * b - 4.0 * a * c).max(0.0)).copysign(b));
+        let q = -0.5 * (b + Number::sqrt((b * b - 4.0 * a * c).max(0.0)).copysign(b));
         let is_in = |x: &f64| *x > bracket.low && *x < bracket.high;
         [q / a, c / q].into_iter().find(is_in).unwrap_or(bracket.guess)
     }
