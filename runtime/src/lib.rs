@@ -22,6 +22,7 @@
 mod coefficients;
 #[cfg(feature = "derive")]
 mod declare;
+mod differentiable;
 mod eigenvalues;
 mod error;
 mod info;
@@ -34,6 +35,7 @@ mod stability;
 mod system;
 
 pub use coefficients::{Coefficients, Matrix};
+pub use differentiable::Differentiable;
 pub use error::SystemError;
 pub use info::{Bound, CoordinateInfo, Domain, ModelInfo, ParameterInfo, SetInfo};
 pub use model::{LengthError, Model, ParameterError};
