@@ -26,6 +26,7 @@ pub mod batch;
 mod coefficients;
 #[cfg(feature = "derive")]
 mod declare;
+mod differentiable;
 mod eigenvalues;
 mod error;
 mod evaluator;
@@ -44,6 +45,7 @@ mod system;
 mod trigonometry;
 
 pub use coefficients::{Coefficients, Matrix};
+pub use differentiable::{Differentiable, MatrixName, Partial};
 pub use error::SystemError;
 pub use evaluator::Evaluator;
 pub use info::{Bound, CoordinateInfo, Domain, EntryInfo, ModelInfo, ParameterInfo, SetInfo};
