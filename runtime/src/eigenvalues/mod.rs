@@ -1,10 +1,14 @@
 //! The eigenvalues of the equations of motion.
 
 mod characteristic;
+#[cfg(feature = "std")]
+mod francis;
+#[cfg(feature = "std")]
+mod general;
+#[cfg(feature = "std")]
+mod hessenberg;
 mod quartic;
 mod resolvent;
-#[cfg(feature = "std")]
-mod schur;
 
 use crate::system::require_finite;
 use crate::{Complex, System, SystemError};
@@ -67,7 +71,7 @@ impl<const N: usize> System<N> {
             let system = System { m: two(&self.m), c: two(&self.c), k: two(&self.k) };
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
-        let mut eigenvalues = schur::eigenvalues(self)?;
+        let mut eigenvalues = general::eigenvalues(self)?.as_flattened().to_vec();
         eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
         Ok(eigenvalues)
     }

@@ -125,8 +125,9 @@ fn newton([s, t]: [Quadratic; 2], [ra, rb, rc, rd]: [f64; 4]) -> [Quadratic; 2] 
 }
 
 impl Quadratic {
+    /// Both roots: two real ones, ascending, or a conjugate pair, the negative imaginary part first.
     #[inline]
-    fn roots(self) -> [Complex<f64>; 2] {
+    pub(super) fn roots(self) -> [Complex<f64>; 2] {
         let half = 0.5 * self.p;
         let discriminant = half * half - self.q;
         if discriminant < 0.0 {
