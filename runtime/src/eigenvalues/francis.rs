@@ -22,7 +22,7 @@ struct Shifts {
 
 /// Passes the eigenvalues on one by one; pairs one after the other, exactly conjugate.
 ///
-/// `None` if the bound on the sweeps is exceeded. The matrix is overwritten; what is below its subdiagonal is not read.
+/// `None` if the bound on the sweeps is exceeded. The matrix is overwritten.
 #[inline]
 pub(super) fn eigenvalues<R: Row>(h: &mut [R], mut found: impl FnMut(Complex<f64>)) -> Option<()> {
     let mut end = h.len();
@@ -118,96 +118,110 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
     let mut first = last - 2;
     let mut column = first_column(h, first, shifts);
     while first > start {
-        let size = column[0].abs()
-            * (h[first - 1].at(first - 1).abs() + h[first].at(first).abs() + h[first + 1].at(first + 1).abs());
-        if h[first].at(first - 1).abs() * (column[1].abs() + column[2].abs()) <= f64::EPSILON * size {
+        let diagonal = h[first - 1].at(first - 1).abs() + h[first].at(first).abs() + h[first + 1].at(first + 1).abs();
+        let moved = h[first].at(first - 1).abs() * (column[1].abs() + column[2].abs());
+        if moved <= f64::EPSILON * column[0].abs() * diagonal {
             break;
         }
         first -= 1;
         column = first_column(h, first, shifts);
     }
-    for k in first..last {
-        let rows = 3.min(last + 1 - k);
+    for k in first..last - 1 {
         if k > first {
-            column = [h[k].at(k - 1), h[k + 1].at(k - 1), if rows == 3 { h[k + 2].at(k - 1) } else { 0.0 }];
+            column = core::array::from_fn(|i| h[k + i].at(k - 1));
         }
-        let size = column[0].abs() + column[1].abs() + column[2].abs();
-        if size == 0.0 {
-            continue;
-        }
-        let [p, q, r] = column.map(|entry| entry / size);
-        let norm = Scalar::sqrt(p * p + q * q + r * r).copysign(p);
+        let Some(Reflection { along, across, head }) = Reflection::new(column) else { continue };
         if k > first {
-            *h[k].at_mut(k - 1) = -norm * size;
+            *h[k].at_mut(k - 1) = head;
+            *h[k + 1].at_mut(k - 1) = 0.0;
+            *h[k + 2].at_mut(k - 1) = 0.0;
         } else if first > start {
-            let before = h[k].at(k - 1);
-            *h[k].at_mut(k - 1) = -before;
+            *h[k].at_mut(k - 1) *= 1.0 - along[0] * across[0];
         }
-        let p = p + norm;
-        // The reflection is 1 - (1, v1, v2)^T (u0, u1, u2).
-        let (u, v) = ([p / norm, q / norm, r / norm], [q / p, r / p]);
-        if rows == 3 {
-            reflect_three(h, k, start, last, u, v);
-        } else {
-            reflect_two(h, k, start, last, u, v[0]);
+        if let [upper, middle, lower] = &mut h[k..k + 3] {
+            let columns = k..last + 1;
+            let upper = &mut upper.entries_mut()[columns.clone()];
+            let middle = &mut middle.entries_mut()[columns.clone()];
+            let lower = &mut lower.entries_mut()[columns];
+            for ((upper, middle), lower) in upper.iter_mut().zip(middle).zip(lower) {
+                let sum = *upper * along[0] + *middle * along[1] + *lower * along[2];
+                *upper -= sum * across[0];
+                *middle -= sum * across[1];
+                *lower -= sum * across[2];
+            }
         }
-    }
-}
-
-/// The first column of `(H - s1) (H - s2)` from row k on, over the entry below the diagonal there, and scaled.
-#[inline]
-fn first_column<R: Row>(h: &[R], k: usize, Shifts { x, y, w }: Shifts) -> [f64; 3] {
-    let z = h[k].at(k);
-    let (from_x, from_y) = (x - z, y - z);
-    let column = [
-        (from_x * from_y - w) / h[k + 1].at(k) + h[k].at(k + 1),
-        h[k + 1].at(k + 1) - z - from_x - from_y,
-        h[k + 2].at(k + 1),
-    ];
-    let size = column[0].abs() + column[1].abs() + column[2].abs();
-    column.map(|entry| entry / size)
-}
-
-/// The reflection of three rows, and of the same columns.
-#[inline]
-fn reflect_three<R: Row>(h: &mut [R], k: usize, start: usize, last: usize, u: [f64; 3], v: [f64; 2]) {
-    if let [upper, middle, lower] = &mut h[k..k + 3] {
-        let columns = k..last + 1;
-        let upper = &mut upper.entries_mut()[columns.clone()];
-        let middle = &mut middle.entries_mut()[columns.clone()];
-        let lower = &mut lower.entries_mut()[columns];
-        for ((upper, middle), lower) in upper.iter_mut().zip(middle).zip(lower) {
-            let sum = *upper + v[0] * *middle + v[1] * *lower;
-            *upper -= sum * u[0];
-            *middle -= sum * u[1];
-            *lower -= sum * u[2];
+        for row in &mut h[start..last.min(k + 3) + 1] {
+            if let [left, middle, right] = &mut row.entries_mut()[k..k + 3] {
+                let sum = *left * along[0] + *middle * along[1] + *right * along[2];
+                *left -= sum * across[0];
+                *middle -= sum * across[1];
+                *right -= sum * across[2];
+            }
         }
     }
-    for row in &mut h[start..last.min(k + 3) + 1] {
-        if let [left, middle, right] = &mut row.entries_mut()[k..k + 3] {
-            let sum = *left * u[0] + *middle * u[1] + *right * u[2];
-            *left -= sum;
-            *middle -= sum * v[0];
-            *right -= sum * v[1];
-        }
-    }
-}
-
-/// The reflection of two rows, and of the same columns.
-#[inline]
-fn reflect_two<R: Row>(h: &mut [R], k: usize, start: usize, last: usize, u: [f64; 3], v: f64) {
-    if let [upper, lower] = &mut h[k..k + 2] {
-        for (upper, lower) in upper.entries_mut()[k..last + 1].iter_mut().zip(&mut lower.entries_mut()[k..last + 1]) {
-            let sum = *upper + v * *lower;
-            *upper -= sum * u[0];
-            *lower -= sum * u[1];
-        }
+    // The last reflection is of two rows.
+    let k = last - 1;
+    let Some(Reflection { along, across, head }) = Reflection::new([h[k].at(k - 1), h[last].at(k - 1), 0.0]) else {
+        return;
+    };
+    *h[k].at_mut(k - 1) = head;
+    *h[last].at_mut(k - 1) = 0.0;
+    for column in [k, last] {
+        let (upper, lower) = (h[k].at(column), h[last].at(column));
+        let sum = upper * along[0] + lower * along[1];
+        *h[k].at_mut(column) = upper - sum * across[0];
+        *h[last].at_mut(column) = lower - sum * across[1];
     }
     for row in &mut h[start..last + 1] {
-        if let [left, right] = &mut row.entries_mut()[k..k + 2] {
-            let sum = *left * u[0] + *right * u[1];
-            *left -= sum;
-            *right -= sum * v;
+        if let [left, right] = &mut row.entries_mut()[k..last + 1] {
+            let sum = *left * along[0] + *right * along[1];
+            *left -= sum * across[0];
+            *right -= sum * across[1];
         }
+    }
+}
+
+/// The first column of `(H - s1) (H - s2)` from row k on.
+#[inline]
+fn first_column<R: Row>(h: &[R], k: usize, Shifts { x, y, w }: Shifts) -> [f64; 3] {
+    let (z, below) = (h[k].at(k), h[k + 1].at(k));
+    let (from_x, from_y) = (x - z, y - z);
+    [
+        (from_x * from_y - w) + below * h[k].at(k + 1),
+        below * (h[k + 1].at(k + 1) - z - from_x - from_y),
+        below * h[k + 2].at(k + 1),
+    ]
+}
+
+/// The reflection `1 - across along^T` that turns a column to (head, 0, 0).
+struct Reflection {
+    along: [f64; 3],
+    across: [f64; 3],
+    head: f64,
+}
+
+impl Reflection {
+    /// `None` if the column is zero.
+    #[inline]
+    fn new(column: [f64; 3]) -> Option<Self> {
+        let square = column[0] * column[0] + (column[1] * column[1] + column[2] * column[2]);
+        if square < f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON) {
+            return Self::of_small(column);
+        }
+        let norm = Scalar::sqrt(square).copysign(column[0]);
+        let along = [column[0] + norm, column[1], column[2]];
+        let factor = 1.0 / (norm * along[0]);
+        Some(Self { along, across: along.map(|entry| entry * factor), head: -norm })
+    }
+
+    /// Of a column whose square has lost digits to underflow.
+    #[cold]
+    fn of_small(column: [f64; 3]) -> Option<Self> {
+        let scale = 2f64.powi(500);
+        let scaled = column.map(|entry| entry * scale);
+        if scaled.iter().all(|entry| entry.abs() <= TINY) {
+            return None;
+        }
+        Self::new(scaled).map(|reflection| Self { head: reflection.head / scale, ..reflection })
     }
 }

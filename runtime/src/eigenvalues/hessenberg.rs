@@ -1,7 +1,6 @@
 //! Matrices balanced, and brought to Hessenberg form, by similarity: their eigenvalues stay the same.
 
 use crate::Scalar;
-use crate::numeric::{exponent, ldexp};
 
 /// A row of a square matrix, as long as there are rows; the matrix itself is an array of them.
 pub(super) trait Row: Copy {
@@ -43,30 +42,33 @@ impl<const N: usize> Row for [[f64; 2]; N] {
 /// Scales row i by `2^-e_i` and column i by `2^e_i`, so that both are of about the same size (Parlett & Reinsch 1969).
 ///
 /// Powers of two round nothing. Without it, rounding is relative to the largest of entries that may only be large because
-/// of the units of the coordinates.
+/// of the units of the coordinates. The entries must be at most one.
 #[inline]
 pub(super) fn balance<R: Row>(a: &mut [R]) {
     // Each round brings the sizes closer; one that does little is the last, and two are usual.
     const ROUNDS: usize = 16;
-    /// By how much the sum of both sizes must shrink.
-    const WORTHWHILE: f64 = 0.9;
+    // How much larger one may be than the other: up to here no power of two gains much.
+    const ALIKE: f64 = 2.0;
     for _ in 0..ROUNDS {
         let mut is_balanced = true;
         for i in 0..a.len() {
-            let row = a[i].entries().iter().fold(0.0, |sum, entry| sum + entry.abs()) - a[i].at(i).abs();
-            let column = a.iter().fold(0.0, |sum, row| sum + row.at(i).abs()) - a[i].at(i).abs();
-            // In range already: a factor of two of one and of the other changes nothing worthwhile.
-            if row <= 2.0 * column && column <= 2.0 * row {
+            let (mut row, mut column) = (0.0, 0.0);
+            for j in (0..a.len()).filter(|&j| j != i) {
+                row += a[i].at(j).abs();
+                column += a[j].at(i).abs();
+            }
+            let smaller = row.min(column);
+            if row.max(column) <= ALIKE * smaller || smaller < f64::MIN_POSITIVE {
                 continue;
             }
-            let (Some(row_exponent), Some(column_exponent)) = (exponent(row), exponent(column)) else { continue };
-            let power = (row_exponent - column_exponent).div_euclid(2);
-            if ldexp(column, power) + ldexp(row, -power) >= WORTHWHILE * (column + row) {
+            let power = (exponent_bits(row) - exponent_bits(column)) / 2;
+            if power == 0 {
                 continue;
             }
             is_balanced = false;
-            a[i].entries_mut().iter_mut().for_each(|entry| *entry = ldexp(*entry, -power));
-            a.iter_mut().for_each(|row| *row.at_mut(i) = ldexp(row.at(i), power));
+            let (down, up) = (power_of_two(-power), power_of_two(power));
+            a[i].entries_mut().iter_mut().for_each(|entry| *entry *= down);
+            a.iter_mut().for_each(|row| *row.at_mut(i) *= up);
         }
         if is_balanced {
             break;
@@ -74,8 +76,19 @@ pub(super) fn balance<R: Row>(a: &mut [R]) {
     }
 }
 
-/// Reduces to Hessenberg form by Householder's reflections, column by column from `first` on; what is below the
-/// subdiagonal is left over.
+/// The exponent of a positive normal number, up to a constant.
+#[inline]
+fn exponent_bits(x: f64) -> i64 {
+    (x.to_bits() >> 52) as i64
+}
+
+/// `2^power` for a power between -1022 and 1023.
+#[inline]
+fn power_of_two(power: i64) -> f64 {
+    f64::from_bits(((1023 + power) as u64) << 52)
+}
+
+/// Reduces to Hessenberg form by Householder's reflections, column by column from `first` on.
 #[inline]
 pub(super) fn reduce<R: Row>(a: &mut [R], first: usize) {
     let n = a.len();
@@ -100,6 +113,7 @@ pub(super) fn reduce<R: Row>(a: &mut [R], first: usize) {
         *direction.at_mut(k + 1) = pivot;
         let factor = 1.0 / (norm * pivot);
         *a[k + 1].at_mut(k) = -norm * size;
+        a[k + 2..].iter_mut().for_each(|row| *row.at_mut(k) = 0.0);
         let direction = &direction.entries()[k + 1..n];
         let sums = &mut sums.entries_mut()[k + 1..n];
         // From the left, in the columns after k.
