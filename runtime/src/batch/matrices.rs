@@ -109,11 +109,18 @@ fn structs<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
         let last = designs.len() - 1;
         let rows = M::Over::<Lanes<S>>::from_parameters(
             #[inline(always)]
-            |position| Lanes::<S>::from_fn(simd, #[inline(always)] |lane| designs[lane.min(last)].parameters().as_ref()[position]),
+            |position| {
+                Lanes::<S>::from_fn(
+                    simd,
+                    #[inline(always)]
+                    |lane| designs[lane.min(last)].parameters().as_ref()[position],
+                )
+            },
         )
         .rows();
         for (lane, coefficients) in coefficients.iter_mut().enumerate() {
-            *coefficients = Coefficients::from_rows(rows.map(|matrix| matrix.map(|row| row.map(|entry| entry.lane(lane)))));
+            *coefficients =
+                Coefficients::from_rows(rows.map(|matrix| matrix.map(|row| row.map(|entry| entry.lane(lane)))));
         }
     }
 }

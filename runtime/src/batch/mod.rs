@@ -5,6 +5,7 @@
 //! with AVX-512. Every lane computes what the scalar evaluator computes, to the last bit, at every level: no multiplication
 //! is fused with an addition, and sine and cosine are the same code.
 
+mod eigenvalues;
 mod error;
 mod lanes;
 mod matrices;
@@ -13,6 +14,7 @@ use core::fmt;
 
 use fearless_simd::{Level, SimdBase, dispatch};
 
+pub use eigenvalues::Eigenvalues;
 pub use error::BatchError;
 pub use lanes::Lanes;
 

@@ -1,7 +1,7 @@
 //! The eigenvalues of a Hessenberg matrix, by the QR algorithm with two shifts in one real sweep (Francis 1961).
 
 use super::hessenberg::Row;
-use crate::{Complex, Scalar};
+use crate::{Complex, Number};
 
 /// The bound on the sweeps per eigenvalue that LAPACK uses; two or three are usual.
 pub(super) const SWEEPS_PER_EIGENVALUE: usize = 30;
@@ -79,11 +79,11 @@ fn block([[a, b], [c, d]]: [[f64; 2]; 2]) -> [Complex<f64>; 2] {
     let product = b * c;
     let discriminant = half * half + product;
     if discriminant < 0.0 {
-        let (re, im) = (d + half, Scalar::sqrt(-discriminant));
+        let (re, im) = (d + half, Number::sqrt(-discriminant));
         return [Complex::new(re, -im), Complex::new(re, im)];
     }
     // The offset from d that does not cancel; the other is the product over it.
-    let large = half + Scalar::sqrt(discriminant).copysign(half);
+    let large = half + Number::sqrt(discriminant).copysign(half);
     let small = if large == 0.0 { 0.0 } else { product / large };
     [d + large, d - small].map(|re| Complex::new(re + 0.0, 0.0))
 }
@@ -98,7 +98,7 @@ fn usual_shifts<R: Row>(h: &[R], last: usize) -> Shifts {
     if discriminant < 0.0 {
         return Shifts { x, y, w };
     }
-    let large = half + Scalar::sqrt(discriminant).copysign(half);
+    let large = half + Number::sqrt(discriminant).copysign(half);
     let closer = x - if large == 0.0 { 0.0 } else { w / large };
     Shifts { x: closer, y: closer, w: 0.0 }
 }
@@ -208,7 +208,7 @@ impl Reflection {
         if square < f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON) {
             return Self::of_small(column);
         }
-        let norm = Scalar::sqrt(square).copysign(column[0]);
+        let norm = Number::sqrt(square).copysign(column[0]);
         let along = [column[0] + norm, column[1], column[2]];
         let factor = 1.0 / (norm * along[0]);
         Some(Self { along, across: along.map(|entry| entry * factor), head: -norm })

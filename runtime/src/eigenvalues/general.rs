@@ -4,7 +4,7 @@ use super::francis::{self, SWEEPS_PER_EIGENVALUE};
 use super::hessenberg::{Row, balance, reduce};
 use super::quartic::Quadratic;
 use crate::numeric::{exponent, ldexp};
-use crate::{Complex, Matrix, Scalar, System, SystemError};
+use crate::{Complex, Matrix, Number, System, SystemError};
 
 /// The eigenvalues, in no order.
 pub(super) fn eigenvalues<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
@@ -22,7 +22,7 @@ pub(super) fn eigenvalues<const N: usize>(system: &System<N>) -> Result<[[Comple
     let damping = damping.map(|entry| ldexp(entry, -unit));
     let mut found = [[Complex::new(0.0, 0.0); 2]; N];
     if N == 1 {
-        found[0] = Quadratic { p: 0.0 - damping[(0, 0)], q: 0.0 - stiffness[(0, 0)] }.roots();
+        found[0] = Quadratic { p: 0.0 - damping[(0, 0)], q: 0.0 - stiffness[(0, 0)] }.complex_roots();
     } else if damping.iter().all(|&entry| entry == 0.0) {
         undamped(&stiffness, found.as_flattened_mut())?;
     } else {
@@ -84,7 +84,7 @@ fn collect<R: Row>(rows: &mut [R], found: &mut [Complex<f64>]) -> Result<(), Sys
 fn square_roots(square: Complex<f64>) -> [Complex<f64>; 2] {
     let Complex { re, im } = square;
     if im == 0.0 {
-        let root = Scalar::sqrt(re.abs());
+        let root = Number::sqrt(re.abs());
         return if re < 0.0 {
             [Complex::new(0.0, -root), Complex::new(0.0, root)]
         } else {
@@ -92,7 +92,7 @@ fn square_roots(square: Complex<f64>) -> [Complex<f64>; 2] {
         };
     }
     // The part that is larger is a sum without cancellation.
-    let large = Scalar::sqrt(0.5 * (Scalar::sqrt(re * re + im * im) + re.abs()));
+    let large = Number::sqrt(0.5 * (Number::sqrt(re * re + im * im) + re.abs()));
     let small = 0.5 * im.abs() / large;
     let (re, im) = if re < 0.0 { (small, large.copysign(im)) } else { (large, small.copysign(im)) };
     [Complex::new(-re, -im), Complex::new(re, im)]

@@ -1,6 +1,6 @@
 //! Matrices balanced, and brought to Hessenberg form, by similarity: their eigenvalues stay the same.
 
-use crate::Scalar;
+use crate::Number;
 
 /// A row of a square matrix, as long as there are rows; the matrix itself is an array of them.
 pub(super) trait Row: Copy {
@@ -108,7 +108,7 @@ pub(super) fn reduce<R: Row>(a: &mut [R], first: usize) {
             *direction.at_mut(i) = entry;
             square += entry * entry;
         }
-        let norm = Scalar::sqrt(square).copysign(head);
+        let norm = Number::sqrt(square).copysign(head);
         let pivot = direction.at(k + 1) + norm;
         *direction.at_mut(k + 1) = pivot;
         let factor = 1.0 / (norm * pivot);

@@ -1,6 +1,9 @@
 //! The eigenvalues of the equations of motion.
 
 mod characteristic;
+pub(crate) mod field;
+#[cfg(feature = "batch")]
+mod four;
 #[cfg(feature = "std")]
 mod francis;
 #[cfg(feature = "std")]
@@ -13,6 +16,10 @@ mod resolvent;
 use crate::system::require_finite;
 use crate::{Complex, System, SystemError};
 
+#[cfg(feature = "batch")]
+pub(crate) use characteristic::{Rows, quick_eigenvalues};
+#[cfg(feature = "batch")]
+pub(crate) use four::Four;
 pub(crate) use quartic::Quartic;
 
 impl System<2> {
