@@ -309,6 +309,14 @@ mod tests {
         }
     }
 
+    /// Newton's iteration for the resolvent cubic once left such a double root again, by the noise of its last step.
+    #[test]
+    fn a_biquadratic_that_was_lost() {
+        let (square, near) = (566.702001756334, -8.333203552743818e-13);
+        let other = square * (1.0 + near);
+        assert!(backward_error(Quartic { a: 0.0, b: square + other, c: 0.0, d: square * other }) < 16.0);
+    }
+
     #[test]
     fn roots_that_are_exact() {
         let assert_roots = |[a, b, c, d]: [f64; 4], expected: [(f64, f64); 4]| {

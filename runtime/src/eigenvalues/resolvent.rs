@@ -118,13 +118,16 @@ impl Resolvent<DoubleDouble> {
         const STEPS: usize = 60;
         let three = DoubleDouble::from(3.0);
         let mut f = DoubleDouble::from(f);
+        let mut before = f64::INFINITY;
         for _ in 0..STEPS {
             let square = f * f;
             let (value, slope) = (f * (square - three * self.m) - self.n - self.n, three * (square - self.m));
             let step = value / slope;
-            // Where the slope is zero the step may not be a number, which is not larger either.
-            if step.abs().to_f64() > f.abs().to_f64() * f64::EPSILON * f64::EPSILON {
-                f = f - step;
+            let size = step.abs().to_f64();
+            // A step that is not shorter than the one before is noise: it could lead anywhere. Where the slope is zero it may
+            // not be a number, which is not shorter either.
+            if size < before && size > f.abs().to_f64() * f64::EPSILON * f64::EPSILON {
+                (f, before) = (f - step, size);
             } else {
                 break;
             }
