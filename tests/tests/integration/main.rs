@@ -1,5 +1,6 @@
 //! Integration tests: results of generated code and of the runtime against facts from outside of both.
 
+mod batch_eigenvalues;
 mod bicycles;
 #[cfg(feature = "compiler")]
 mod claims;
@@ -12,6 +13,7 @@ mod eigenvalues;
 mod enormous;
 #[cfg(feature = "compiler")]
 mod generation;
+mod many_coordinates;
 mod mechanisms;
 mod modes;
 mod multibody;
