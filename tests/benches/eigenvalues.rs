@@ -5,7 +5,8 @@
 use std::hint::black_box;
 use std::time::Duration;
 
-use carvallo::{Model, System};
+use carvallo::batch::Batch;
+use carvallo::{Complex, Model, System};
 use carvallo_models::{ThreePipes, WhippleLeaning};
 use carvallo_tests::bicycles;
 use carvallo_tests::textbook::pendulum::{Link, standing_at_hinges};
@@ -20,12 +21,15 @@ use nalgebra::{DMatrix, SMatrix, Schur};
 /// A fixed bound, since an unbounded iteration has been seen not to end.
 const ITERATIONS: usize = 500;
 
+fn speeds() -> Vec<f64> {
+    (0..=200).map(|step| 0.05 * f64::from(step)).collect()
+}
+
 /// The fourteen bicycles from 0 to 10 m/s in steps of 0.05 m/s, through all their double roots.
 fn real_bicycles() -> Vec<System<2>> {
-    let speeds = || (0..=200).map(|step| 0.05 * f64::from(step));
     let along = |bicycle: carvallo_models::Whipple| {
         let coefficients = bicycle.coefficients();
-        speeds().map(move |speed| coefficients.at(speed, bicycle.g).expect("a system"))
+        speeds().into_iter().map(move |speed| coefficients.at(speed, bicycle.g).expect("a system"))
     };
     bicycles::all().into_iter().flat_map(|(_, bicycle)| along(bicycle)).collect()
 }
@@ -67,9 +71,30 @@ fn faer(group: &mut BenchmarkGroup<WallTime>, matrices: &[DMatrix<f64>]) {
     });
 }
 
+/// The eigenvalues of many bicycles at once, at every level of the processor: from their systems, and along speed.
+fn batches(group: &mut BenchmarkGroup<WallTime>) {
+    let (systems, speeds) = (real_bicycles(), speeds());
+    let designs = bicycles::all().into_iter().map(|(_, bicycle)| (bicycle.coefficients(), bicycle.g));
+    let designs: Vec<_> = designs.collect();
+    let mut eigenvalues = vec![Ok([Complex::new(0.0, 0.0); 4]); systems.len()];
+    for batch in Batch::levels() {
+        group.bench_function(format!("ours, systems, {batch}"), |bencher| {
+            bencher.iter(|| batch.eigenvalues(black_box(&systems), black_box(&mut eigenvalues)));
+        });
+        group.bench_function(format!("ours, along speed, {batch}"), |bencher| {
+            bencher.iter(|| {
+                for ((coefficients, gravity), eigenvalues) in designs.iter().zip(eigenvalues.chunks_mut(speeds.len())) {
+                    let done = batch.eigenvalues_along(black_box(coefficients), *gravity, &speeds, eigenvalues);
+                    black_box((done.is_ok(), eigenvalues));
+                }
+            });
+        });
+    }
+}
+
 /// One group for systems of N coordinates, whose state matrices have 2 N rows.
 macro_rules! compare {
-    ($criterion:expr, $name:expr, $systems:expr, $rows:literal, $ours:expr) => {{
+    ($criterion:expr, $name:expr, $systems:expr, $rows:literal, $ours:expr, $more:expr) => {{
         let systems = $systems;
         let mut group = $criterion.benchmark_group($name);
         group.throughput(Throughput::Elements(systems.len() as u64));
@@ -102,6 +127,7 @@ macro_rules! compare {
             });
         });
         faer(&mut group, &matrices);
+        $more(&mut group);
         group.finish();
     }};
 }
@@ -132,21 +158,21 @@ fn random<const N: usize>(count: u64) -> Vec<System<N>> {
 }
 
 fn eigenvalues(criterion: &mut Criterion) {
-    compare!(criterion, "N = 2, bicycles", real_bicycles(), 4, System::quartic_eigenvalues);
+    compare!(criterion, "N = 2, bicycles", real_bicycles(), 4, System::quartic_eigenvalues, batches);
     let leaning = WhippleLeaning::EXAMPLE;
     let speeds = (0..=50).map(|step| 0.2 * f64::from(step));
     let systems: Vec<_> = speeds.map(|speed| leaning.coefficients().at(speed, leaning.g).expect("a system")).collect();
-    compare!(criterion, "N = 3, bicycle with a leaning rider", systems, 6, System::eigenvalues);
+    compare!(criterion, "N = 3, bicycle with a leaning rider", systems, 6, System::eigenvalues, |_: &mut _| ());
     let speeds = (0..=50).map(|step| 0.2 * f64::from(step));
     let hose = ThreePipes::HOSE.coefficients();
     let systems: Vec<_> = speeds.map(|speed| hose.at(speed, 9.81).expect("a system")).collect();
-    compare!(criterion, "N = 3, pipes", systems, 6, System::eigenvalues);
+    compare!(criterion, "N = 3, pipes", systems, 6, System::eigenvalues, |_: &mut _| ());
     macro_rules! sizes {
         ($($n:literal $rows:literal)*) => {$(
             let name = |kind: &str| format!("N = {}, {kind}", $n);
-            compare!(criterion, name("chain"), [chain::<$n>(0.0)], $rows, System::eigenvalues);
-            compare!(criterion, name("damped chain"), [chain::<$n>(0.2)], $rows, System::eigenvalues);
-            compare!(criterion, name("random"), random::<$n>(50), $rows, System::eigenvalues);
+            compare!(criterion, name("chain"), [chain::<$n>(0.0)], $rows, System::eigenvalues, |_: &mut _| ());
+            compare!(criterion, name("damped chain"), [chain::<$n>(0.2)], $rows, System::eigenvalues, |_: &mut _| ());
+            compare!(criterion, name("random"), random::<$n>(50), $rows, System::eigenvalues, |_: &mut _| ());
         )*};
     }
     sizes!(1 2 3 6 4 8 5 10 6 12 7 14 8 16);
