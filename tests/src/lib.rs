@@ -7,6 +7,7 @@
 //! recomputed [`facts`]. What the compiler's own checks are worth is measured on `mutants`, declarations with one slip
 //! each. Other mechanisms than the bicycle have their matrices by hand in [`textbook`].
 
+pub mod backward;
 pub mod bicycles;
 pub mod chain;
 pub mod designs;

@@ -7,6 +7,7 @@
 
 #[cfg(feature = "std")]
 mod blocks;
+mod eigenvalues;
 mod error;
 mod lanes;
 mod matrices;
@@ -17,6 +18,7 @@ use fearless_simd::{Level, SimdBase, dispatch};
 
 #[cfg(feature = "std")]
 pub use blocks::Blocks;
+pub use eigenvalues::Eigenvalues;
 pub use error::BatchError;
 pub use lanes::Lanes;
 

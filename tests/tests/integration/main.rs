@@ -1,6 +1,7 @@
 //! Integration tests: results of generated code and of the runtime against facts from outside of both.
 
 mod batch;
+mod batch_eigenvalues;
 mod bicycles;
 #[cfg(feature = "compiler")]
 mod claims;
@@ -14,6 +15,7 @@ mod enormous;
 mod fast_stability;
 #[cfg(feature = "compiler")]
 mod generation;
+mod many_coordinates;
 mod mechanisms;
 mod modes;
 mod multibody;
