@@ -5,6 +5,7 @@ mod args;
 mod output;
 mod plot;
 mod speeds;
+mod sweep;
 
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
@@ -43,6 +44,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Bicycles => bicycles(),
         Command::Models => print(&output::models(model::MODELS)),
         Command::Show { request, plot } => show(&request, plot.as_deref()),
+        Command::Sweep(request) => sweep::run(load(&request.base), &request),
     }
 }
 

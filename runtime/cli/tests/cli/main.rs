@@ -10,6 +10,7 @@ mod models;
 mod pictures;
 mod process;
 mod show;
+mod sweep;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
