@@ -29,6 +29,9 @@ impl Float for f64 {
 }
 
 /// The coefficient matrices of a design.
+///
+/// Always inlined, since that is what is fastest in a loop over designs.
+#[inline(always)]
 pub fn matrices<T: Float>(design: &Whipple<T>) -> WhippleMatrices<T> {
     let &Whipple { w, c, lam, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IBzz, IBxz, .. } = design;
     let &Whipple { xH, zH, mH, IHxx, IHzz, IHxz, rF, mF, IFxx, IFyy, .. } = design;
