@@ -19,25 +19,33 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
+#[cfg(feature = "batch")]
+pub mod batch;
 mod coefficients;
 #[cfg(feature = "derive")]
 mod declare;
 mod eigenvalues;
 mod error;
+mod evaluator;
 mod info;
+mod lane;
 mod model;
+mod number;
 mod numeric;
 mod rate;
 mod scalar;
 #[cfg(feature = "std")]
 mod stability;
 mod system;
+mod trigonometry;
 
 pub use coefficients::{Coefficients, Matrix};
 pub use error::SystemError;
-pub use info::{Bound, CoordinateInfo, Domain, ModelInfo, ParameterInfo, SetInfo};
+pub use evaluator::Evaluator;
+pub use info::{Bound, CoordinateInfo, Domain, EntryInfo, ModelInfo, ParameterInfo, SetInfo};
 pub use model::{LengthError, Model, ParameterError};
 pub use nalgebra::Complex;
+pub use number::Number;
 pub use rate::Rate;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]

@@ -190,7 +190,7 @@ impl Whipple<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Whipple<T> {
+impl<T: ::carvallo::Number> Whipple<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 26]) -> Self {
@@ -225,6 +225,7 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
     }
     /// The parameters as an array in declared order.
     #[must_use]
+    #[inline(always)]
     pub const fn to_array(&self) -> [T; 26] {
         [
             self.w,
@@ -255,6 +256,9 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             self.IFyy,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Whipple<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> Whipple<U> {
@@ -309,12 +313,12 @@ pub struct WhippleMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Whipple<T> {
+impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 54 additions, 71 multiplications, 4 divisions, 3 negations and 2 trigonometric functions: 134 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMatrices<T> {
         let t5 = self.IHxx + self.IFxx;
@@ -322,11 +326,11 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             + (self.mB * (self.zB * self.zB))) + (self.mH * (self.zH * self.zH)))
             + (self.mF * (self.rF * self.rF));
         let mA = self.mH + self.mF;
-        let t28 = <T as ::carvallo::Scalar>::from_f64(1.0) / mA;
+        let t28 = ::carvallo::Number::like(self.w, 1.0) / mA;
         let t30 = self.rF * self.mF;
         let t31 = (self.zH * self.mH) - t30;
         let zA = t28 * t31;
-        let (t34, t45) = ::carvallo::Scalar::sin_cos(self.lam);
+        let (t34, t45) = ::carvallo::Number::sin_cos(self.lam);
         let t40 = (self.xH * self.mH) + (self.w * self.mF);
         let xA = t40 * t28;
         let t42 = xA - self.w;
@@ -352,8 +356,8 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
         let ITzz = ((((self.IRxx + self.IBzz) + (self.mB * (self.xB * self.xB)))
             + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w))) + t88;
         let t124 = (((mA * (uA * uA)) + (IAzz * (t45 * t45)))
-            + (mu * ((IAlz * <T as ::carvallo::Scalar>::from_f64(2.0)) + (ITzz * mu))))
-            + (t34 * (t68 + (<T as ::carvallo::Scalar>::from_f64(2.0) * t60)));
+            + (mu * ((IAlz * ::carvallo::Number::like(self.w, 2.0)) + (ITzz * mu))))
+            + (t34 * (t68 + (::carvallo::Number::like(self.w, 2.0) * t60)));
         let SF = self.IFyy / self.rF;
         let ST = SF + (self.IRyy / self.rR);
         let t134 = (t73 + t31) - (self.rR * self.mR);
@@ -369,11 +373,11 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
         let t158 = -(t34 * SA);
         WhippleMatrices {
             m: [[t26, t84], [t84, t124]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t139], [t156, t150]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t139], [t156, t150]],
             k0: [[t134, t157], [t157, t158]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t152],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t155],
+                [::carvallo::Number::like(self.w, 0.0), t152],
+                [::carvallo::Number::like(self.w, 0.0), t155],
             ],
         }
     }
@@ -381,6 +385,8 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
     type Scalar = T;
+    type Parameters = [T; 26];
+    type Over<U: ::carvallo::Number> = Whipple<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Whipple",
         docs: "The Whipple-Carvallo bicycle: the linearized equations of lean and steer about upright straight running.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.",
@@ -714,6 +720,41 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
             },
         ],
         matrices: &["M", "C1", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 1), ("K0", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 1, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "benchmark",
@@ -837,6 +878,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -907,5 +952,71 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for Whipple<T> {
+    type Entries = [T; 11];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            w: parameter(0),
+            c: parameter(1),
+            lam: parameter(2),
+            g: parameter(3),
+            rR: parameter(4),
+            mR: parameter(5),
+            IRxx: parameter(6),
+            IRyy: parameter(7),
+            xB: parameter(8),
+            zB: parameter(9),
+            mB: parameter(10),
+            IBxx: parameter(11),
+            IByy: parameter(12),
+            IBzz: parameter(13),
+            IBxz: parameter(14),
+            xH: parameter(15),
+            zH: parameter(16),
+            mH: parameter(17),
+            IHxx: parameter(18),
+            IHyy: parameter(19),
+            IHzz: parameter(20),
+            IHxz: parameter(21),
+            rF: parameter(22),
+            mF: parameter(23),
+            IFxx: parameter(24),
+            IFyy: parameter(25),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[1][1],
+            matrices.c1[0][1],
+            matrices.c1[1][0],
+            matrices.c1[1][1],
+            matrices.k0[0][0],
+            matrices.k0[0][1],
+            matrices.k0[1][1],
+            matrices.k2[0][1],
+            matrices.k2[1][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.c1,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.k0,
+            matrices.k2,
+        ]
     }
 }
