@@ -2,7 +2,8 @@
 
 use std::hint::black_box;
 
-use carvallo::Scalar;
+use carvallo::batch::Batch;
+use carvallo::{Model, Scalar};
 use carvallo_models::{Whipple, WhippleMatrices, WhippleMechanism, WhippleMechanismMatrices};
 use carvallo_tests::designs;
 use carvallo_tests::hand_written::{self, Float};
@@ -35,40 +36,78 @@ macro_rules! each {
 
 pub fn add(summary: &mut Summary) {
     let designs: Vec<Whipple> = (0..summary.designs as u64).map(designs::numbered).collect();
-    all_sizes(summary, "f64", &designs);
-    let designs: Vec<Whipple<f32>> = designs.iter().map(designs::narrowed).collect();
-    all_sizes(summary, "f32", &designs);
+    let singles: Vec<Whipple<f32>> = designs.iter().map(designs::narrowed).collect();
+    for (size, kind) in [(1, "the same again and again"), (IN_CACHE, "in the cache"), (designs.len(), "in memory")] {
+        let (designs, singles) = (&designs[..size], &singles[..size]);
+        let repetitions = DESIGNS_IN_A_RUN.div_ceil(size);
+        let task = |scalar| Task::new(format!("Four matrices, {scalar}, {size} designs, {kind}"), size * repetitions);
+        let batch = Batch::new();
+        let f64 = one_by_one(task("f64"), designs, repetitions)
+            .contender("ours, batch, from bodies, columns", columns::<WhippleMechanism>(batch, designs, repetitions))
+            .contender("ours, batch, from bodies, structs", structs(batch, designs, repetitions));
+        summary.run(f64.limit(COPY, run(designs, zeros(size), repetitions, each!(copy))));
+        let f32 = one_by_one(task("f32"), singles, repetitions);
+        summary.run(f32.limit(COPY, run(singles, zeros(size), repetitions, each!(copy))));
+    }
 }
 
-fn all_sizes<T: Float + Symplex>(summary: &mut Summary, scalar: &str, designs: &[Whipple<T>]) {
-    let mechanisms: Vec<_> = designs.iter().map(|design| WhippleMechanism::from_array(design.to_array())).collect();
+const COPY: &str = "limit: reading and writing";
+
+/// All who compute one design after the other.
+fn one_by_one<'a, T: Float + Symplex>(task: Task<'a>, designs: &'a [Whipple<T>], repetitions: usize) -> Task<'a> {
+    let zeros = || zeros(designs.len());
+    let mechanisms: Vec<_> = designs.iter().map(mechanism).collect();
     let zero = [[T::from_f64(0.0); 2]; 2];
-    let results = || vec![WhippleMatrices { m: zero, c1: zero, k0: zero, k2: zero }; designs.len()];
-    let of_mechanisms = || vec![WhippleMechanismMatrices { m: zero, c1: zero, k0: zero, k2: zero }; designs.len()];
-    for (size, kind) in [(1, "the same again and again"), (IN_CACHE, "in the cache"), (designs.len(), "in memory")] {
-        let repetitions = DESIGNS_IN_A_RUN.div_ceil(size);
-        let (designs, mechanisms) = (&designs[..size], &mechanisms[..size]);
-        let task = Task::new(format!("Four matrices, {scalar}, {size} designs, {kind}"), size * repetitions)
-            .contender("by hand, Appendix A", run(designs, results(), repetitions, each!(hand_written::matrices)))
-            .contender("symplex-build 0.57", run(designs, results(), repetitions, each!(symplex::matrices)))
-            .contender("ours, from formulas", run(designs, results(), repetitions, each!(Whipple::matrices)))
-            .contender(
-                "ours, from bodies",
-                run(
-                    mechanisms,
-                    of_mechanisms(),
-                    repetitions,
-                    each!(WhippleMechanism::matrices, WhippleMechanism, WhippleMechanismMatrices),
-                ),
-            )
-            .limit("limit: reading, writing, sin and cos", run(designs, results(), repetitions, each!(sine_and_cosine)))
-            .limit("limit: reading and writing", run(designs, results(), repetitions, each!(copy)));
-        summary.run(task);
+    let mut of_mechanisms = vec![WhippleMechanismMatrices { m: zero, c1: zero, k0: zero, k2: zero }; designs.len()];
+    let from_bodies = each!(WhippleMechanism::matrices, WhippleMechanism, WhippleMechanismMatrices);
+    task.contender("by hand, Appendix A", run(designs, zeros(), repetitions, each!(hand_written::matrices)))
+        .contender("symplex-build 0.57", run(designs, zeros(), repetitions, each!(symplex::matrices)))
+        .contender("ours, from formulas", run(designs, zeros(), repetitions, each!(Whipple::matrices)))
+        .contender("ours, from bodies", move || {
+            for _ in 0..repetitions {
+                from_bodies(black_box(&mechanisms), black_box(&mut of_mechanisms));
+            }
+        })
+        .limit("limit: reading, writing, sin and cos", run(designs, zeros(), repetitions, each!(sine_and_cosine)))
+}
+
+fn zeros<T: Scalar>(count: usize) -> Vec<WhippleMatrices<T>> {
+    let zero = [[T::from_f64(0.0); 2]; 2];
+    vec![WhippleMatrices { m: zero, c1: zero, k0: zero, k2: zero }; count]
+}
+
+fn mechanism<T: Scalar>(design: &Whipple<T>) -> WhippleMechanism<T> {
+    WhippleMechanism::from_array(design.to_array())
+}
+
+/// A batch over a column for each parameter and for each entry.
+fn columns<M: Model<2, Scalar = f64>>(batch: Batch, designs: &[Whipple], repetitions: usize) -> impl FnMut() + use<M> {
+    let parameters: Vec<Vec<f64>> =
+        (0..26).map(|parameter| designs.iter().map(|design| design.to_array()[parameter]).collect()).collect();
+    let mut entries = vec![vec![0.0; designs.len()]; M::INFO.entries.len()];
+    move || {
+        let parameters: Vec<&[f64]> = parameters.iter().map(Vec::as_slice).collect();
+        let mut entries: Vec<&mut [f64]> = entries.iter_mut().map(Vec::as_mut_slice).collect();
+        for _ in 0..repetitions {
+            let done = batch.matrices::<2, M>(black_box(&parameters), black_box(&mut entries));
+            done.expect("columns that fit");
+        }
+    }
+}
+
+/// A batch over a slice of designs.
+fn structs(batch: Batch, designs: &[Whipple], repetitions: usize) -> impl FnMut() + use<> {
+    let designs: Vec<WhippleMechanism> = designs.iter().map(mechanism).collect();
+    let mut coefficients = vec![designs[0].coefficients(); designs.len()];
+    move || {
+        for _ in 0..repetitions {
+            let done = batch.coefficients(black_box(&designs), black_box(&mut coefficients));
+            done.expect("slices of equal length");
+        }
     }
 }
 
 fn run<D, M>(designs: &[D], mut results: Vec<M>, repetitions: usize, each: fn(&[D], &mut [M])) -> impl FnMut() {
-    results.truncate(designs.len());
     move || {
         for _ in 0..repetitions {
             each(black_box(designs), black_box(&mut results));
