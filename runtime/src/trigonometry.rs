@@ -36,6 +36,9 @@ fn reduced(angle: f64) -> (f64, f64) {
 /// Sine and cosine of angles in rad.
 #[inline(always)]
 pub(crate) fn sin_cos_of_lanes<T: Lane>(angle: T) -> (T, T) {
+    if T::all(angle.abs().less_or_equal(angle.like(QUARTER))) {
+        return kernel(angle, angle.like(0.0));
+    }
     let (sin, cos) = sin_cos_of_lanes_within_limit(angle);
     let is_near = angle.abs().less_or_equal(angle.like(LIMIT));
     if T::all(is_near) {

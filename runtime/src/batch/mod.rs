@@ -5,6 +5,8 @@
 //! with AVX-512. Every lane computes what the scalar evaluator computes, to the last bit, at every level: no multiplication
 //! is fused with an addition, and sine and cosine are the same code.
 
+#[cfg(feature = "std")]
+mod blocks;
 mod error;
 mod lanes;
 mod matrices;
@@ -13,6 +15,8 @@ use core::fmt;
 
 use fearless_simd::{Level, SimdBase, dispatch};
 
+#[cfg(feature = "std")]
+pub use blocks::Blocks;
 pub use error::BatchError;
 pub use lanes::Lanes;
 
