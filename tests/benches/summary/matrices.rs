@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use carvallo::batch::Batch;
+use carvallo::batch::{Batch, Blocks};
 use carvallo::{Model, Scalar};
 use carvallo_models::{Whipple, WhippleMatrices, WhippleMechanism, WhippleMechanismMatrices};
 use carvallo_tests::designs;
@@ -41,17 +41,11 @@ pub fn add(summary: &mut Summary) {
         let (designs, singles) = (&designs[..size], &singles[..size]);
         let repetitions = DESIGNS_IN_A_RUN.div_ceil(size);
         let task = |scalar| Task::new(format!("Four matrices, {scalar}, {size} designs, {kind}"), size * repetitions);
-        let batch = Batch::new();
-        let f64 = one_by_one(task("f64"), designs, repetitions)
-            .contender("ours, batch, from bodies, columns", columns::<WhippleMechanism>(batch, designs, repetitions))
-            .contender("ours, batch, from bodies, structs", structs(batch, designs, repetitions));
-        summary.run(f64.limit(COPY, run(designs, zeros(size), repetitions, each!(copy))));
-        let f32 = one_by_one(task("f32"), singles, repetitions);
-        summary.run(f32.limit(COPY, run(singles, zeros(size), repetitions, each!(copy))));
+        let f64 = one_by_one(task("f64"), designs, repetitions);
+        summary.run(if size == 1 { f64 } else { batches(f64, designs, repetitions) });
+        summary.run(one_by_one(task("f32"), singles, repetitions));
     }
 }
-
-const COPY: &str = "limit: reading and writing";
 
 /// All who compute one design after the other.
 fn one_by_one<'a, T: Float + Symplex>(task: Task<'a>, designs: &'a [Whipple<T>], repetitions: usize) -> Task<'a> {
@@ -69,6 +63,17 @@ fn one_by_one<'a, T: Float + Symplex>(task: Task<'a>, designs: &'a [Whipple<T>],
             }
         })
         .limit("limit: reading, writing, sin and cos", run(designs, zeros(), repetitions, each!(sine_and_cosine)))
+        .limit("limit: reading and writing", run(designs, zeros(), repetitions, each!(copy)))
+}
+
+/// All that compute several designs at once.
+fn batches<'a>(task: Task<'a>, designs: &[Whipple], repetitions: usize) -> Task<'a> {
+    let batch = Batch::new();
+    let mechanisms: Vec<WhippleMechanism> = designs.iter().map(mechanism).collect();
+    task.contender("ours, batch, blocks", blocks(batch, &mechanisms, repetitions))
+        .contender("ours, batch, columns", columns(batch, &mechanisms, repetitions))
+        .contender("ours, batch, structs", structs(batch, mechanisms, repetitions))
+        .limit("limit: copying as many bytes", copied(designs.len(), repetitions))
 }
 
 fn zeros<T: Scalar>(count: usize) -> Vec<WhippleMatrices<T>> {
@@ -80,29 +85,49 @@ fn mechanism<T: Scalar>(design: &Whipple<T>) -> WhippleMechanism<T> {
     WhippleMechanism::from_array(design.to_array())
 }
 
-/// A batch over a column for each parameter and for each entry.
-fn columns<M: Model<2, Scalar = f64>>(batch: Batch, designs: &[Whipple], repetitions: usize) -> impl FnMut() + use<M> {
-    let parameters: Vec<Vec<f64>> =
-        (0..26).map(|parameter| designs.iter().map(|design| design.to_array()[parameter]).collect()).collect();
-    let mut entries = vec![vec![0.0; designs.len()]; M::INFO.entries.len()];
+fn blocks(batch: Batch, designs: &[WhippleMechanism], repetitions: usize) -> impl FnMut() + use<> {
+    let parameters = Blocks::of_designs(designs);
+    let mut entries = Blocks::for_entries::<2, WhippleMechanism>(designs.len());
     move || {
-        let parameters: Vec<&[f64]> = parameters.iter().map(Vec::as_slice).collect();
-        let mut entries: Vec<&mut [f64]> = entries.iter_mut().map(Vec::as_mut_slice).collect();
         for _ in 0..repetitions {
-            let done = batch.matrices::<2, M>(black_box(&parameters), black_box(&mut entries));
-            done.expect("columns that fit");
+            let done = batch.matrices::<2, WhippleMechanism>(black_box(&parameters), black_box(&mut entries));
+            done.expect("blocks that fit");
         }
     }
 }
 
-/// A batch over a slice of designs.
-fn structs(batch: Batch, designs: &[Whipple], repetitions: usize) -> impl FnMut() + use<> {
-    let designs: Vec<WhippleMechanism> = designs.iter().map(mechanism).collect();
+/// A column for each parameter and for each entry.
+fn columns(batch: Batch, designs: &[WhippleMechanism], repetitions: usize) -> impl FnMut() + use<> {
+    let parameters: Vec<Vec<f64>> =
+        (0..26).map(|parameter| designs.iter().map(|design| design.to_array()[parameter]).collect()).collect();
+    let mut entries = vec![vec![0.0; designs.len()]; WhippleMechanism::<f64>::INFO.entries.len()];
+    move || {
+        let parameters: Vec<&[f64]> = parameters.iter().map(Vec::as_slice).collect();
+        let mut entries: Vec<&mut [f64]> = entries.iter_mut().map(Vec::as_mut_slice).collect();
+        for _ in 0..repetitions {
+            let (parameters, entries) = (black_box(&parameters), black_box(&mut entries));
+            batch.matrices_of_columns::<2, WhippleMechanism>(parameters, entries).expect("columns that fit");
+        }
+    }
+}
+
+fn structs(batch: Batch, designs: Vec<WhippleMechanism>, repetitions: usize) -> impl FnMut() {
     let mut coefficients = vec![designs[0].coefficients(); designs.len()];
     move || {
         for _ in 0..repetitions {
             let done = batch.coefficients(black_box(&designs), black_box(&mut coefficients));
             done.expect("slices of equal length");
+        }
+    }
+}
+
+/// As many bytes, read and written together, as the blocks of parameters and entries have.
+fn copied(designs: usize, repetitions: usize) -> impl FnMut() {
+    let size = (26 + WhippleMechanism::<f64>::INFO.entries.len()) * designs / 2;
+    let (from, mut to) = (vec![1.0; size], vec![0.0; size]);
+    move || {
+        for _ in 0..repetitions {
+            black_box(&mut to).copy_from_slice(black_box(&from));
         }
     }
 }

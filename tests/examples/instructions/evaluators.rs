@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use carvallo::batch::Batch;
+use carvallo::batch::{Batch, Blocks};
 use carvallo::{Model, Stability, System};
 use carvallo_models::{Whipple, WhippleMechanism};
 use carvallo_tests::{designs, hand_written};
@@ -98,14 +98,11 @@ fn eigenvalues(calls: usize) -> Option<()> {
 
 fn batch(calls: usize, level: &str) -> Option<()> {
     let batch = Batch::levels().find(|batch| batch.to_string().starts_with(level))?;
-    let design = bicycle().to_array();
-    let parameters: Vec<Vec<f64>> = design.iter().map(|&parameter| vec![parameter; DESIGNS]).collect();
-    let parameters: Vec<&[f64]> = parameters.iter().map(Vec::as_slice).collect();
-    let mut entries = vec![vec![0.0; DESIGNS]; WhippleMechanism::<f64>::INFO.entries.len()];
-    let mut entries: Vec<&mut [f64]> = entries.iter_mut().map(Vec::as_mut_slice).collect();
+    let parameters = Blocks::of_designs(&[WhippleMechanism::BENCHMARK; DESIGNS]);
+    let mut entries = Blocks::for_entries::<2, WhippleMechanism>(DESIGNS);
     for _ in 0..calls / DESIGNS {
         let done = batch.matrices::<2, WhippleMechanism>(black_box(&parameters), black_box(&mut entries));
-        done.expect("columns that fit");
+        done.expect("blocks that fit");
     }
     Some(())
 }
