@@ -20,6 +20,7 @@ pub mod multibody;
 #[cfg(feature = "compiler")]
 pub mod mutants;
 pub mod operations;
+pub mod peers;
 pub mod published;
 pub mod quartic;
 pub mod real;
