@@ -37,7 +37,7 @@ mod stability;
 mod system;
 
 pub use coefficients::{Coefficients, Matrix};
-pub use differentiable::Differentiable;
+pub use differentiable::{Differentiable, MatrixName, Partial};
 pub use error::SystemError;
 pub use info::{Bound, CoordinateInfo, Domain, ModelInfo, ParameterInfo, SetInfo};
 pub use model::{LengthError, Model, ParameterError};

@@ -1,10 +1,10 @@
-//! Derivatives of the Whipple bicycle's matrices, eigenvalues and critical speeds as differences at 320 bits.
+//! Derivatives of the Whipple bicycle's eigenvalues and critical speeds as differences at 320 bits.
 //!
 //! A parameter is moved by 1e-30 both ways, and what follows from it is solved anew, to more than 80 digits. Critical
 //! speeds come from conditions other than those of the runtime: the determinant of the stiffness, the Hurwitz determinant,
 //! and the discriminant.
 
-use carvallo::{Coefficients, CriticalKind};
+use carvallo::CriticalKind;
 use carvallo_models::Whipple;
 use nalgebra::Complex as Complex64;
 
@@ -102,21 +102,6 @@ impl Exact {
         });
         let (difference, twice) = (above - below, step + step);
         Complex { re: difference.re / twice, im: difference.im / twice }.to_f64()
-    }
-
-    /// The derivatives of the matrices with respect to every parameter, each rounded to `f64`.
-    pub fn coefficient_derivatives(&self) -> Vec<Coefficients<f64, 2>> {
-        let step = Real::parse(STEP);
-        let derivative = |parameter| {
-            let [above, below] = [step, -step].map(|by| self.moved(parameter, by).matrices());
-            let rows = |matrix: usize| {
-                let difference = |i: usize, j: usize| above[matrix][i][j] - below[matrix][i][j];
-                std::array::from_fn(|i| std::array::from_fn(|j| (difference(i, j) / (step + step)).to_f64()))
-            };
-            let zero = [[0.0; 2]; 2];
-            Coefficients::from_rows([rows(0), zero, rows(1), zero, rows(2), rows(3)])
-        };
-        (0..self.values.len()).map(derivative).collect()
     }
 }
 

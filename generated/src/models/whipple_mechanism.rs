@@ -1,6 +1,6 @@
 // @generated from generated/models/whipple_mechanism.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 41eee0145bce93a2
+// Hash of the source: dc474ea890db6fad
 
 /// The Whipple-Carvallo bicycle, derived from its bodies, joints and wheels.
 ///
@@ -1040,5 +1040,705 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+/// The derivatives of the matrices of [`WhippleMechanism`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct WhippleMechanismDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 158],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl WhippleMechanismDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<WhippleMechanismMatrices<T>> {
+        if parameter >= 26 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = WhippleMechanismMatrices {
+            m: [[zero; 2]; 2],
+            c1: [[zero; 2]; 2],
+            k0: [[zero; 2]; 2],
+            k2: [[zero; 2]; 2],
+        };
+        for position in 0..158 {
+            let partial = <WhippleMechanismDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C1 => &mut matrices.c1,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                ::carvallo::MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 182 additions, 276 multiplications, 6 divisions, 42 negations and 2 trigonometric functions: 508 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
+        let Jxx_delta_mH = self.zH * self.zH;
+        let Jxx_delta_mF = self.rF * self.rF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * Jxx_delta_mH))
+            + (self.mF * Jxx_delta_mF);
+        let t19 = self.rR * self.rR;
+        let t24 = self.zB * self.zB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.mR * t19))
+            + (self.mB * t24);
+        let t29 = self.rF * self.mF;
+        let t35 = self.w + self.c;
+        let t36 = self.xH - t35;
+        let t37 = self.mH * t36;
+        let Jxz_delta = (self.IHxz - (self.c * t29)) - (self.zH * t37);
+        let (t43, t41) = ::carvallo::Scalar::sin_cos(self.lam);
+        let t44 = Jxx_delta * t43;
+        let hx_delta = (Jxz_delta * t41) + t44;
+        let t46 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.w;
+        let yaw_per_v_delta = t41 * t46;
+        let mu = self.c * yaw_per_v_delta;
+        let t52 = self.zB * self.mB;
+        let Sz_delta = (self.zH * self.mH) - t29;
+        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t52)) - (t35 * Sz_delta);
+        let t60 = hx_delta + (mu * Jxz_all);
+        let Jzz_delta_mH = t36 * t36;
+        let Jzz_delta_mF = self.c * self.c;
+        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * Jzz_delta_mH))
+            + (self.mF * Jzz_delta_mF);
+        let t71 = t43 * Jxz_delta;
+        let hz_delta = (t41 * Jzz_delta) + t71;
+        let t75 = Sz_delta * t43;
+        let Sx_delta = t37 - (self.c * self.mF);
+        let py_delta = (t41 * Sx_delta) - t75;
+        let M_yaw_delta = hz_delta + (t35 * py_delta);
+        let mA = self.mH + self.mF;
+        let t88 = t35 * mA;
+        let t94 = self.xB * self.xB;
+        let P_delta_yaw_mu = (((self.IRxx + self.IBzz) + Jzz_delta)
+            + ((t35 * <T as ::carvallo::Scalar>::from_f64(2.0))
+                * (Sx_delta + (t88 * <T as ::carvallo::Scalar>::from_f64(0.5)))))
+            + (self.mB * t94);
+        let t97 = mu * P_delta_yaw_mu;
+        let P_delta_yaw = M_yaw_delta + t97;
+        let t99 = M_yaw_delta + P_delta_yaw;
+        let t101 = ((t43 * hx_delta) + (t41 * hz_delta)) + (mu * t99);
+        let SF_IFyy = <T as ::carvallo::Scalar>::from_f64(1.0) / self.rF;
+        let SF = self.IFyy * SF_IFyy;
+        let t106 = t41 * SF;
+        let ST_IRyy = <T as ::carvallo::Scalar>::from_f64(1.0) / self.rR;
+        let ST = SF + (self.IRyy * ST_IRyy);
+        let t112 = self.rR * self.mR;
+        let Sz_all = (t52 + Sz_delta) - t112;
+        let t114 = ST - Sz_all;
+        let t117 = yaw_per_v_delta * Jxz_all;
+        let t118 = (t106 + (mu * t114)) + t117;
+        let t123 = self.xB * self.mB;
+        let Sx_all = (Sx_delta + t88) + t123;
+        let t125 = mu * Sx_all;
+        let P_delta_lateral = py_delta + t125;
+        let t128 = (yaw_per_v_delta * P_delta_yaw) + (mu * P_delta_lateral);
+        let t130 = yaw_per_v_delta * t114;
+        let t132 = P_delta_lateral + (t43 * SF);
+        let t133 = yaw_per_v_delta * t132;
+        let C112_SF = t41 + mu;
+        let t135 = C112_SF * self.zH;
+        let t136 = self.mH * t135;
+        let t138 = (mu * Sz_delta) - t136;
+        let t140 = t41 / (self.w * self.w);
+        let M12_yaw_per_v_delta = self.c * Jxz_all;
+        let t144 = mu * <T as ::carvallo::Scalar>::from_f64(2.0);
+        let P_delta_yaw_Sx_delta = t35 * t144;
+        let M22_Sx_delta = (t41 * P_delta_yaw_Sx_delta) + (mu * P_delta_yaw_Sx_delta);
+        let M22_hz_delta = t41 + t144;
+        let M22_Jxz_delta = t43 * (t41 + M22_hz_delta);
+        let t153 = M22_Sx_delta - (M22_Jxz_delta * self.zH);
+        let t155 = self.mH * <T as ::carvallo::Scalar>::from_f64(2.0);
+        let t156 = t36 * t155;
+        let C122_Sx_all = mu * mu;
+        let M22_Jzz_delta = C122_Sx_all + (t41 * M22_hz_delta);
+        let t161 = (self.mH * t153) + (t156 * M22_Jzz_delta);
+        let t164 = mu * (t88 + (Sx_delta * <T as ::carvallo::Scalar>::from_f64(2.0)));
+        let t169 = t35 * mu;
+        let t170 = mu * t169;
+        let t172 = ((mu * (t164 + (py_delta * <T as ::carvallo::Scalar>::from_f64(2.0))))
+            - t161) + (mA * t170);
+        let M22_mu = t97 + t99;
+        let M22_yaw_per_v_delta = self.c * M22_mu;
+        let t176 = t172 - (t140 * M22_yaw_per_v_delta);
+        let t177 = self.zH * yaw_per_v_delta;
+        let t178 = self.mH * t177;
+        let t180 = (yaw_per_v_delta * Sz_delta) - t178;
+        let C112_yaw_per_v_delta = Jxz_all + (self.c * t114);
+        let t185 = ST * self.c;
+        let t186 = t140 * t185;
+        let C122_py_delta = mu + (t35 * yaw_per_v_delta);
+        let C122_Sx_delta = (C122_Sx_all + (t41 * C122_py_delta))
+            + (yaw_per_v_delta * P_delta_yaw_Sx_delta);
+        let K222_SF = t43 * yaw_per_v_delta;
+        let t194 = K222_SF * self.zH;
+        let t195 = C122_Sx_delta - t194;
+        let C122_Jzz_delta = yaw_per_v_delta * C112_SF;
+        let t199 = (self.mH * t195) + (t156 * C122_Jzz_delta);
+        let t204 = C122_Sx_all + (yaw_per_v_delta * t169);
+        let t206 = ((yaw_per_v_delta * (py_delta + t164)) - t199) + (mA * t204);
+        let C122_mu = (P_delta_lateral + t125) + (yaw_per_v_delta * P_delta_yaw_mu);
+        let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_mu);
+        let t213 = t206 - (t140 * C122_yaw_per_v_delta);
+        let t214 = self.mH * C112_SF;
+        let t216 = (mu * mA) - t214;
+        let t217 = Sx_all * self.c;
+        let t219 = (t140 * t217) - t216;
+        let t220 = mu * t43;
+        let t222 = t220 + (t41 * t43);
+        let t223 = self.mH * t222;
+        let t225 = t223 - (mA * t220);
+        let t226 = Sx_all * t43;
+        let t227 = self.c * t226;
+        let t229 = t225 + (t140 * t227);
+        let K222_Sx_all = yaw_per_v_delta * mu;
+        let t232 = t41 * yaw_per_v_delta;
+        let K222_Sx_delta = K222_Sx_all + t232;
+        let t234 = self.mH * K222_Sx_delta;
+        let t236 = (mA * K222_Sx_all) - t234;
+        let K222_mu = yaw_per_v_delta * Sx_all;
+        let K222_yaw_per_v_delta = (self.c * K222_mu) + t132;
+        let t241 = t236 - (t140 * K222_yaw_per_v_delta);
+        let t244 = (t117 - t138) - (C112_SF * t29);
+        let t251 = self.mF * <T as ::carvallo::Scalar>::from_f64(2.0);
+        let Jzz_delta_c = self.c * t251;
+        let t254 = (((t172 - (M22_Sx_delta * self.mF)) - (M22_Jxz_delta * t29))
+            + (yaw_per_v_delta * M22_mu)) + (Jzz_delta_c * M22_Jzz_delta);
+        let t257 = (yaw_per_v_delta * (t114 - t29)) - t180;
+        let t266 = (((t206 - (C122_Sx_delta * self.mF)) - (K222_SF * t29))
+            + (yaw_per_v_delta * C122_mu)) + (Jzz_delta_c * C122_Jzz_delta);
+        let t267 = C112_SF * self.mF;
+        let t269 = (t267 - t216) - K222_mu;
+        let t271 = t267 - (t216 + K222_mu);
+        let t275 = (t225 + (t222 * self.mF)) - (yaw_per_v_delta * t226);
+        let t279 = (t236 - (K222_Sx_delta * self.mF)) + (yaw_per_v_delta * K222_mu);
+        let t284 = (Jxx_delta * t41) - (t43 * (Jxz_delta + (t46 * M12_yaw_per_v_delta)));
+        let t299 = (t41
+            * (((hx_delta + t44) - (P_delta_yaw_Sx_delta * Sz_delta))
+                + (Jxz_delta * M22_hz_delta)))
+            - (t43
+                * ((((hz_delta + t71) + (Jzz_delta * M22_hz_delta))
+                    + (Sx_delta * P_delta_yaw_Sx_delta)) + (t46 * M22_yaw_per_v_delta)));
+        let t305 = t43 * (SF + (t46 * t185));
+        let t316 = (t41 * ((Jxz_delta * yaw_per_v_delta) - (C122_py_delta * Sz_delta)))
+            - (t43
+                * (((yaw_per_v_delta * Jzz_delta) + (Sx_delta * C122_py_delta))
+                    + (t46 * C122_yaw_per_v_delta)));
+        let t321 = (t43 * ((t46 * t217) + Sx_delta)) + (Sz_delta * t41);
+        let t328 = (t43 * ((Sx_delta * t43) + (t46 * t227)))
+            + (t41 * (t75 - P_delta_lateral));
+        let t337 = (t232 * (SF - Sz_delta))
+            - (t43 * ((yaw_per_v_delta * Sx_delta) + (t46 * K222_yaw_per_v_delta)));
+        let t338 = t112 * <T as ::carvallo::Scalar>::from_f64(2.0);
+        let t339 = self.IRyy / t19;
+        let t340 = self.mR - t339;
+        let t341 = mu * t340;
+        let t342 = t339 * mu;
+        let t343 = yaw_per_v_delta * t340;
+        let t344 = self.rR * mu;
+        let t345 = self.rR * yaw_per_v_delta;
+        let t346 = mu * ST_IRyy;
+        let t347 = yaw_per_v_delta * ST_IRyy;
+        let P_delta_yaw_xB = t123 * t144;
+        let t350 = mu * P_delta_yaw_xB;
+        let t354 = (self.mB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_xB);
+        let t357 = self.mB * K222_Sx_all;
+        let t358 = <T as ::carvallo::Scalar>::from_f64(2.0) * t52;
+        let t359 = self.xB * mu;
+        let t362 = mu + (self.xB * yaw_per_v_delta);
+        let P_delta_yaw_mB = mu * t94;
+        let t367 = mu * P_delta_yaw_mB;
+        let t371 = (self.xB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_mB);
+        let t374 = self.xB * K222_Sx_all;
+        let Jxx_delta_zH = self.zH * t155;
+        let t376 = C112_SF * t37;
+        let t377 = self.mH * t169;
+        let t379 = t43 * Jxx_delta_zH;
+        let t380 = t379 - (t376 + t377);
+        let t382 = (t379 - t376) - t377;
+        let t384 = P_delta_yaw_Sx_delta * t43;
+        let K022_Sz_delta = t43 * t43;
+        let t389 = (Jxx_delta_zH * K022_Sz_delta)
+            - ((M22_Jxz_delta * t37) + (self.mH * t384));
+        let t394 = C122_py_delta * t43;
+        let t397 = self.mH * t43;
+        let t398 = self.mH * K022_Sz_delta;
+        let t401 = self.zH * t169;
+        let t402 = t36 * t135;
+        let t404 = t43 * Jxx_delta_mH;
+        let t405 = t404 - (t401 + t402);
+        let t407 = (t404 - t401) - t402;
+        let M22_mA = t35 * t170;
+        let t416 = (((M22_mA - (self.zH * t384)) + (t36 * t153))
+            + (Jzz_delta_mH * M22_Jzz_delta)) + (Jxx_delta_mH * K022_Sz_delta);
+        let C122_mA = t35 * t204;
+        let t426 = ((C122_mA - (self.zH * t394)) + (t36 * t195))
+            + (Jzz_delta_mH * C122_Jzz_delta);
+        let t427 = t36 * C112_SF;
+        let t429 = self.zH * t43;
+        let t430 = t429 - (t169 + t427);
+        let t432 = (t429 - t169) - t427;
+        let t433 = t35 * t220;
+        let t437 = ((self.zH * K022_Sz_delta) - t433) - (t36 * t222);
+        let K222_mA = t35 * K222_Sx_all;
+        let t441 = (K222_mA - t194) + (t36 * K222_Sx_delta);
+        let Jxx_delta_rF = self.rF * t251;
+        let t443 = t43 * Jxx_delta_rF;
+        let t444 = Jxx_delta_rF * K022_Sz_delta;
+        let t445 = mu - C122_py_delta;
+        let t447 = self.IFyy / Jxx_delta_mF;
+        let t448 = t447 * C112_SF;
+        let t451 = (self.c * K222_SF) - t394;
+        let t456 = yaw_per_v_delta * (self.mF - t447);
+        let t459 = (K222_SF * self.mF) - (t447 * K222_SF);
+        let t460 = t43 * Jxx_delta_mF;
+        let t466 = ((M22_mA - (M22_Sx_delta * self.c)) + (Jzz_delta_mF * M22_Jzz_delta))
+            + (Jxx_delta_mF * K022_Sz_delta);
+        let t473 = ((C122_mA - (C122_Sx_delta * self.c)) - (self.rF * t451))
+            + (Jzz_delta_mF * C122_Jzz_delta);
+        let t474 = C112_SF * self.c;
+        let t476 = t43 * self.rF;
+        let t477 = (t474 - t169) - t476;
+        let t479 = t474 - (t169 + t476);
+        let t483 = ((t222 * self.c) - t433) - (K022_Sz_delta * self.rF);
+        let t484 = self.rF * yaw_per_v_delta;
+        let t488 = (K222_mA - (K222_Sx_delta * self.c)) + (K222_SF * self.rF);
+        let t489 = M22_Jzz_delta + K022_Sz_delta;
+        let t490 = SF_IFyy * C112_SF;
+        let t491 = yaw_per_v_delta * SF_IFyy;
+        let t492 = SF_IFyy * K222_SF;
+        let t493 = -(t106 + (mu * ST));
+        let t494 = -P_delta_lateral;
+        let t495 = -(P_delta_lateral * t43);
+        let t496 = -(t138 + (t140 * M12_yaw_per_v_delta));
+        let t497 = -(t180 + (t140 * C112_yaw_per_v_delta));
+        let t498 = -(t114 * t140);
+        let t499 = -(ST * yaw_per_v_delta);
+        let t500 = -(t43 * (SF + (t46 * C112_yaw_per_v_delta)));
+        let t501 = -((t114 * t46) * t43);
+        let t502 = -self.mR;
+        let t503 = -self.rR;
+        let t504 = -t346;
+        let t505 = -(t52 * mu);
+        let t506 = -(t52 * yaw_per_v_delta);
+        let t507 = -(self.mB * mu);
+        let t508 = -(self.mB * t220);
+        let t509 = -(self.mB * t359);
+        let t510 = -(self.mB * t362);
+        let t511 = -(self.mB * yaw_per_v_delta);
+        let t512 = -(self.zB * t359);
+        let t513 = -(self.zB * t362);
+        let t514 = -t359;
+        let t515 = -(self.xB * t220);
+        let t516 = -(self.zB * yaw_per_v_delta);
+        let t517 = -t136;
+        let t518 = -t178;
+        let t519 = -t214;
+        let t520 = -t223;
+        let t521 = -((t37 * yaw_per_v_delta) + (self.mH * C122_py_delta));
+        let t522 = -((K222_SF * t37) + (self.mH * t394));
+        let t523 = -(self.mH * yaw_per_v_delta);
+        let t524 = -(self.mH * K222_SF);
+        let t525 = -((self.zH * C122_py_delta) + (t36 * t177));
+        let t526 = -t177;
+        let t527 = -((self.mF * t445) + t448);
+        let t528 = -(self.mF * t451);
+        let t529 = -self.mF;
+        let t530 = -(t43 * self.mF);
+        let t531 = -(K022_Sz_delta * self.mF);
+        let t532 = -(self.rF * t445);
+        let t533 = -self.rF;
+        let t534 = -t490;
+        (
+            WhippleMechanismMatrices {
+                m: [[t26, t60], [t60, t101]],
+                c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t118], [t493, t128]],
+                k0: [[Sz_all, t494], [t494, t495]],
+                k2: [
+                    [<T as ::carvallo::Scalar>::from_f64(0.0), t130],
+                    [<T as ::carvallo::Scalar>::from_f64(0.0), t133],
+                ],
+            },
+            WhippleMechanismDerivatives {
+                values: [
+                    t496,
+                    t496,
+                    t176,
+                    t497,
+                    t186,
+                    t213,
+                    t219,
+                    t219,
+                    t229,
+                    t498,
+                    t241,
+                    t244,
+                    t244,
+                    t254,
+                    t257,
+                    t499,
+                    t266,
+                    t269,
+                    t271,
+                    t275,
+                    t279,
+                    t284,
+                    t284,
+                    t299,
+                    t500,
+                    t305,
+                    t316,
+                    t321,
+                    t321,
+                    t328,
+                    t501,
+                    t337,
+                    t338,
+                    t341,
+                    t342,
+                    t502,
+                    t343,
+                    t19,
+                    t344,
+                    t503,
+                    t345,
+                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    C122_Sx_all,
+                    K222_Sx_all,
+                    t346,
+                    t504,
+                    t347,
+                    t505,
+                    t505,
+                    t350,
+                    t506,
+                    t354,
+                    t507,
+                    t507,
+                    t508,
+                    t357,
+                    t358,
+                    t509,
+                    t509,
+                    t510,
+                    self.mB,
+                    t511,
+                    t24,
+                    t512,
+                    t512,
+                    t367,
+                    t513,
+                    t371,
+                    self.zB,
+                    t514,
+                    t514,
+                    t515,
+                    t516,
+                    t374,
+                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    C122_Sx_all,
+                    K222_Sx_all,
+                    mu,
+                    mu,
+                    yaw_per_v_delta,
+                    t517,
+                    t517,
+                    t161,
+                    t518,
+                    t199,
+                    t519,
+                    t519,
+                    t520,
+                    t234,
+                    Jxx_delta_zH,
+                    t380,
+                    t382,
+                    t389,
+                    t521,
+                    t522,
+                    self.mH,
+                    t397,
+                    t397,
+                    t398,
+                    t523,
+                    t524,
+                    Jxx_delta_mH,
+                    t405,
+                    t407,
+                    t416,
+                    t525,
+                    t426,
+                    self.zH,
+                    t430,
+                    t432,
+                    t437,
+                    t526,
+                    t441,
+                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    t43,
+                    t43,
+                    K022_Sz_delta,
+                    M22_Jzz_delta,
+                    C122_Jzz_delta,
+                    C112_SF,
+                    C112_SF,
+                    M22_Jxz_delta,
+                    yaw_per_v_delta,
+                    K222_SF,
+                    Jxx_delta_rF,
+                    t443,
+                    t443,
+                    t444,
+                    t527,
+                    t448,
+                    t528,
+                    t529,
+                    t530,
+                    t530,
+                    t531,
+                    t456,
+                    t459,
+                    Jxx_delta_mF,
+                    t460,
+                    t460,
+                    t466,
+                    t532,
+                    t473,
+                    t533,
+                    t477,
+                    t479,
+                    t483,
+                    t484,
+                    t488,
+                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    t43,
+                    t43,
+                    t489,
+                    C122_Jzz_delta,
+                    t490,
+                    t534,
+                    t491,
+                    t492,
+                ],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleMechanism<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 2>; 26];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
+        ); 26];
+        for position in 0..158 {
+            <WhippleMechanismDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+                matrices.c1,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+                matrices.k0,
+                matrices.k2,
+            ]),
+            all,
+        )
     }
 }

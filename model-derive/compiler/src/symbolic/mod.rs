@@ -2,6 +2,7 @@
 
 mod algebra;
 mod angles;
+mod derivatives;
 mod door;
 mod form;
 mod identity;
@@ -11,6 +12,7 @@ mod optimize;
 mod prove;
 mod sample;
 
+pub use derivatives::{Derived, Node, derive};
 pub use door::{Failure, enter};
 pub use form::{Engine, Form, Undefined};
 pub use identity::Sign;

@@ -31,11 +31,11 @@ fn check(label: &str, design: &Whipple, speed: f64) {
 #[test]
 fn simple_ones_have_as_many_digits_as_their_condition_leaves() {
     for (label, bicycle) in bicycles::all() {
-        for speed in [0.0, 0.3, 1.5, 4.0, 9.0] {
+        for speed in [0.3, 4.0] {
             check(label, &bicycle, speed);
         }
     }
-    for number in 0..10 {
+    for number in 0..4 {
         check(&format!("design {number}"), &designs::numbered(number), 3.0);
     }
 }
@@ -44,7 +44,7 @@ fn simple_ones_have_as_many_digits_as_their_condition_leaves() {
 #[test]
 fn digits_are_lost_near_double_roots_as_told() {
     let bicycle = bicycles::named("benchmark");
-    for distance in [1e-2, 1e-4, 1e-6, 1e-8] {
+    for distance in [1e-2, 1e-5, 1e-8] {
         for speed in [0.684_283_078_892_455_8 - distance, 0.684_283_078_892_455_8 + distance] {
             check("benchmark", &bicycle, speed);
         }

@@ -7,11 +7,9 @@ mod eigenvalues;
 
 use carvallo::{Model, Sensitivity};
 use carvallo_models::Whipple;
-use carvallo_tests::differences::Exact;
 
 fn sensitivity(design: &Whipple) -> Sensitivity<2> {
-    let derivatives = Exact::of(design).coefficient_derivatives();
-    Sensitivity::new(&design.coefficients(), &derivatives, design.g, Whipple::<f64>::INFO.gravity).unwrap()
+    Sensitivity::of(design).unwrap()
 }
 
 fn name(parameter: usize) -> &'static str {

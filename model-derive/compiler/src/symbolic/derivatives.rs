@@ -1,0 +1,221 @@
+//! Derivatives of formulas with respect to the parameters, through the definitions that they use.
+//!
+//! A formula written out in the parameters can be exponentially longer than its definitions, and so can its derivative.
+//! So the engine derives each formula with respect to the names that stand in it, and what follows by the chain rule
+//! stays a sum of products of those partial derivatives, which are definitions in their turn.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::door::{Failure, enter};
+use super::form::{Engine, Form, Undefined};
+use super::optimize::Place;
+use super::prove::{Depth, Proof, prove};
+use super::sample::Sample;
+use crate::equations::Equations;
+use crate::model::Expr;
+
+/// In which order definitions are taken out of the chain rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// The first first: of each definition the derivatives with respect to the parameters.
+    Forward,
+    /// The last first: of each output the derivatives with respect to the definitions.
+    Adjoint,
+    /// First the one by which the fewest products come (Markowitz 1957; Griewank & Reese 1991).
+    Fewest,
+}
+
+impl Order {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Forward, Self::Adjoint, Self::Fewest];
+}
+
+/// Formulas together with those of their derivatives.
+#[derive(Clone, Debug)]
+pub struct Derived {
+    /// The outputs of the equations, then their derivatives.
+    pub equations: Equations,
+    /// For each derivative the output and the parameter: all that are not zero for all parameters, by parameters.
+    pub partials: Vec<(usize, usize)>,
+    /// For each definition that is new, by its origin, what it is the derivative of, and with respect to what.
+    pub definitions: BTreeMap<usize, [Node; 2]>,
+}
+
+/// What the chain rule leads through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Node {
+    /// The parameter at a position.
+    Parameter(usize),
+    /// The definition at a position of the equations.
+    Definition(usize),
+    /// The output at a position.
+    Output(usize),
+}
+
+/// The derivatives of all outputs of equations with respect to all parameters, in each of the orders. The origins of
+/// definitions that are new are `beyond` those of the model.
+///
+/// # Errors
+/// If the engine cannot be had or fails, or if a formula has no value.
+pub fn derive(equations: Vec<Equations>, beyond: usize) -> Result<Vec<Derived>, Failure> {
+    enter(move |engine| {
+        let all = equations.iter().enumerate().flat_map(|(index, equations)| {
+            let chain = Chain::new(engine, equations, beyond).map_err(|(place, why)| Failure::Undefined {
+                equations: index,
+                place,
+                why,
+            });
+            match chain {
+                Ok(chain) => Order::ALL.into_iter().map(|order| Ok(chain.clone().derived(order))).collect(),
+                Err(failure) => vec![Err(failure)],
+            }
+        });
+        all.collect()
+    })?
+}
+
+/// Partial derivatives that are left to be multiplied along the ways from outputs to parameters.
+#[derive(Clone)]
+struct Chain<'a> {
+    engine: &'a Engine,
+    equations: Equations,
+    /// For each definition and output the derivatives with respect to what stands in it.
+    partials: BTreeMap<Node, BTreeMap<Node, Form>>,
+    /// The definitions that are new, by their origins.
+    definitions: BTreeMap<usize, [Node; 2]>,
+    /// The origin of the next one.
+    next: usize,
+    /// Values of the parameters and of the definitions.
+    samples: [Vec<Sample>; 2],
+}
+
+impl<'a> Chain<'a> {
+    fn new(engine: &'a Engine, equations: &Equations, beyond: usize) -> Result<Self, (Place, Undefined)> {
+        let parameters = equations.parameters;
+        let values = engine.definitions(parameters, equations.definitions.len());
+        let mut chain = Self {
+            engine,
+            equations: equations.clone(),
+            partials: BTreeMap::new(),
+            definitions: BTreeMap::new(),
+            next: equations.origins.iter().map(|origin| origin + 1).fold(beyond, usize::max),
+            samples: [Sample::spread(0, parameters), Vec::new()],
+        };
+        for (index, expr) in equations.definitions.iter().enumerate() {
+            let form = engine.form(expr, &values).map_err(|why| (Place::Definition(equations.origins[index]), why))?;
+            chain.samples[1].push(Sample::of(expr, &chain.samples[0], &chain.samples[1]));
+            chain.add(Node::Definition(index), expr, &form);
+        }
+        for (index, expr) in equations.outputs.iter().enumerate() {
+            let form = engine.form(expr, &values).map_err(|why| (Place::Output(index), why))?;
+            chain.add(Node::Output(index), expr, &form);
+        }
+        Ok(chain)
+    }
+
+    /// Notes the partial derivatives of a formula.
+    fn add(&mut self, node: Node, expr: &Expr, form: &Form) {
+        let mut inside = BTreeSet::new();
+        expr.walk(&mut |part| match part {
+            Expr::Parameter(index) => drop(inside.insert((*index, Node::Parameter(*index)))),
+            Expr::Definition(index) => {
+                inside.insert((self.equations.parameters + index, Node::Definition(*index)));
+            }
+            _ => {}
+        });
+        let partial = |(symbol, node)| (node, form.derivative(symbol));
+        let partials = inside.into_iter().map(partial).filter(|(_, partial)| !partial.is_nothing()).collect();
+        self.partials.insert(node, partials);
+    }
+
+    /// All derivatives, with the definitions taken out in an order.
+    fn derived(mut self, order: Order) -> Derived {
+        let outputs = self.equations.outputs.len();
+        let mut left: BTreeSet<usize> = (0..self.equations.definitions.len()).collect();
+        while let Some(&index) = match order {
+            Order::Forward => left.first(),
+            Order::Adjoint => left.last(),
+            Order::Fewest => left.iter().min_by_key(|index| self.products(Node::Definition(**index))),
+        } {
+            left.remove(&index);
+            self.take_out(Node::Definition(index));
+        }
+        let mut partials = Vec::new();
+        for parameter in 0..self.equations.parameters {
+            for output in 0..outputs {
+                let of_output = self.partials.get(&Node::Output(output));
+                let partial = of_output.and_then(|partials| partials.get(&Node::Parameter(parameter)));
+                let partial = partial.map(|partial| partial.expr(self.equations.parameters));
+                if let Some(partial) = partial.filter(|partial| !self.is_zero(partial)) {
+                    self.equations.outputs.push(partial);
+                    partials.push((output, parameter));
+                }
+            }
+        }
+        Derived { equations: self.equations, partials, definitions: self.definitions }
+    }
+
+    /// How many products it takes to take a definition out.
+    fn products(&self, node: Node) -> usize {
+        let users = self.partials.values().filter(|partials| partials.contains_key(&node)).count();
+        users * self.partials.get(&node).map_or(0, BTreeMap::len)
+    }
+
+    /// Takes a definition out: what was derived with respect to it is derived with respect to what stands in it.
+    fn take_out(&mut self, node: Node) {
+        let inner = self.partials.remove(&node).unwrap_or_default();
+        let users: Vec<Node> =
+            self.partials.iter().filter(|(_, partials)| partials.contains_key(&node)).map(|(user, _)| *user).collect();
+        let inner: Vec<(Node, Form)> = inner
+            .into_iter()
+            .filter_map(|(with, partial)| Some((with, self.named([node, with], partial, users.len())?)))
+            .collect();
+        for user in users {
+            let Some(outer) = self.partials.get_mut(&user).and_then(|partials| partials.remove(&node)) else {
+                continue;
+            };
+            let Some(outer) = self.named([user, node], outer, inner.len()) else { continue };
+            for (with, partial) in &inner {
+                let product = &outer * partial;
+                let partials = self.partials.entry(user).or_default();
+                let sum = match partials.remove(with) {
+                    Some(partial) => &partial + &product,
+                    None => product,
+                };
+                if !sum.is_nothing() {
+                    partials.insert(*with, sum);
+                }
+            }
+        }
+    }
+
+    /// A derivative that stands in so many products: as a definition of its own, if it is worth one, and nothing if it
+    /// is zero.
+    fn named(&mut self, of: [Node; 2], partial: Form, products: usize) -> Option<Form> {
+        if partial.is_short() || products < 2 {
+            return Some(partial);
+        }
+        let parameters = self.equations.parameters;
+        let expr = partial.expr(parameters);
+        if self.is_zero(&expr) {
+            return None;
+        }
+        let index = self.equations.definitions.len();
+        self.samples[1].push(Sample::of(&expr, &self.samples[0], &self.samples[1]));
+        self.equations.definitions.push(expr);
+        self.equations.origins.push(self.next);
+        self.definitions.insert(self.next, of);
+        self.next += 1;
+        Some(self.engine.definition(parameters, index))
+    }
+
+    /// Whether a formula is proved to be zero for all parameters.
+    fn is_zero(&self, formula: &Expr) -> bool {
+        let [parameters, definitions] = &self.samples;
+        if Sample::of(formula, parameters, definitions).is_not_zero() {
+            return false;
+        }
+        let outputs = vec![formula.clone(), Expr::zero()];
+        prove(self.engine, &Equations { outputs, ..self.equations.clone() }, Depth::Formulas) == Ok(Proof::Found)
+    }
+}
