@@ -12,10 +12,11 @@ use crate::{Coefficients, Matrix, SystemError};
 /// ```
 ///
 /// # Errors
-/// If there are fewer deviations than derivatives, or if one is negative or not finite.
+/// If there are fewer deviations than derivatives, or if one is negative or not finite, or if the
+/// result leaves the range of `f64`.
 pub fn standard_deviation(derivatives: &[f64], deviations: &[f64]) -> Result<f64, SystemError> {
     require(derivatives.len(), deviations)?;
-    Ok(root_sum_square(derivatives.iter().zip(deviations).map(|(derivative, deviation)| derivative * deviation)))
+    in_range(root_sum_square(derivatives.iter().zip(deviations).map(|(derivative, deviation)| derivative * deviation)))
 }
 
 impl<const N: usize> Sensitivity<N> {
@@ -25,23 +26,34 @@ impl<const N: usize> Sensitivity<N> {
     /// K0 is without gravity, as the coefficients are.
     ///
     /// # Errors
-    /// If there are fewer deviations than parameters, or if one is negative or not finite.
+    /// If there are fewer deviations than parameters, or if one is negative or not finite, or if a
+    /// result leaves the range of `f64`.
     pub fn matrix_deviations(&self, deviations: &[f64]) -> Result<Coefficients<f64, N>, SystemError> {
         require(self.derivatives.len(), deviations)?;
         let of = |matrix: fn(&Coefficients<f64, N>) -> &Matrix<f64, N>| {
-            Matrix::from_fn(|i, j| {
+            let mut deviation = Matrix::<f64, N>::zeros();
+            for (place, entry) in deviation.iter_mut().enumerate() {
                 let terms = self.derivatives.iter().zip(deviations);
-                root_sum_square(terms.map(|(derivative, deviation)| matrix(derivative)[(i, j)] * deviation))
-            })
+                *entry = in_range(root_sum_square(terms.map(|(by, deviation)| matrix(by)[place] * deviation)))?;
+            }
+            Ok::<_, SystemError>(deviation)
         };
         Ok(Coefficients {
-            m: of(|c| &c.m),
-            c0: of(|c| &c.c0),
-            c1: of(|c| &c.c1),
-            kc: of(|c| &c.kc),
-            k0: of(|c| &c.k0),
-            k2: of(|c| &c.k2),
+            m: of(|c| &c.m)?,
+            c0: of(|c| &c.c0)?,
+            c1: of(|c| &c.c1)?,
+            kc: of(|c| &c.kc)?,
+            k0: of(|c| &c.k0)?,
+            k2: of(|c| &c.k2)?,
         })
+    }
+}
+
+fn in_range(deviation: f64) -> Result<f64, SystemError> {
+    if deviation.is_finite() {
+        Ok(deviation)
+    } else {
+        Err(SystemError::OutOfRange { quantity: "a standard deviation" })
     }
 }
 

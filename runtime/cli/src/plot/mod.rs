@@ -12,6 +12,7 @@ mod png;
 mod scene;
 mod side_view;
 mod svg;
+mod tornado;
 
 use std::path::Path;
 
@@ -21,6 +22,7 @@ pub use self::curves::extent;
 pub use self::eigenvalues::eigenvalues;
 pub use self::scene::Scene;
 pub use self::side_view::side_view;
+pub use self::tornado::tornado;
 
 /// Writes a drawing in the format that the ending of the path names: PNG, or else SVG.
 ///
