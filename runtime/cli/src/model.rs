@@ -30,7 +30,7 @@ pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
 
 /// Differentiates the equations of motion at parameters in declared order, which are valid.
-type Differentiate = fn(&[f64]) -> Result<Sensitivity<2>, SystemError>;
+pub type Differentiate = fn(&[f64]) -> Result<Sensitivity<2>, SystemError>;
 
 /// The models of two coordinates that were compiled with their derivatives.
 static DIFFERENTIABLE: [(&ModelInfo, Differentiate); 2] =
@@ -81,20 +81,18 @@ impl Shipped {
         (self.equations)(parameters)
     }
 
-    /// How the equations of motion change with valid parameters in declared order.
+    /// What differentiates the equations of motion.
     ///
     /// # Errors
-    /// If the model was compiled without its derivatives, or if a derivative is not finite.
-    pub fn sensitivity(&self, parameters: &[f64]) -> Result<Sensitivity<2>, Failure> {
+    /// If the model was compiled without its derivatives: that, and which models have them.
+    pub fn differentiate(&self) -> Result<Differentiate, Failure> {
         let name = self.info.name;
-        let Some((_, differentiate)) = DIFFERENTIABLE.iter().find(|(info, _)| info.name == name) else {
+        let known = DIFFERENTIABLE.iter().find(|(info, _)| info.name == name).map(|(_, differentiate)| *differentiate);
+        known.ok_or_else(|| {
             let names: Vec<&str> = DIFFERENTIABLE.iter().map(|(info, _)| info.name).collect();
             let names = names.join(" and ");
-            return Err(Failure::usage(format!(
-                "the model {name} ships without derivatives; those with them are {names}"
-            )));
-        };
-        differentiate(parameters).map_err(|error| Failure::Run(format!("{name}: {error}")))
+            Failure::usage(format!("the model {name} ships without derivatives; those with them are {names}"))
+        })
     }
 
     /// Whether the equations of motion depend on the speed.

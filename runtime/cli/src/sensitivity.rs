@@ -1,16 +1,13 @@
 //! How the critical speeds of a design change with its parameters.
 
 use carvallo::{
-    CriticalDerivative, CriticalKind, CriticalSpeed, NotDifferentiable, ParameterInfo, Stability, SystemError,
-    standard_deviation,
+    Coefficients, Complex, CriticalDerivative, CriticalKind, CriticalSpeed, NotDifferentiable, ParameterInfo,
+    Stability, SystemError, standard_deviation,
 };
 
+use crate::analysis::extremes;
 use crate::failure::Failure;
 use crate::input::Design;
-use crate::model::Equations;
-
-/// The share of its size by which every parameter is changed.
-pub const SHARE: f64 = 0.01;
 
 /// A design with the derivatives of its critical speeds.
 pub struct Changes {
@@ -22,8 +19,8 @@ pub struct Changes {
     pub critical_speeds: Vec<Critical>,
     /// The standard deviations of the parameters, zero where there is none; `None` if there are none at all.
     pub deviations: Option<Vec<f64>>,
-    /// The names of all six matrices, with the standard deviations of their entries by rows, if parameters have any.
-    pub matrix_deviations: Option<[(&'static str, Vec<Vec<f64>>); 6]>,
+    /// The standard deviations of the entries of the matrices, if parameters have any.
+    pub matrix_deviations: Option<Coefficients<f64, 2>>,
 }
 
 /// The change of a parameter whose effect is told.
@@ -46,7 +43,7 @@ pub struct Critical {
 /// The derivatives of a critical speed with respect to each parameter, in m/s per unit, and of its eigenvalue.
 pub struct Derivatives {
     pub speed: Vec<f64>,
-    pub eigenvalue: Vec<carvallo::Complex<f64>>,
+    pub eigenvalue: Vec<Complex<f64>>,
     pub condition: f64,
     /// In m/s, if parameters have standard deviations.
     pub deviation: Option<f64>,
@@ -75,13 +72,14 @@ impl Changes {
     /// # Errors
     /// If the model has no derivatives, or the equations of motion have no answer.
     pub fn new(design: Design) -> Result<Self, Failure> {
-        let sensitivity = design.model.sensitivity(&design.values())?;
+        let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
+        let differentiate = design.model.differentiate()?;
         let Some(coefficients) = design.equations.of_two() else {
             let name = design.info().name;
             return Err(Failure::Run(format!("{name}: critical speeds are computed for two coordinates only")));
         };
-        let fail = |error: SystemError| Failure::Run(format!("{}: {error}", design.title()));
         let stability = Stability::new(coefficients, design.gravity().unwrap_or(0.0)).map_err(fail)?;
+        let sensitivity = differentiate(&design.values()).map_err(fail)?;
         let deviations: Vec<f64> = design
             .parameters
             .iter()
@@ -100,7 +98,7 @@ impl Changes {
         };
         let critical_speeds = stability.critical_speeds.iter().map(critical).collect::<Result<_, _>>().map_err(fail)?;
         let of_matrices = deviations.as_ref().map(|deviations| sensitivity.matrix_deviations(deviations));
-        let matrix_deviations = of_matrices.transpose().map_err(fail)?.map(|deviations| deviations.matrices());
+        let matrix_deviations = of_matrices.transpose().map_err(fail)?;
         let steps = steps(design.info().parameters, &design.values());
         Ok(Self { steps, critical_speeds, deviations, matrix_deviations, stability, design })
     }
@@ -138,9 +136,9 @@ impl Changes {
 /// What 1 % of each parameter is.
 fn steps(parameters: &[ParameterInfo], values: &[f64]) -> Vec<Step> {
     let step = |(info, &value): (&ParameterInfo, &f64)| match (value, scale(info.unit, parameters, values)) {
-        (0.0, Some(scale)) => Step::OfScale(SHARE * scale),
+        (0.0, Some(scale)) => Step::OfScale(scale / 100.0),
         (0.0, None) => Step::Unknown,
-        (value, _) => Step::OfValue(SHARE * value),
+        (value, _) => Step::OfValue(value / 100.0),
     };
     parameters.iter().zip(values).map(step).collect()
 }

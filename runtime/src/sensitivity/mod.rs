@@ -78,7 +78,7 @@ impl<const N: usize> Sensitivity<N> {
     /// strength in N/kg, of which `gravity_parameter` tells the position among the parameters, if it is one.
     ///
     /// # Errors
-    /// If gravity or an entry is not finite, or if there is no parameter at the position of gravity.
+    /// If gravity, an entry or a derivative is not finite, or if there is no parameter at the position of gravity.
     pub fn new<T: Scalar>(
         coefficients: &Coefficients<T, N>,
         derivatives: &[Coefficients<T, N>],
@@ -90,14 +90,16 @@ impl<const N: usize> Sensitivity<N> {
             let (expected, found) = (position + 1, derivatives.len());
             return Err(SystemError::TooFew { quantity: "derivatives", expected, found });
         }
-        let derivatives = derivatives.iter().map(Coefficients::finite).collect::<Result<_, _>>()?;
-        Ok(Self { coefficients: coefficients.finite()?, derivatives, gravity, gravity_parameter })
+        let coefficients = coefficients.finite()?;
+        let derivatives: Result<_, _> = derivatives.iter().map(Coefficients::finite).collect();
+        let derivatives = derivatives.map_err(|_| SystemError::OutOfRange { quantity: "a derivative of a matrix" })?;
+        Ok(Self { coefficients, derivatives, gravity, gravity_parameter })
     }
 
     /// Of a model that was compiled with its derivatives, at its own gravity; at none if that is no parameter of it.
     ///
     /// # Errors
-    /// If an entry is not finite, as it may be for parameters that were not validated.
+    /// If an entry or a derivative is not finite, as they may be for parameters that were not validated.
     pub fn of<M: Differentiable<N>>(model: &M) -> Result<Self, SystemError> {
         let (coefficients, derivatives) = model.coefficients_and_derivatives();
         let gravity = Model::gravity(model).map_or(0.0, Scalar::to_f64);

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::super::table::width;
 use super::super::{FAINT, HEADING, equations};
+use crate::model::Equations;
 use crate::number::shortest;
 use crate::sensitivity::{Changes, Derivatives};
 
@@ -44,14 +45,15 @@ fn contributions(changes: &Changes, derivatives: &Derivatives, deviations: &[f64
 }
 
 fn matrices(changes: &Changes, text: &mut String) {
-    let found = changes.matrix_deviations.iter().flatten();
+    let found = changes.matrix_deviations.iter().flat_map(Equations::matrices);
     let matrices = equations::matrices(&changes.design);
     let rows: Vec<Vec<Vec<String>>> = matrices
         .iter()
         .map(|matrix| {
             let deviations = found.clone().find(|(name, _)| *name == matrix.name).map(|(_, rows)| rows);
-            let entry =
-                |i: usize, j: usize| with_deviation(matrix.rows[i][j], deviations.map_or(0.0, |rows| rows[i][j]));
+            let entry = |i: usize, j: usize| {
+                with_deviation(matrix.rows[i][j], deviations.as_ref().map_or(0.0, |rows| rows[i][j]))
+            };
             (0..matrix.rows.len()).map(|i| (0..matrix.rows.len()).map(|j| entry(i, j)).collect()).collect()
         })
         .collect();
@@ -88,7 +90,7 @@ mod tests {
     #[test]
     fn deviations_have_two_digits() {
         assert_eq!(with_deviation(4.195_375_6, 0.034_2), "4.195 ± 0.034");
-        assert_eq!(with_deviation(-80.95, 1.26), "-80.9 ± 1.3");
+        assert_eq!(with_deviation(-80.951, 1.26), "-81.0 ± 1.3");
         assert_eq!(with_deviation(80.0, 0.0), "80");
         assert_eq!(with_deviation(1234.0, 123.0), "1.234e3 ± 1.2e2");
         assert_eq!(with_deviation(0.0, 2e-20), "0e0 ± 2.0e-20");

@@ -5,31 +5,32 @@
 use super::super::equations::{Matrix, matrices};
 use super::super::json::{lines, list};
 use super::super::quoted;
+use crate::model::Equations;
 use crate::sensitivity::{Changes, Critical, Derivatives};
 
 pub fn json(changes: &Changes) -> String {
     let design = &changes.design;
     let info = design.info();
-    let deviations = changes.deviations.as_deref();
     let rows = |rows: &Vec<Vec<f64>>| list(rows.iter().map(|row| list(row.iter().map(number))));
     let matrices = matrices(design).into_iter();
     let matrices =
         matrices.map(|Matrix { name, rows: entries, .. }| format!("    {}: {}", quoted(name), rows(&entries)));
     let matrix_deviations = changes.matrix_deviations.as_ref().map(|known| {
-        let known = known.iter().filter(|(name, _)| info.matrices.contains(name));
-        lines('{', known.map(|(name, entries)| format!("    {}: {}", quoted(name), rows(entries))), '}')
+        let known = known.matrices().into_iter().filter(|(name, _)| info.matrices.contains(name));
+        lines('{', known.map(|(name, entries)| format!("    {}: {}", quoted(name), rows(&entries))), '}')
     });
-    let steps = changes.steps.iter().map(|step| step.size().as_ref().map_or("null".to_owned(), number));
+    let parameters = design.parameters.iter().zip(&changes.steps).map(|(given, step)| {
+        let deviation = given.deviation.as_ref().map_or(0.0, |deviation| deviation.value);
+        let step = step.size().as_ref().map_or("null".to_owned(), number);
+        format!("{{\"value\": {:?}, \"std\": {deviation:?}, \"one_percent\": {step}}}", given.value)
+    });
     let critical = changes.critical_speeds.iter().map(|critical| self::critical(changes, critical));
     format!(
-        "{{\n  \"model\": {},\n  \"{}\": {},\n  \"parameters\": {},\n  \"standard_deviations\": {},\n  \"one_percent\": {},\n  \
-         \"critical_speeds\": {},\n  \"matrices\": {},\n  \"matrix_standard_deviations\": {}\n}}\n",
+        "{{\n  \"model\": {},\n  \"{}\": {},\n  \"parameters\": {},\n  \"critical_speeds\": {},\n  \"matrices\": {},\n  \"matrix_standard_deviations\": {}\n}}\n",
         quoted(info.name),
         if design.model.is_whipple() { "bicycle" } else { "name" },
         quoted(&design.name),
-        by_parameter(changes, "  ", design.values().iter().map(number)),
-        deviations.map_or("null".to_owned(), |deviations| by_parameter(changes, "  ", deviations.iter().map(number))),
-        by_parameter(changes, "  ", steps),
+        by_parameter(changes, "  ", parameters),
         lines('[', critical, ']'),
         lines('{', matrices, '}'),
         matrix_deviations.unwrap_or("null".to_owned()),

@@ -29,17 +29,17 @@ fn critical_speeds(changes: &Changes, text: &mut String) {
     let _ = writeln!(text, "\n{HEADING}Weave and capsize speeds{HEADING:#} (m/s)");
     let none = |kind: CriticalKind| !changes.critical_speeds.iter().any(|critical| critical.speed.kind == kind);
     let all = changes.critical_speeds.iter().filter(|critical| critical.speed.kind != CriticalKind::DoubleRoot);
-    for critical in all {
-        let speed = critical.speed;
+    let values: Vec<String> = all.clone().map(|critical| shortest(critical.speed.speed)).collect();
+    let column = width(&values, 20);
+    for (critical, value) in all.zip(&values) {
         let reason = critical.derivatives.as_ref().err();
         let reason = reason.map(|reason| format!("; not ranked: {reason}")).unwrap_or_default();
-        let (kind, value) = (speed.kind.to_string(), shortest(speed.speed));
-        let change = change(speed.change);
-        let _ = writeln!(text, "  {kind:<13}{value:<20}{FAINT}{change}{reason}{FAINT:#}");
+        let (kind, change) = (critical.speed.kind.to_string(), change(critical.speed.change));
+        let _ = writeln!(text, "  {kind:<13}{value:<column$}{FAINT}{change}{reason}{FAINT:#}");
     }
     for (kind, meaning) in [(CriticalKind::Weave, "weave"), (CriticalKind::Capsize, "capsize")] {
         if none(kind) {
-            let _ = writeln!(text, "  {meaning:<13}{:<20}{FAINT}there is no such speed{FAINT:#}", "-");
+            let _ = writeln!(text, "  {meaning:<13}{:<column$}{FAINT}there is no such speed{FAINT:#}", "-");
         }
     }
     if changes.stability.stable_ranges.is_empty() {
