@@ -19,14 +19,19 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
+#[cfg(feature = "batch")]
+pub mod batch;
 mod coefficients;
 #[cfg(feature = "derive")]
 mod declare;
 mod differentiable;
 mod eigenvalues;
 mod error;
+mod evaluator;
 mod info;
+mod lane;
 mod model;
+mod number;
 mod numeric;
 mod rate;
 mod scalar;
@@ -35,13 +40,16 @@ mod sensitivity;
 #[cfg(feature = "std")]
 mod stability;
 mod system;
+mod trigonometry;
 
 pub use coefficients::{Coefficients, Matrix};
 pub use differentiable::{Differentiable, MatrixName, Partial};
 pub use error::SystemError;
-pub use info::{Bound, CoordinateInfo, Domain, ModelInfo, ParameterInfo, SetInfo};
+pub use evaluator::Evaluator;
+pub use info::{Bound, CoordinateInfo, Domain, EntryInfo, ModelInfo, ParameterInfo, SetInfo};
 pub use model::{LengthError, Model, ParameterError};
 pub use nalgebra::Complex;
+pub use number::Number;
 pub use rate::Rate;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]

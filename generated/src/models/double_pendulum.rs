@@ -70,7 +70,7 @@ impl DoublePendulum<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> DoublePendulum<T> {
+impl<T: ::carvallo::Number> DoublePendulum<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 8]) -> Self {
@@ -90,6 +90,9 @@ impl<T: ::carvallo::Scalar> DoublePendulum<T> {
     pub const fn to_array(&self) -> [T; 8] {
         [self.l1, self.a1, self.m1, self.I1, self.a2, self.m2, self.I2, self.g]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> DoublePendulum<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> DoublePendulum<U> {
@@ -122,20 +125,20 @@ pub struct DoublePendulumMatrices<T = ::core::primitive::f64> {
     pub k0: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> DoublePendulum<T> {
+impl<T: ::carvallo::Number> DoublePendulum<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 8 additions, 11 multiplications and 2 negations: 21 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> DoublePendulumMatrices<T> {
         let Jxx_theta2 = self.I2 + (self.m2 * (self.a2 * self.a2));
         let t11 = self.a2 * self.m2;
         let t12 = self.l1 * self.m2;
         let Jxx_theta1 = ((self.I1 + Jxx_theta2)
-            + ((self.l1 * <T as ::carvallo::Scalar>::from_f64(2.0))
-                * (t11 + (t12 * <T as ::carvallo::Scalar>::from_f64(0.5)))))
+            + ((self.l1 * ::carvallo::Number::like(self.l1, 2.0))
+                * (t11 + (t12 * ::carvallo::Number::like(self.l1, 0.5)))))
             + (self.m1 * (self.a1 * self.a1));
         let M_theta1_theta2 = Jxx_theta2 + (self.l1 * t11);
         let t28 = -((t11 + t12) + (self.a1 * self.m1));
@@ -170,12 +173,12 @@ impl<T: ::carvallo::Scalar> DoublePendulum<T> {
         DoublePendulumKinematics {
             forces: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.l1, 1.0),
+                    ::carvallo::Number::like(self.l1, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    ::carvallo::Number::like(self.l1, 0.0),
+                    ::carvallo::Number::like(self.l1, 1.0),
                 ],
             ],
         }
@@ -184,6 +187,8 @@ impl<T: ::carvallo::Scalar> DoublePendulum<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for DoublePendulum<T> {
     type Scalar = T;
+    type Parameters = [T; 8];
+    type Over<U: ::carvallo::Number> = DoublePendulum<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "DoublePendulum",
         docs: "An inverted double pendulum: two links, one standing on the other, which lean to the right about axes along x.\n\nAxes: origin at the lower hinge, x forward, y to the right, z down, so that what is above it has z < 0. The second\nangle is that between the links.",
@@ -301,6 +306,23 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for DoublePendulum<T> {
             },
         ],
         matrices: &["M", "K0"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 1), ("K0", 1, 0), ("K0", 1, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "rods",
@@ -355,6 +377,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for DoublePendulum<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -385,5 +411,47 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for DoublePendulum<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for DoublePendulum<T> {
+    type Entries = [T; 5];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            l1: parameter(0),
+            a1: parameter(1),
+            m1: parameter(2),
+            I1: parameter(3),
+            a2: parameter(4),
+            m2: parameter(5),
+            I2: parameter(6),
+            g: parameter(7),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[1][1],
+            matrices.k0[0][0],
+            matrices.k0[0][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.l1, 0.0); 2]; 2],
+            [[::carvallo::Number::like(self.l1, 0.0); 2]; 2],
+            [[::carvallo::Number::like(self.l1, 0.0); 2]; 2],
+            matrices.k0,
+            [[::carvallo::Number::like(self.l1, 0.0); 2]; 2],
+        ]
     }
 }

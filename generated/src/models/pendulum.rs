@@ -47,7 +47,7 @@ impl Pendulum<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Pendulum<T> {
+impl<T: ::carvallo::Number> Pendulum<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 4]) -> Self {
@@ -63,6 +63,9 @@ impl<T: ::carvallo::Scalar> Pendulum<T> {
     pub const fn to_array(&self) -> [T; 4] {
         [self.m, self.l, self.c, self.g]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Pendulum<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> Pendulum<U> {
@@ -93,12 +96,12 @@ pub struct PendulumMatrices<T = ::core::primitive::f64> {
     pub k0: [[T; 1]; 1],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Pendulum<T> {
+impl<T: ::carvallo::Number> Pendulum<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 3 multiplications.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> PendulumMatrices<T> {
         let t3 = self.m * (self.l * self.l);
@@ -113,6 +116,8 @@ impl<T: ::carvallo::Scalar> Pendulum<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Pendulum<T> {
     type Scalar = T;
+    type Parameters = [T; 4];
+    type Over<U: ::carvallo::Number> = Pendulum<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Pendulum",
         docs: "A pendulum with a damped joint, hanging at rest.\n\nA point mass on a massless rod.",
@@ -176,6 +181,17 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Pendulum<T> {
             },
         ],
         matrices: &["M", "C0", "K0"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "seconds",
@@ -217,6 +233,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Pendulum<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<1>>::INFO;
         info.validate(
@@ -243,5 +263,37 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Pendulum<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Pendulum<T> {
+    type Entries = [T; 3];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            m: parameter(0),
+            l: parameter(1),
+            c: parameter(2),
+            g: parameter(3),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [matrices.m[0][0], matrices.c0[0][0], matrices.k0[0][0]]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 1]; 1]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            matrices.c0,
+            [[::carvallo::Number::like(self.m, 0.0); 1]; 1],
+            [[::carvallo::Number::like(self.m, 0.0); 1]; 1],
+            matrices.k0,
+            [[::carvallo::Number::like(self.m, 0.0); 1]; 1],
+        ]
     }
 }

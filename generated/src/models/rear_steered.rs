@@ -162,7 +162,7 @@ impl RearSteered<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> RearSteered<T> {
+impl<T: ::carvallo::Number> RearSteered<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 26]) -> Self {
@@ -227,6 +227,9 @@ impl<T: ::carvallo::Scalar> RearSteered<T> {
             self.IFyy,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> RearSteered<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> RearSteered<U> {
@@ -281,19 +284,19 @@ pub struct RearSteeredMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> RearSteered<T> {
+impl<T: ::carvallo::Number> RearSteered<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 46 additions, 55 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 109 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RearSteeredMatrices<T> {
         let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
             + (self.mF * (self.rF * self.rF));
         let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
             + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Scalar::sin_cos(self.lam);
+        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
         let t33 = self.w + self.c;
         let t34 = t33 - self.xH;
         let t35 = self.mH * t34;
@@ -335,11 +338,11 @@ impl<T: ::carvallo::Scalar> RearSteered<T> {
         let t132 = -(t45 * (P_delta_lateral - (h_spin_R * t28)));
         RearSteeredMatrices {
             m: [[t26, t58], [t58, t96]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t111], [t129, t123]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t111], [t129, t123]],
             k0: [[Sz_all, t130], [t130, t124]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t131],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t132],
+                [::carvallo::Number::like(self.w, 0.0), t131],
+                [::carvallo::Number::like(self.w, 0.0), t132],
             ],
         }
     }
@@ -373,62 +376,62 @@ impl<T: ::carvallo::Scalar> RearSteered<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> RearSteeredKinematics<T> {
-        let t6 = (::carvallo::Scalar::cos(self.lam)) / self.w;
+        let t6 = (::carvallo::Number::cos(self.lam)) / self.w;
         let yaw_by_delta = self.c * t6;
         let t12 = -t6;
-        let t13 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rR);
-        let t14 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rF);
+        let t13 = -(::carvallo::Number::like(self.w, 1.0) / self.rR);
+        let t14 = -(::carvallo::Number::like(self.w, 1.0) / self.rF);
         RearSteeredKinematics {
             lateral: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(1.0),
+                heading: ::carvallo::Number::like(self.w, 1.0),
             },
             yaw: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [<T as ::carvallo::Scalar>::from_f64(0.0), yaw_by_delta],
-                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0), t12],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
+                rates: [::carvallo::Number::like(self.w, 0.0), yaw_by_delta],
+                coordinates: [::carvallo::Number::like(self.w, 0.0), t12],
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_F: ::carvallo::Rate {
                 speed: t13,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_R: ::carvallo::Rate {
                 speed: t14,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             forces: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
                 ],
             ],
         }
@@ -437,6 +440,8 @@ impl<T: ::carvallo::Scalar> RearSteered<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RearSteered<T> {
     type Scalar = T;
+    type Parameters = [T; 26];
+    type Over<U: ::carvallo::Number> = RearSteered<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "RearSteered",
         docs: "A bicycle that is steered at the rear: a Whipple bicycle run backwards, with its geometry mirrored.\n\nFour rigid bodies (front wheel F, main frame with a rigid rider B, steered frame H, steered rear wheel R),\nlaterally symmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the front\ncontact point, x forward, y to the right, z down. Lengths along x are counted backward from the front contact, so\nthat the parameters of a bicycle are those of the same bicycle run backwards.",
@@ -770,6 +775,41 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RearSteered<T> {
             },
         ],
         matrices: &["M", "C1", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 1), ("K0", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 1, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "backwards",
@@ -860,6 +900,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RearSteered<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -908,5 +952,71 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RearSteered<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RearSteered<T> {
+    type Entries = [T; 11];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            w: parameter(0),
+            c: parameter(1),
+            lam: parameter(2),
+            g: parameter(3),
+            rR: parameter(4),
+            mR: parameter(5),
+            IRxx: parameter(6),
+            IRyy: parameter(7),
+            xB: parameter(8),
+            zB: parameter(9),
+            mB: parameter(10),
+            IBxx: parameter(11),
+            IByy: parameter(12),
+            IBzz: parameter(13),
+            IBxz: parameter(14),
+            xH: parameter(15),
+            zH: parameter(16),
+            mH: parameter(17),
+            IHxx: parameter(18),
+            IHyy: parameter(19),
+            IHzz: parameter(20),
+            IHxz: parameter(21),
+            rF: parameter(22),
+            mF: parameter(23),
+            IFxx: parameter(24),
+            IFyy: parameter(25),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[1][1],
+            matrices.c1[0][1],
+            matrices.c1[1][0],
+            matrices.c1[1][1],
+            matrices.k0[0][0],
+            matrices.k0[0][1],
+            matrices.k0[1][1],
+            matrices.k2[0][1],
+            matrices.k2[1][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.c1,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.k0,
+            matrices.k2,
+        ]
     }
 }

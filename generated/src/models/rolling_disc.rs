@@ -65,7 +65,7 @@ impl RollingDisc<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> RollingDisc<T> {
+impl<T: ::carvallo::Number> RollingDisc<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 5]) -> Self {
@@ -82,6 +82,9 @@ impl<T: ::carvallo::Scalar> RollingDisc<T> {
     pub const fn to_array(&self) -> [T; 5] {
         [self.r, self.m, self.Ia, self.It, self.g]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> RollingDisc<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> RollingDisc<U> {
@@ -113,12 +116,12 @@ pub struct RollingDiscMatrices<T = ::core::primitive::f64> {
     pub k0: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> RollingDisc<T> {
+impl<T: ::carvallo::Number> RollingDisc<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 2 additions, 3 multiplications, 1 division and 2 negations: 8 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RollingDiscMatrices<T> {
         let Jxx_all = self.It + (self.m * (self.r * self.r));
@@ -129,18 +132,18 @@ impl<T: ::carvallo::Scalar> RollingDisc<T> {
         let t12 = -t9;
         RollingDiscMatrices {
             m: [
-                [Jxx_all, <T as ::carvallo::Scalar>::from_f64(0.0)],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), self.It],
+                [Jxx_all, ::carvallo::Number::like(self.r, 0.0)],
+                [::carvallo::Number::like(self.r, 0.0), self.It],
             ],
             c1: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t10],
-                [t11, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [::carvallo::Number::like(self.r, 0.0), t10],
+                [t11, ::carvallo::Number::like(self.r, 0.0)],
             ],
             k0: [
-                [t12, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [t12, ::carvallo::Number::like(self.r, 0.0)],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
                 ],
             ],
         }
@@ -169,31 +172,31 @@ impl<T: ::carvallo::Scalar> RollingDisc<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> RollingDiscKinematics<T> {
-        let t4 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.r);
+        let t4 = -(::carvallo::Number::like(self.r, 1.0) / self.r);
         RollingDiscKinematics {
             lateral: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.r, 0.0),
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    ::carvallo::Number::like(self.r, 0.0),
+                    ::carvallo::Number::like(self.r, 1.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.r, 0.0),
             },
             wheel_D: ::carvallo::Rate {
                 speed: t4,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.r, 0.0),
             },
         }
     }
@@ -201,6 +204,8 @@ impl<T: ::carvallo::Scalar> RollingDisc<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RollingDisc<T> {
     type Scalar = T;
+    type Parameters = [T; 5];
+    type Over<U: ::carvallo::Number> = RollingDisc<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "RollingDisc",
         docs: "A disc that rolls without slip on level ground, upright and straight but for small lean and yaw.\n\nIts spin balances it: it falls over, slowly, unless v^2 > g r It m r^2/(Ia (Ia + m r^2)), which is g r/3 for a\nuniform disc and g r/4 for a hoop. Axes: origin at the contact point, x forward, y to the right, z down.",
@@ -282,6 +287,23 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RollingDisc<T> {
             },
         ],
         matrices: &["M", "C1", "K0"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "uniform",
@@ -330,6 +352,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RollingDisc<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -357,5 +383,44 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RollingDisc<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RollingDisc<T> {
+    type Entries = [T; 5];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            r: parameter(0),
+            m: parameter(1),
+            Ia: parameter(2),
+            It: parameter(3),
+            g: parameter(4),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[1][1],
+            matrices.c1[0][1],
+            matrices.c1[1][0],
+            matrices.k0[0][0],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.r, 0.0); 2]; 2],
+            matrices.c1,
+            [[::carvallo::Number::like(self.r, 0.0); 2]; 2],
+            matrices.k0,
+            [[::carvallo::Number::like(self.r, 0.0); 2]; 2],
+        ]
     }
 }

@@ -107,7 +107,7 @@ impl Skateboard<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Skateboard<T> {
+impl<T: ::carvallo::Number> Skateboard<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 15]) -> Self {
@@ -150,6 +150,9 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
             self.g,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Skateboard<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> Skateboard<U> {
@@ -195,22 +198,22 @@ pub struct SkateboardMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 1]; 1],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Skateboard<T> {
+impl<T: ::carvallo::Number> Skateboard<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 9 additions, 18 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 35 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> SkateboardMatrices<T> {
         let P_gamma_lateral = self.m * self.h;
         let t10 = (self.Ixx + (self.r * (P_gamma_lateral - P_gamma_lateral)))
             + (self.m * (self.h * self.h));
-        let (lateral_per_v_deltaR, t12) = ::carvallo::Scalar::sin_cos(self.lamR);
-        let t13 = <T as ::carvallo::Scalar>::from_f64(1.0) / t12;
-        let (t27, t25) = ::carvallo::Scalar::sin_cos(self.lamF);
-        let t26 = <T as ::carvallo::Scalar>::from_f64(1.0) / t25;
-        let t29 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
+        let (lateral_per_v_deltaR, t12) = ::carvallo::Number::sin_cos(self.lamR);
+        let t13 = ::carvallo::Number::like(self.L, 1.0) / t12;
+        let (t27, t25) = ::carvallo::Number::sin_cos(self.lamF);
+        let t26 = ::carvallo::Number::like(self.L, 1.0) / t25;
+        let t29 = ::carvallo::Number::like(self.L, 1.0) / self.L;
         let t34 = (t26 * (t27 * t29)) + (t13 * (lateral_per_v_deltaR * t29));
         let t36 = ((self.Ixz + ((self.m * self.x) * ((self.r + self.h) - self.r))) * t34)
             - ((t13 * lateral_per_v_deltaR) * P_gamma_lateral);
@@ -263,16 +266,16 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> SkateboardKinematics<T> {
-        let (lateral_per_v_deltaR, t4) = ::carvallo::Scalar::sin_cos(self.lamR);
-        let t5 = <T as ::carvallo::Scalar>::from_f64(1.0) / t4;
+        let (lateral_per_v_deltaR, t4) = ::carvallo::Number::sin_cos(self.lamR);
+        let t5 = ::carvallo::Number::like(self.L, 1.0) / t4;
         let t7 = t5 * lateral_per_v_deltaR;
-        let pitch_by_vertical = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
-        let (t11, t13) = ::carvallo::Scalar::sin_cos(self.lamF);
-        let t14 = <T as ::carvallo::Scalar>::from_f64(1.0) / t13;
+        let pitch_by_vertical = ::carvallo::Number::like(self.L, 1.0) / self.L;
+        let (t11, t13) = ::carvallo::Number::sin_cos(self.lamF);
+        let t14 = ::carvallo::Number::like(self.L, 1.0) / t13;
         let t15 = (pitch_by_vertical * t11) * t14;
         let t16 = pitch_by_vertical * lateral_per_v_deltaR;
         let t18 = t15 + (t5 * t16);
-        let t19 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.r;
+        let t19 = ::carvallo::Number::like(self.L, 1.0) / self.r;
         let t22 = self.b * t19;
         let t23 = (t11 * t14) * t22;
         let spin_FL_per_v_deltaR = t16 * t22;
@@ -288,60 +291,62 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
         let t36 = -spin_RL_by_gamma;
         SkateboardKinematics {
             lateral: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.L, 0.0),
                 rates: [t29],
                 coordinates: [t30],
-                heading: <T as ::carvallo::Scalar>::from_f64(1.0),
+                heading: ::carvallo::Number::like(self.L, 1.0),
             },
             yaw: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
+                speed: ::carvallo::Number::like(self.L, 0.0),
+                rates: [::carvallo::Number::like(self.L, 0.0)],
                 coordinates: [t18],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             deltaF: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.L, 0.0),
                 rates: [t31],
-                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                coordinates: [::carvallo::Number::like(self.L, 0.0)],
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             deltaR: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.L, 0.0),
                 rates: [t32],
-                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                coordinates: [::carvallo::Number::like(self.L, 0.0)],
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_FL: ::carvallo::Rate {
                 speed: t33,
                 rates: [t34],
                 coordinates: [t35],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_FR: ::carvallo::Rate {
                 speed: t33,
                 rates: [t23],
                 coordinates: [t27],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_RL: ::carvallo::Rate {
                 speed: t33,
                 rates: [spin_RL_by_gamma],
                 coordinates: [t35],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_RR: ::carvallo::Rate {
                 speed: t33,
                 rates: [t36],
                 coordinates: [t27],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
-            forces: [[<T as ::carvallo::Scalar>::from_f64(1.0)]],
+            forces: [[::carvallo::Number::like(self.L, 1.0)]],
         }
     }
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
     type Scalar = T;
+    type Parameters = [T; 15];
+    type Over<U: ::carvallo::Number> = Skateboard<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Skateboard",
         docs: "A skateboard with a rider who stands still on it: one degree of freedom, the tilt of the board.\n\nEach truck turns about its king pin, which passes through the middle of its axle, with a wheel at either end. All\nfour wheels stay on the ground and do not slip, so that tilting steers both axles. Trucks and wheels have no mass;\nboard and rider are one rigid body. Axes: origin on the ground below the rear axle, x forward, y to the right, z\ndown.",
@@ -537,6 +542,23 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
             },
         ],
         matrices: &["M", "C1", "Kc", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("Kc", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 0)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "example",
@@ -605,6 +627,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<1>>::INFO;
         info.validate(
@@ -642,5 +668,54 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Skateboard<T> {
+    type Entries = [T; 5];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            L: parameter(0),
+            b: parameter(1),
+            r: parameter(2),
+            lamF: parameter(3),
+            lamR: parameter(4),
+            kF: parameter(5),
+            kR: parameter(6),
+            m: parameter(7),
+            x: parameter(8),
+            h: parameter(9),
+            Ixx: parameter(10),
+            Iyy: parameter(11),
+            Izz: parameter(12),
+            Ixz: parameter(13),
+            g: parameter(14),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.c1[0][0],
+            matrices.kc[0][0],
+            matrices.k0[0][0],
+            matrices.k2[0][0],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 1]; 1]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.L, 0.0); 1]; 1],
+            matrices.c1,
+            matrices.kc,
+            matrices.k0,
+            matrices.k2,
+        ]
     }
 }

@@ -59,7 +59,7 @@ impl TwoPipes<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> TwoPipes<T> {
+impl<T: ::carvallo::Number> TwoPipes<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 6]) -> Self {
@@ -77,6 +77,9 @@ impl<T: ::carvallo::Scalar> TwoPipes<T> {
     pub const fn to_array(&self) -> [T; 6] {
         [self.l, self.m, self.f, self.k, self.c, self.g]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> TwoPipes<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> TwoPipes<U> {
@@ -115,27 +118,27 @@ pub struct TwoPipesMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> TwoPipes<T> {
+impl<T: ::carvallo::Number> TwoPipes<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 1 addition, 14 multiplications and 3 negations: 18 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> TwoPipesMatrices<T> {
         let t1 = self.l * self.l;
         let t5 = self.m + self.f;
         let inertia = (self.l * t1) * t5;
-        let t8 = inertia * <T as ::carvallo::Scalar>::from_f64(1.3333333333333333);
-        let t10 = inertia * <T as ::carvallo::Scalar>::from_f64(0.5);
-        let t12 = inertia * <T as ::carvallo::Scalar>::from_f64(0.3333333333333333);
-        let t15 = self.c * <T as ::carvallo::Scalar>::from_f64(2.0);
+        let t8 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t10 = inertia * ::carvallo::Number::like(self.l, 0.5);
+        let t12 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t15 = self.c * ::carvallo::Number::like(self.l, 2.0);
         let t16 = self.f * t1;
-        let t17 = <T as ::carvallo::Scalar>::from_f64(2.0) * t16;
-        let t20 = self.k * <T as ::carvallo::Scalar>::from_f64(2.0);
+        let t17 = ::carvallo::Number::like(self.l, 2.0) * t16;
+        let t20 = self.k * ::carvallo::Number::like(self.l, 2.0);
         let weight = t1 * t5;
-        let t23 = weight * <T as ::carvallo::Scalar>::from_f64(1.5);
-        let t24 = weight * <T as ::carvallo::Scalar>::from_f64(0.5);
+        let t23 = weight * ::carvallo::Number::like(self.l, 1.5);
+        let t24 = weight * ::carvallo::Number::like(self.l, 0.5);
         let t25 = self.l * self.f;
         let t26 = -self.c;
         let t27 = -self.k;
@@ -143,17 +146,17 @@ impl<T: ::carvallo::Scalar> TwoPipes<T> {
         TwoPipesMatrices {
             m: [[t8, t10], [t10, t12]],
             c0: [[t15, t26], [t26, self.c]],
-            c1: [[t16, t17], [<T as ::carvallo::Scalar>::from_f64(0.0), t16]],
+            c1: [[t16, t17], [::carvallo::Number::like(self.l, 0.0), t16]],
             kc: [[t20, t27], [t27, self.k]],
             k0: [
-                [t23, <T as ::carvallo::Scalar>::from_f64(0.0)],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t24],
+                [t23, ::carvallo::Number::like(self.l, 0.0)],
+                [::carvallo::Number::like(self.l, 0.0), t24],
             ],
             k2: [
                 [t28, t25],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
                 ],
             ],
         }
@@ -162,6 +165,8 @@ impl<T: ::carvallo::Scalar> TwoPipes<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for TwoPipes<T> {
     type Scalar = T;
+    type Parameters = [T; 6];
+    type Over<U: ::carvallo::Number> = TwoPipes<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "TwoPipes",
         docs: "Two pipes in a row that carry a fluid, hanging: a garden hose with two hinges.\n\nRigid pipes of equal length, the first hinged to a wall and the second to the first, each hinge with a spring and\na damper. The speed v is that of the fluid, which leaves at the free end along the second pipe; above a critical\nspeed the pipes buckle or flutter.",
@@ -255,6 +260,53 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for TwoPipes<T> {
             },
         ],
         matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C0", 0, 1), ("C0", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 0), ("C1", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("Kc", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("Kc", 0, 1), ("Kc", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("Kc", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "hose",
@@ -298,6 +350,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for TwoPipes<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -326,5 +382,48 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for TwoPipes<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for TwoPipes<T> {
+    type Entries = [T; 15];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            l: parameter(0),
+            m: parameter(1),
+            f: parameter(2),
+            k: parameter(3),
+            c: parameter(4),
+            g: parameter(5),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[1][1],
+            matrices.c0[0][0],
+            matrices.c0[0][1],
+            matrices.c0[1][1],
+            matrices.c1[0][0],
+            matrices.c1[0][1],
+            matrices.kc[0][0],
+            matrices.kc[0][1],
+            matrices.kc[1][1],
+            matrices.k0[0][0],
+            matrices.k0[1][1],
+            matrices.k2[0][0],
+            matrices.k2[0][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [matrices.m, matrices.c0, matrices.c1, matrices.kc, matrices.k0, matrices.k2]
     }
 }

@@ -190,7 +190,7 @@ impl Whipple<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Whipple<T> {
+impl<T: ::carvallo::Number> Whipple<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 26]) -> Self {
@@ -255,6 +255,9 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             self.IFyy,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Whipple<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> Whipple<U> {
@@ -309,12 +312,12 @@ pub struct WhippleMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Whipple<T> {
+impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 54 additions, 71 multiplications, 4 divisions, 3 negations and 2 trigonometric functions: 134 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMatrices<T> {
         let t5 = self.IHxx + self.IFxx;
@@ -322,11 +325,11 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             + (self.mB * (self.zB * self.zB))) + (self.mH * (self.zH * self.zH)))
             + (self.mF * (self.rF * self.rF));
         let mA = self.mH + self.mF;
-        let t28 = <T as ::carvallo::Scalar>::from_f64(1.0) / mA;
+        let t28 = ::carvallo::Number::like(self.w, 1.0) / mA;
         let t30 = self.rF * self.mF;
         let t31 = (self.zH * self.mH) - t30;
         let zA = t28 * t31;
-        let (t34, t45) = ::carvallo::Scalar::sin_cos(self.lam);
+        let (t34, t45) = ::carvallo::Number::sin_cos(self.lam);
         let t40 = (self.xH * self.mH) + (self.w * self.mF);
         let xA = t40 * t28;
         let t42 = xA - self.w;
@@ -352,8 +355,8 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
         let ITzz = ((((self.IRxx + self.IBzz) + (self.mB * (self.xB * self.xB)))
             + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w))) + t88;
         let t124 = (((mA * (uA * uA)) + (IAzz * (t45 * t45)))
-            + (mu * ((IAlz * <T as ::carvallo::Scalar>::from_f64(2.0)) + (ITzz * mu))))
-            + (t34 * (t68 + (<T as ::carvallo::Scalar>::from_f64(2.0) * t60)));
+            + (mu * ((IAlz * ::carvallo::Number::like(self.w, 2.0)) + (ITzz * mu))))
+            + (t34 * (t68 + (::carvallo::Number::like(self.w, 2.0) * t60)));
         let SF = self.IFyy / self.rF;
         let ST = SF + (self.IRyy / self.rR);
         let t134 = (t73 + t31) - (self.rR * self.mR);
@@ -369,11 +372,11 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
         let t158 = -(t34 * SA);
         WhippleMatrices {
             m: [[t26, t84], [t84, t124]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t139], [t156, t150]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t139], [t156, t150]],
             k0: [[t134, t157], [t157, t158]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t152],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t155],
+                [::carvallo::Number::like(self.w, 0.0), t152],
+                [::carvallo::Number::like(self.w, 0.0), t155],
             ],
         }
     }
@@ -381,6 +384,8 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
     type Scalar = T;
+    type Parameters = [T; 26];
+    type Over<U: ::carvallo::Number> = Whipple<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Whipple",
         docs: "The Whipple-Carvallo bicycle: the linearized equations of lean and steer about upright straight running.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.",
@@ -714,6 +719,41 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
             },
         ],
         matrices: &["M", "C1", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 1), ("K0", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 1, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "benchmark",
@@ -837,6 +877,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -907,6 +951,72 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for Whipple<T> {
+    type Entries = [T; 11];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            w: parameter(0),
+            c: parameter(1),
+            lam: parameter(2),
+            g: parameter(3),
+            rR: parameter(4),
+            mR: parameter(5),
+            IRxx: parameter(6),
+            IRyy: parameter(7),
+            xB: parameter(8),
+            zB: parameter(9),
+            mB: parameter(10),
+            IBxx: parameter(11),
+            IByy: parameter(12),
+            IBzz: parameter(13),
+            IBxz: parameter(14),
+            xH: parameter(15),
+            zH: parameter(16),
+            mH: parameter(17),
+            IHxx: parameter(18),
+            IHyy: parameter(19),
+            IHzz: parameter(20),
+            IHxz: parameter(21),
+            rF: parameter(22),
+            mF: parameter(23),
+            IFxx: parameter(24),
+            IFyy: parameter(25),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[1][1],
+            matrices.c1[0][1],
+            matrices.c1[1][0],
+            matrices.c1[1][1],
+            matrices.k0[0][0],
+            matrices.k0[0][1],
+            matrices.k0[1][1],
+            matrices.k2[0][1],
+            matrices.k2[1][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.c1,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.k0,
+            matrices.k2,
+        ]
     }
 }
 /// The derivatives of the matrices of [`Whipple`] with respect to its parameters, in SI units: those that are not zero for all parameters.
@@ -1122,12 +1232,12 @@ impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
     }
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Whipple<T> {
+impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 194 additions, 332 multiplications, 8 divisions, 43 negations and 2 trigonometric functions: 579 operations.
+    /// 203 additions, 321 multiplications, 8 divisions, 40 negations and 2 trigonometric functions: 574 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(
         &self,
@@ -1148,8 +1258,7 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             t35,
             zA,
             t37,
-            t39,
-            ITxz_rF,
+            t41,
             t42,
             xA,
             t44,
@@ -1159,21 +1268,21 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             t50,
             IAxz,
             t53,
-            IAxx_mH,
-            IAxx_mF,
+            t55,
+            t58,
             IAxx,
             t61,
             t65,
             uA,
             t68,
-            t73,
+            t74,
             t77,
             ITxz,
             t82,
             t83,
             mu,
             t86,
-            M22_mA,
+            t87,
             t91,
             t97,
             ITzz_mB,
@@ -1187,7 +1296,6 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             t117,
             t118,
             IAlz,
-            M22_IAzz,
             t126,
             SF_IFyy,
             SF,
@@ -1199,7 +1307,6 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             t139,
             t142,
             t143,
-            t147,
             SA_mu,
             SA,
             C122_mu,
@@ -1209,145 +1316,169 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             t158,
             t159,
             t160,
-            t164,
-            t165,
-            t168,
+            t161,
+            t163,
+            t166,
+            t167,
             xA_w,
-            uA_w,
-            t173,
-            t174,
+            t171,
+            t172,
+            M12_xA,
             t175,
-            M22_IAxz,
-            t178,
-            t179,
-            t183,
-            IAlz_w,
-            t185,
-            ITzz_w,
-            M22_ITzz,
-            t192,
-            M22_mu,
             IAlz_uA,
             M22_uA,
-            t201,
+            t180,
+            t181,
+            t182,
+            t183,
+            M22_IAzz,
+            t188,
+            C112_SF,
+            M22_IAxz,
+            t192,
+            ITzz_w,
+            M22_ITzz,
+            t197,
+            M22_mu,
+            t199,
+            t202,
+            t203,
             t206,
-            t207,
-            K222_SF,
+            M22_xA,
+            t211,
             t214,
-            t215,
+            t216,
+            t217,
+            t218,
+            C122_uA,
+            t220,
+            C122_IAzz,
+            C122_IAxz,
+            t226,
+            t228,
+            t231,
+            t232,
+            t233,
             SA_w,
             C122_ITzz,
-            t225,
-            C122_uA,
-            t228,
-            t233,
-            t235,
-            t238,
-            t243,
-            t244,
-            SA_c,
-            t247,
-            t249,
-            IAlx_lam,
-            t252,
-            t253,
+            t241,
+            t246,
+            C122_xA,
+            t251,
+            t256,
             t258,
             t260,
+            t264,
+            SA_c,
+            t267,
+            t269,
+            t270,
+            t274,
+            t277,
+            t279,
             IAlz_lam,
-            t272,
-            t278,
-            t282,
-            t290,
-            t297,
-            t298,
-            t299,
+            t292,
+            t296,
             t300,
-            t301,
-            t302,
-            t303,
-            t304,
-            t305,
             t306,
-            t307,
-            ITzz_xB,
-            t310,
-            SA_xB,
+            t313,
+            t314,
             t315,
+            t316,
             t317,
             t318,
+            t319,
+            t320,
+            t321,
+            t322,
             t323,
             t325,
-            SA_mB,
+            ITzz_xB,
+            t327,
+            SA_xB,
             t332,
+            t334,
             t335,
-            t336,
-            zA_zH,
-            uA_xH,
-            t344,
-            t345,
+            SA_mB,
+            t339,
+            t343,
             t347,
-            IAlz_xH,
+            t350,
+            xA_xH,
+            t355,
             ITzz_xH,
-            t358,
-            t361,
+            t360,
+            t362,
             SA_xH,
-            t371,
+            t370,
+            t372,
             t373,
             t374,
             t375,
-            IAlx_zH,
-            t378,
+            t380,
+            t381,
             t383,
-            t385,
-            M22_IAxx,
+            t387,
+            t389,
+            t390,
             t391,
-            t394,
-            t400,
-            t403,
+            t395,
+            t399,
+            t401,
+            t404,
             t405,
-            t406,
-            zA_mH,
-            IAlx_mH,
+            t407,
+            t409,
+            C122_zA,
+            t414,
+            t415,
             t418,
+            t419,
+            t426,
+            t427,
             xA_mH,
-            uA_mH,
-            t424,
+            t432,
+            zA_mH,
+            t436,
             IAlz_mA,
-            IAlz_mH,
-            t439,
-            t441,
-            SA_mH,
-            t457,
+            M22_mA,
+            t449,
+            t451,
+            C122_mA,
+            t459,
             t460,
-            t463,
-            t465,
-            t466,
-            t467,
-            IAlx_rF,
-            t470,
-            uA_rF,
+            SA_mH,
+            t471,
+            t473,
+            t476,
             t477,
-            t482,
-            t483,
+            t478,
+            t479,
+            t480,
+            t481,
+            t485,
             t487,
             t489,
-            t490,
+            t491,
+            t492,
+            t493,
             SA_rF,
-            t496,
             t498,
             t501,
-            t503,
-            IAlx_mF,
-            ITxz_mF,
+            t504,
+            t505,
             xA_mF,
-            uA_mF,
-            t519,
-            IAlz_mF,
-            t533,
-            t535,
-            t538,
+            t516,
+            t518,
+            t528,
+            t530,
+            t531,
             SA_mF,
+            t546,
+            t548,
+            t550,
             t551,
+            t552,
             t553,
             t554,
             t555,
@@ -1363,6 +1494,271 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             t565,
             t566,
             t567,
+        );
+        t5 = self.IHxx + self.IFxx;
+        t9 = self.rR * self.rR;
+        t14 = self.zB * self.zB;
+        t19 = self.zH * self.zH;
+        t24 = self.rF * self.rF;
+        t26 = (((((self.IRxx + self.IBxx) + t5) + (self.mR * t9)) + (self.mB * t14))
+            + (self.mH * t19)) + (self.mF * t24);
+        (t54, t28) = ::carvallo::Number::sin_cos(self.lam);
+        mA = self.mH + self.mF;
+        t32 = ::carvallo::Number::like(self.w, 1.0) / mA;
+        t33 = self.rF * self.mF;
+        t34 = self.zH * self.mH;
+        t35 = t34 - t33;
+        zA = t32 * t35;
+        t37 = self.zH - zA;
+        t41 = self.xH * self.mH;
+        t42 = (self.w * self.mF) + t41;
+        xA = t32 * t42;
+        t44 = self.xH - xA;
+        t45 = t37 * t44;
+        t48 = xA - self.w;
+        t49 = self.rF + zA;
+        t50 = t48 * t49;
+        IAxz = (self.IHxz - (self.mH * t45)) - (self.mF * t50);
+        t53 = t28 * IAxz;
+        t55 = t37 * t37;
+        t58 = t49 * t49;
+        IAxx = (t5 + (self.mH * t55)) + (self.mF * t58);
+        t61 = t54 * IAxx;
+        t65 = t48 - self.c;
+        uA = (t28 * t65) - (zA * t54);
+        t68 = mA * uA;
+        t74 = self.zB * self.mB;
+        t77 = self.xH * self.zH;
+        ITxz = (((self.IBxz + self.IHxz) - (self.xB * t74)) - (self.mH * t77))
+            + (self.w * t33);
+        t82 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        t83 = t28 * t82;
+        mu = self.c * t83;
+        t86 = ((t53 + t61) - (t68 * zA)) + (ITxz * mu);
+        t87 = uA * uA;
+        t91 = t61 + (t53 * ::carvallo::Number::like(self.w, 2.0));
+        t97 = self.IHzz + self.IFxx;
+        ITzz_mB = self.xB * self.xB;
+        ITzz_mH = self.xH * self.xH;
+        ITzz_mF = self.w * self.w;
+        ITzz = ((((self.IRxx + self.IBzz) + t97) + (self.mB * ITzz_mB))
+            + (self.mH * ITzz_mH)) + (self.mF * ITzz_mF);
+        t108 = mu * ITzz;
+        IAzz_mH = t44 * t44;
+        IAzz_mF = t48 * t48;
+        IAzz = (t97 + (self.mH * IAzz_mH)) + (self.mF * IAzz_mF);
+        t117 = t54 * IAxz;
+        t118 = (t28 * IAzz) + t117;
+        IAlz = (xA * t68) + t118;
+        t126 = (((mA * t87) + (t54 * t91))
+            + (mu * (t108 + (IAlz * ::carvallo::Number::like(self.w, 2.0)))))
+            + (IAzz * (t28 * t28));
+        SF_IFyy = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        SF = self.IFyy * SF_IFyy;
+        t131 = t28 * SF;
+        ST_IRyy = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        ST = SF + (self.IRyy * ST_IRyy);
+        t137 = self.rR * self.mR;
+        t138 = (t35 + t74) - t137;
+        t139 = ST - t138;
+        t142 = ITxz * t83;
+        t143 = (t131 + (mu * t139)) + t142;
+        SA_mu = t42 + (self.xB * self.mB);
+        SA = t68 + (mu * SA_mu);
+        C122_mu = SA + (t83 * ITzz);
+        t154 = (t83 * IAlz) + (mu * C122_mu);
+        t156 = t83 * t139;
+        t157 = t54 * SF;
+        t158 = SA + t157;
+        t159 = t83 * t158;
+        t160 = mA * zA;
+        t161 = t49 * self.mF;
+        t163 = t28 * (t160 + t161);
+        t166 = t28 / ITzz_mF;
+        t167 = self.c * ITxz;
+        xA_w = self.mF * t32;
+        t171 = t37 * self.mH;
+        t172 = t28 * t171;
+        M12_xA = t172 - t163;
+        t175 = ((t163 + (t33 * mu)) - (t166 * t167)) + (xA_w * M12_xA);
+        IAlz_uA = mA * xA;
+        M22_uA = ::carvallo::Number::like(self.w, 2.0) * (t68 + (mu * IAlz_uA));
+        t180 = t28 * M22_uA;
+        t181 = self.mF * ::carvallo::Number::like(self.w, 2.0);
+        t182 = t48 * t181;
+        t183 = mu * ::carvallo::Number::like(self.w, 2.0);
+        M22_IAzz = t28 * (t28 + t183);
+        t188 = t54 * ::carvallo::Number::like(self.w, 2.0);
+        C112_SF = t28 + mu;
+        M22_IAxz = t188 * C112_SF;
+        t192 = (t180 + (t182 * M22_IAzz)) - (t161 * M22_IAxz);
+        ITzz_w = self.w * t181;
+        M22_ITzz = mu * mu;
+        t197 = IAlz + t108;
+        M22_mu = ::carvallo::Number::like(self.w, 2.0) * t197;
+        t199 = self.c * M22_mu;
+        t202 = self.mH * t44;
+        t203 = t202 * ::carvallo::Number::like(self.w, 2.0);
+        t206 = (t203 * M22_IAzz) - (t171 * M22_IAxz);
+        M22_xA = (t192 - t206) + (t68 * t183);
+        t211 = (((ITzz_w * M22_ITzz) - t192) - (t166 * t199)) + (xA_w * M22_xA);
+        t214 = ITxz + (self.c * t139);
+        t216 = (t33 * t83) - (t166 * t214);
+        t217 = ST * self.c;
+        t218 = t166 * t217;
+        C122_uA = t83 * IAlz_uA;
+        t220 = t28 * C122_uA;
+        C122_IAzz = t28 * t83;
+        C122_IAxz = t54 * t83;
+        t226 = (t220 + (t182 * C122_IAzz)) - (t161 * C122_IAxz);
+        t228 = mA * t28;
+        t231 = (self.mF * mu) + (t228 * (xA_w - ::carvallo::Number::like(self.w, 1.0)));
+        t232 = self.c * SA_mu;
+        t233 = t166 * t232;
+        SA_w = t231 - t233;
+        C122_ITzz = t83 * mu;
+        t241 = t197 + (self.c * C122_mu);
+        t246 = (t203 * C122_IAzz) - (t171 * C122_IAxz);
+        C122_xA = (t226 - t246) + (t68 * t83);
+        t251 = ((((mu * SA_w) - t226) + (ITzz_w * C122_ITzz)) - (t166 * t241))
+            + (xA_w * C122_xA);
+        t256 = (t83 * SA_w) - (t166 * t158);
+        t258 = t142 + (t160 * t28);
+        t260 = (t83 * M22_mu) - t180;
+        t264 = t83 * SA_mu;
+        SA_c = t264 - t228;
+        t267 = ((t83 * C122_mu) - t220) + (mu * SA_c);
+        t269 = t83 * SA_c;
+        t270 = IAxx * t28;
+        t274 = (t28 * zA) + (t54 * t65);
+        t277 = t54 * t82;
+        t279 = ((t270 - t117) + (t274 * t160)) - (t277 * t167);
+        IAlz_lam = t53 - (IAzz * t54);
+        t292 = (((((IAlz_lam * t183) - (t188 * t118)) + (t54 * t270)) + (t28 * t91))
+            - (t274 * M22_uA)) - (t277 * t199);
+        t296 = t157 + (t277 * t217);
+        t300 = (mA * t274) + (t277 * t232);
+        t306 = (((t83 * IAlz_lam) - (mu * t300)) - (t274 * C122_uA)) - (t277 * t241);
+        t313 = (t83 * (t131 - t300)) - (t277 * t158);
+        t314 = t137 * ::carvallo::Number::like(self.w, 2.0);
+        t315 = self.IRyy / t9;
+        t316 = self.mR - t315;
+        t317 = mu * t316;
+        t318 = t315 * mu;
+        t319 = t83 * t316;
+        t320 = self.rR * mu;
+        t321 = self.rR * t83;
+        t322 = mu * ST_IRyy;
+        t323 = t83 * ST_IRyy;
+        t325 = self.mB * ::carvallo::Number::like(self.w, 2.0);
+        ITzz_xB = self.xB * t325;
+        t327 = ITzz_xB * M22_ITzz;
+        SA_xB = self.mB * mu;
+        t332 = (mu * SA_xB) + (ITzz_xB * C122_ITzz);
+        t334 = t83 * SA_xB;
+        t335 = self.zB * t325;
+        SA_mB = self.xB * mu;
+        t339 = mu + (self.xB * t83);
+        t343 = ITzz_mB * M22_ITzz;
+        t347 = (mu * SA_mB) + (ITzz_mB * C122_ITzz);
+        t350 = t83 * SA_mB;
+        xA_xH = self.mH * t32;
+        t355 = (xA_xH * M12_xA) - (t172 + (mu * t34));
+        ITzz_xH = ::carvallo::Number::like(self.w, 2.0) * t41;
+        t360 = (t206 + (ITzz_xH * M22_ITzz)) + (xA_xH * M22_xA);
+        t362 = self.mH * mu;
+        SA_xH = t362 + (t228 * xA_xH);
+        t370 = ((t246 + (mu * SA_xH)) + (ITzz_xH * C122_ITzz)) + (xA_xH * C122_xA);
+        t372 = t83 * SA_xH;
+        t373 = t34 * ::carvallo::Number::like(self.w, 2.0);
+        t374 = t171 * t188;
+        t375 = t28 * t202;
+        t380 = t161 * t188;
+        t381 = t48 * self.mF;
+        t383 = t380 - (t28 * t381);
+        t387 = (((t68 + t374) - t383) - (t54 * t160)) - t375;
+        t389 = ((t374 - t375) - (mu * t41)) - (xA_xH * t387);
+        t390 = t54 * t374;
+        t391 = t202 * M22_IAxz;
+        t395 = (t54 * t380) - (t381 * M22_IAxz);
+        t399 = ((t390 - t395) + (t54 * M22_uA)) - t391;
+        t401 = (t390 - t391) - (xA_xH * t399);
+        t404 = mA * t54;
+        t405 = xA_xH * t404;
+        t407 = t202 * C122_IAxz;
+        t409 = t381 * C122_IAxz;
+        C122_zA = t407 - (t409 + (C122_uA * t54));
+        t414 = (xA_xH * C122_zA) - ((mu * t405) + t407);
+        t415 = t405 * t54;
+        t418 = t54 * t55;
+        t419 = uA * zA;
+        t426 = ::carvallo::Number::like(self.w, 1.0) / (mA * mA);
+        t427 = t42 * t426;
+        xA_mH = (self.xH * t32) - t427;
+        t432 = t35 * t426;
+        zA_mH = (self.zH * t32) - t432;
+        t436 = ((((t418 - t419) - (t28 * t45)) - (mu * t77)) + (xA_mH * M12_xA))
+            - (zA_mH * t387);
+        IAlz_mA = xA * uA;
+        M22_mA = (IAlz_mA * t183) + t87;
+        t449 = ((((M22_mA + (t54 * t418)) + (ITzz_mH * M22_ITzz)) + (IAzz_mH * M22_IAzz))
+            - (t45 * M22_IAxz)) + (xA_mH * M22_xA);
+        t451 = t449 - (zA_mH * t399);
+        C122_mA = t83 * IAlz_mA;
+        t459 = (uA + (self.xH * mu)) + (t228 * xA_mH);
+        t460 = zA_mH * t404;
+        SA_mH = t459 - t460;
+        t471 = ((((C122_mA + (mu * SA_mH)) + (ITzz_mH * C122_ITzz))
+            + (IAzz_mH * C122_IAzz)) - (t45 * C122_IAxz)) + (xA_mH * C122_xA);
+        t473 = t471 + (zA_mH * C122_zA);
+        t476 = t83 * SA_mH;
+        t477 = t54 * t54;
+        t478 = M22_ITzz + M22_IAzz;
+        t479 = C122_ITzz + C122_IAzz;
+        t480 = t33 * ::carvallo::Number::like(self.w, 2.0);
+        t481 = self.w * mu;
+        t485 = (t383 + (self.mF * t481)) + (xA_w * t387);
+        t487 = t395 + (xA_w * t399);
+        t489 = mu + (self.w * t83);
+        t491 = self.IFyy / t24;
+        t492 = t491 * C112_SF;
+        t493 = (self.mF * t489) - t492;
+        SA_rF = xA_w * t404;
+        t498 = ((mu * SA_rF) - t409) - (xA_w * C122_zA);
+        t501 = t83 * (self.mF - t491);
+        t504 = (t83 * SA_rF) - (t491 * C122_IAxz);
+        t505 = t54 * t58;
+        xA_mF = (self.w * t32) - t427;
+        t516 = t432 + (self.rF * t32);
+        t518 = ((((t505 - t419) + (self.rF * t481)) - (t28 * t50)) + (xA_mF * M12_xA))
+            + (t516 * t387);
+        t528 = ((((M22_mA + (t54 * t505)) + (ITzz_mF * M22_ITzz)) + (IAzz_mF * M22_IAzz))
+            - (t50 * M22_IAxz)) + (xA_mF * M22_xA);
+        t530 = t528 + (t516 * t399);
+        t531 = self.rF * t489;
+        SA_mF = ((uA + t481) + (t228 * xA_mF)) + (t516 * t404);
+        t546 = ((((C122_mA + (mu * SA_mF)) + (ITzz_mF * C122_ITzz))
+            + (IAzz_mF * C122_IAzz)) - (t50 * C122_IAxz)) + (xA_mF * C122_xA);
+        t548 = t546 - (t516 * C122_zA);
+        t550 = self.rF * t83;
+        t551 = t83 * SA_mF;
+        t552 = t477 + t478;
+        t553 = SF_IFyy * C112_SF;
+        t554 = t83 * SF_IFyy;
+        t555 = SF_IFyy * C122_IAxz;
+        t556 = -(t131 + (mu * ST));
+        t557 = -SA;
+        t558 = -(SA * t54);
+        t559 = t233 - t231;
+        t560 = -(SA_w * t54);
+        t561 = -(t139 * t166);
+        t562 = -(ST * t83);
+        t563 = t228 - t264;
+        t564 = -(SA_c * t54);
+        t565 = -(t157 + (t277 * t214));
+        t566 = (t54 * t300) - (SA * t28);
+        t567 = -(t139 * t277);
+        let (
             t568,
             t569,
             t570,
@@ -1384,273 +1780,6 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             t586,
             t587,
             t588,
-        );
-        t5 = self.IHxx + self.IFxx;
-        t9 = self.rR * self.rR;
-        t14 = self.zB * self.zB;
-        t19 = self.zH * self.zH;
-        t24 = self.rF * self.rF;
-        t26 = (((((self.IRxx + self.IBxx) + t5) + (self.mR * t9)) + (self.mB * t14))
-            + (self.mH * t19)) + (self.mF * t24);
-        (t54, t28) = ::carvallo::Scalar::sin_cos(self.lam);
-        mA = self.mH + self.mF;
-        t32 = <T as ::carvallo::Scalar>::from_f64(1.0) / mA;
-        t33 = self.rF * self.mF;
-        t34 = self.zH * self.mH;
-        t35 = t34 - t33;
-        zA = t32 * t35;
-        t37 = self.zH - zA;
-        t39 = self.xH * self.mH;
-        ITxz_rF = self.w * self.mF;
-        t42 = t39 + ITxz_rF;
-        xA = t32 * t42;
-        t44 = self.xH - xA;
-        t45 = t37 * t44;
-        t48 = xA - self.w;
-        t49 = self.rF + zA;
-        t50 = t48 * t49;
-        IAxz = (self.IHxz - (self.mH * t45)) - (self.mF * t50);
-        t53 = t28 * IAxz;
-        IAxx_mH = t37 * t37;
-        IAxx_mF = t49 * t49;
-        IAxx = (t5 + (self.mH * IAxx_mH)) + (self.mF * IAxx_mF);
-        t61 = t54 * IAxx;
-        t65 = t48 - self.c;
-        uA = (t28 * t65) - (zA * t54);
-        t68 = mA * uA;
-        t73 = self.zB * self.mB;
-        t77 = self.xH * self.zH;
-        ITxz = (((self.IBxz + self.IHxz) - (t73 * self.xB)) - (self.mH * t77))
-            + (self.w * t33);
-        t82 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.w;
-        t83 = t28 * t82;
-        mu = self.c * t83;
-        t86 = ((t53 + t61) - (t68 * zA)) + (ITxz * mu);
-        M22_mA = uA * uA;
-        t91 = t61 + (t53 * <T as ::carvallo::Scalar>::from_f64(2.0));
-        t97 = self.IHzz + self.IFxx;
-        ITzz_mB = self.xB * self.xB;
-        ITzz_mH = self.xH * self.xH;
-        ITzz_mF = self.w * self.w;
-        ITzz = ((((self.IRxx + self.IBzz) + t97) + (self.mB * ITzz_mB))
-            + (self.mH * ITzz_mH)) + (self.mF * ITzz_mF);
-        t108 = mu * ITzz;
-        IAzz_mH = t44 * t44;
-        IAzz_mF = t48 * t48;
-        IAzz = (t97 + (self.mH * IAzz_mH)) + (self.mF * IAzz_mF);
-        t117 = t54 * IAxz;
-        t118 = (t28 * IAzz) + t117;
-        IAlz = (xA * t68) + t118;
-        M22_IAzz = t28 * t28;
-        t126 = (((mA * M22_mA) + (t54 * t91))
-            + (mu * (t108 + (IAlz * <T as ::carvallo::Scalar>::from_f64(2.0)))))
-            + (IAzz * M22_IAzz);
-        SF_IFyy = <T as ::carvallo::Scalar>::from_f64(1.0) / self.rF;
-        SF = self.IFyy * SF_IFyy;
-        t131 = t28 * SF;
-        ST_IRyy = <T as ::carvallo::Scalar>::from_f64(1.0) / self.rR;
-        ST = SF + (self.IRyy * ST_IRyy);
-        t137 = self.rR * self.mR;
-        t138 = (t35 + t73) - t137;
-        t139 = ST - t138;
-        t142 = ITxz * t83;
-        t143 = (t131 + (mu * t139)) + t142;
-        t147 = self.xB * self.mB;
-        SA_mu = t42 + t147;
-        SA = t68 + (mu * SA_mu);
-        C122_mu = SA + (t83 * ITzz);
-        t154 = (t83 * IAlz) + (mu * C122_mu);
-        t156 = t83 * t139;
-        t157 = t54 * SF;
-        t158 = SA + t157;
-        t159 = t83 * t158;
-        t160 = t49 * self.mF;
-        t164 = t28 / ITzz_mF;
-        t165 = self.c * t164;
-        t168 = mA * zA;
-        xA_w = self.mF * t32;
-        uA_w = t28 * (xA_w - <T as ::carvallo::Scalar>::from_f64(1.0));
-        t173 = (((t160 * t28) + (t33 * mu)) - (ITxz * t165)) - (t168 * uA_w);
-        t174 = t54 * <T as ::carvallo::Scalar>::from_f64(2.0);
-        t175 = t28 + mu;
-        M22_IAxz = t174 * t175;
-        t178 = self.mF * <T as ::carvallo::Scalar>::from_f64(2.0);
-        t179 = t48 * t178;
-        t183 = t68 * xA_w;
-        IAlz_w = t183 - (t179 * t28);
-        t185 = mu * <T as ::carvallo::Scalar>::from_f64(2.0);
-        ITzz_w = self.w * t178;
-        M22_ITzz = mu * mu;
-        t192 = IAlz + t108;
-        M22_mu = <T as ::carvallo::Scalar>::from_f64(2.0) * t192;
-        IAlz_uA = mA * xA;
-        M22_uA = <T as ::carvallo::Scalar>::from_f64(2.0) * (t68 + (mu * IAlz_uA));
-        t201 = (((((M22_IAxz * t160) - (t179 * M22_IAzz)) + (IAlz_w * t185))
-            + (ITzz_w * M22_ITzz)) - (t165 * M22_mu)) + (uA_w * M22_uA);
-        t206 = ((t33 * t83) - (ITxz * t164)) - (t139 * t165);
-        t207 = ST * t165;
-        K222_SF = t54 * t83;
-        t214 = (self.mF * mu) + (mA * uA_w);
-        t215 = t165 * SA_mu;
-        SA_w = t214 - t215;
-        C122_ITzz = t83 * mu;
-        t225 = (((((K222_SF * t160) + (t83 * IAlz_w)) + (mu * SA_w)) - (t164 * t192))
-            + (ITzz_w * C122_ITzz)) - (t165 * C122_mu);
-        C122_uA = t83 * IAlz_uA;
-        t228 = t225 + (uA_w * C122_uA);
-        t233 = (t83 * SA_w) - (t164 * t158);
-        t235 = t142 + (t168 * t28);
-        t238 = (t83 * M22_mu) - (M22_uA * t28);
-        t243 = mA * t28;
-        t244 = t83 * SA_mu;
-        SA_c = t244 - t243;
-        t247 = ((t83 * C122_mu) - (C122_uA * t28)) + (mu * SA_c);
-        t249 = t83 * SA_c;
-        IAlx_lam = (IAxx * t28) - t117;
-        t252 = t54 * t82;
-        t253 = self.c * t252;
-        t258 = (t28 * zA) + (t54 * t65);
-        t260 = (IAlx_lam - (ITxz * t253)) + (t168 * t258);
-        IAlz_lam = t53 - (IAzz * t54);
-        t272 = ((((IAlz_lam * t185) - (t174 * t118)) + (t28 * (t61 + t91)))
-            - (t253 * M22_mu)) - (t258 * M22_uA);
-        t278 = t157 + (ST * t253);
-        t282 = (mA * t258) + (t253 * SA_mu);
-        t290 = ((((t83 * IAlz_lam) - (mu * t282)) - (t252 * t192)) - (t253 * C122_mu))
-            - (t258 * C122_uA);
-        t297 = (t83 * (t131 - t282)) - (t252 * t158);
-        t298 = t137 * <T as ::carvallo::Scalar>::from_f64(2.0);
-        t299 = self.IRyy / t9;
-        t300 = self.mR - t299;
-        t301 = mu * t300;
-        t302 = t299 * mu;
-        t303 = t83 * t300;
-        t304 = self.rR * mu;
-        t305 = self.rR * t83;
-        t306 = mu * ST_IRyy;
-        t307 = t83 * ST_IRyy;
-        ITzz_xB = <T as ::carvallo::Scalar>::from_f64(2.0) * t147;
-        t310 = ITzz_xB * M22_ITzz;
-        SA_xB = self.mB * mu;
-        t315 = (mu * SA_xB) + (ITzz_xB * C122_ITzz);
-        t317 = t83 * SA_xB;
-        t318 = <T as ::carvallo::Scalar>::from_f64(2.0) * t73;
-        t323 = self.zB * self.xB;
-        t325 = ITzz_mB * M22_ITzz;
-        SA_mB = self.xB * mu;
-        t332 = (mu * SA_mB) + (ITzz_mB * C122_ITzz);
-        t335 = t83 * SA_mB;
-        t336 = t37 * self.mH;
-        zA_zH = self.mH * t32;
-        uA_xH = t28 * zA_zH;
-        t344 = self.mH * <T as ::carvallo::Scalar>::from_f64(2.0);
-        t345 = t44 * t344;
-        t347 = t68 * zA_zH;
-        IAlz_xH = (t28 * t345) + t347;
-        ITzz_xH = self.xH * t344;
-        t358 = ((((IAlz_xH * t185) - (t336 * M22_IAxz)) + (t345 * M22_IAzz))
-            + (ITzz_xH * M22_ITzz)) + (uA_xH * M22_uA);
-        t361 = self.mH * mu;
-        SA_xH = t361 + (mA * uA_xH);
-        t371 = ((((t83 * IAlz_xH) + (mu * SA_xH)) - (t336 * K222_SF))
-            + (ITzz_xH * C122_ITzz)) + (uA_xH * C122_uA);
-        t373 = t83 * SA_xH;
-        t374 = self.zH * t344;
-        t375 = t37 * t344;
-        IAlx_zH = (t54 * t375) - t347;
-        t378 = t44 * self.mH;
-        t383 = zA_zH * t54;
-        t385 = ((IAlx_zH - (t28 * t378)) - (mu * t39)) + (t168 * t383);
-        M22_IAxx = t54 * t54;
-        t391 = ((t375 * M22_IAxx) - (t378 * M22_IAxz)) - (t383 * M22_uA);
-        t394 = mA * t383;
-        t400 = t394 * t54;
-        t403 = uA * zA;
-        t405 = <T as ::carvallo::Scalar>::from_f64(1.0) / (mA * mA);
-        t406 = t35 * t405;
-        zA_mH = (self.zH * t32) - t406;
-        IAlx_mH = (t54 * IAxx_mH) - (t403 + (zA_mH * t68));
-        t418 = t42 * t405;
-        xA_mH = (self.xH * t32) - t418;
-        uA_mH = (t28 * xA_mH) - (zA_mH * t54);
-        t424 = ((IAlx_mH - (t28 * t45)) - (mu * t77)) - (t168 * uA_mH);
-        IAlz_mA = xA * uA;
-        IAlz_mH = (IAlz_mA + (t28 * IAzz_mH)) + (t68 * xA_mH);
-        t439 = ((((M22_mA + (IAlz_mH * t185)) + (IAxx_mH * M22_IAxx))
-            + (IAzz_mH * M22_IAzz)) + (ITzz_mH * M22_ITzz)) - (t45 * M22_IAxz);
-        t441 = t439 + (uA_mH * M22_uA);
-        SA_mH = (uA + (self.xH * mu)) + (mA * uA_mH);
-        t457 = ((((t83 * IAlz_mH) + (mu * SA_mH)) + (ITzz_mH * C122_ITzz))
-            - (t45 * K222_SF)) + (uA_mH * C122_uA);
-        t460 = t83 * SA_mH;
-        t463 = M22_IAzz + (M22_ITzz + (t28 * t185));
-        t465 = C122_ITzz + (t28 * t83);
-        t466 = t33 * <T as ::carvallo::Scalar>::from_f64(2.0);
-        t467 = t49 * t178;
-        IAlx_rF = t183 + (t54 * t467);
-        t470 = t48 * self.mF;
-        uA_rF = xA_w * t54;
-        t477 = ((IAlx_rF - (t28 * t470)) + (mu * ITxz_rF)) - (t168 * uA_rF);
-        t482 = ((t467 * M22_IAxx) - (t470 * M22_IAxz)) + (uA_rF * M22_uA);
-        t483 = self.IFyy / t24;
-        t487 = self.mF - t483;
-        t489 = ((t83 * ITxz_rF) - (t28 * t483)) + (mu * t487);
-        t490 = t483 * t175;
-        SA_rF = mA * uA_rF;
-        t496 = ((mu * SA_rF) - (t470 * K222_SF)) + (uA_rF * C122_uA);
-        t498 = t83 * t487;
-        t501 = (t83 * SA_rF) - (t483 * K222_SF);
-        t503 = t406 + (self.rF * t32);
-        IAlx_mF = ((t503 * t68) - t403) + (t54 * IAxx_mF);
-        ITxz_mF = self.w * self.rF;
-        xA_mF = (self.w * t32) - t418;
-        uA_mF = (t503 * t54) + (t28 * xA_mF);
-        t519 = ((IAlx_mF - (t28 * t50)) + (mu * ITxz_mF)) - (t168 * uA_mF);
-        IAlz_mF = (IAlz_mA + (t28 * IAzz_mF)) + (t68 * xA_mF);
-        t533 = ((((M22_mA + (IAlz_mF * t185)) + (IAxx_mF * M22_IAxx))
-            + (IAzz_mF * M22_IAzz)) + (ITzz_mF * M22_ITzz)) - (t50 * M22_IAxz);
-        t535 = t533 + (uA_mF * M22_uA);
-        t538 = (self.rF * mu) + (t83 * ITxz_mF);
-        SA_mF = (uA + (self.w * mu)) + (mA * uA_mF);
-        t551 = ((((t83 * IAlz_mF) + (mu * SA_mF)) + (ITzz_mF * C122_ITzz))
-            - (t50 * K222_SF)) + (uA_mF * C122_uA);
-        t553 = self.rF * t83;
-        t554 = t83 * SA_mF;
-        t555 = M22_IAxx + t463;
-        t556 = SF_IFyy * t175;
-        t557 = t83 * SF_IFyy;
-        t558 = SF_IFyy * K222_SF;
-        t559 = -(t131 + (mu * ST));
-        t560 = -SA;
-        t561 = -(SA * t54);
-        t562 = t215 - t214;
-        t563 = -(SA_w * t54);
-        t564 = -(t139 * t164);
-        t565 = -(ST * t83);
-        t566 = t243 - t244;
-        t567 = -(SA_c * t54);
-        t568 = -(((ITxz * t252) + (t139 * t253)) + t157);
-        t569 = (t54 * t282) - (SA * t28);
-        t570 = -(t139 * t252);
-        t571 = -self.mR;
-        t572 = -self.rR;
-        t573 = -t306;
-        t574 = -(t73 * mu);
-        t575 = -(t73 * t83);
-        t576 = -SA_xB;
-        t577 = -(SA_xB * t54);
-        t578 = -(mu * t147);
-        t579 = -(SA_xB + (t83 * t147));
-        t580 = -(self.mB * t83);
-        t581 = -(mu * t323);
-        t582 = -((self.zB * mu) + (t83 * t323));
-        t583 = -SA_mB;
-        t584 = -(SA_mB * t54);
-        t585 = -(self.zB * t83);
-        t586 = -(((t28 * t336) + (mu * t34)) + (t168 * uA_xH));
-        t587 = -(t83 * t34);
-        t588 = -SA_xH;
-        let (
             t589,
             t590,
             t591,
@@ -1662,198 +1791,209 @@ impl<T: ::carvallo::Scalar> Whipple<T> {
             t597,
             t598,
             t599,
-            t600,
-            t601,
-            t602,
-            t603,
-            t604,
         );
-        t589 = -(SA_xH * t54);
-        t590 = -(t361 + (t83 * t39));
-        t591 = -(((mu * t394) + (t378 * K222_SF)) + (t383 * C122_uA));
-        t592 = -(t83 * self.mH);
-        t593 = -(t83 * t394);
-        t594 = -((mu * self.zH) + (t83 * t77));
-        t595 = -SA_mH;
-        t596 = -(SA_mH * t54);
-        t597 = -(t83 * self.zH);
-        t598 = -self.mF;
-        t599 = -SA_rF;
-        t600 = -(SA_rF * t54);
-        t601 = -self.rF;
-        t602 = -SA_mF;
-        t603 = -(SA_mF * t54);
-        t604 = -t556;
+        t568 = -self.mR;
+        t569 = -self.rR;
+        t570 = -t322;
+        t571 = -(t74 * mu);
+        t572 = -(t74 * t83);
+        t573 = -SA_xB;
+        t574 = -(SA_xB * t54);
+        t575 = -(self.mB * SA_mB);
+        t576 = -(self.mB * t339);
+        t577 = -(self.mB * t83);
+        t578 = -(self.zB * SA_mB);
+        t579 = -(self.zB * t339);
+        t580 = -SA_mB;
+        t581 = -(SA_mB * t54);
+        t582 = -(self.zB * t83);
+        t583 = -(t83 * t34);
+        t584 = -SA_xH;
+        t585 = -(SA_xH * t54);
+        t586 = -(t362 + (t83 * t41));
+        t587 = -(self.mH * t83);
+        t588 = -(t83 * t405);
+        t589 = -((self.zH * mu) + (t83 * t77));
+        t590 = t460 - t459;
+        t591 = -(SA_mH * t54);
+        t592 = -(self.zH * t83);
+        t593 = -self.mF;
+        t594 = -SA_rF;
+        t595 = -(SA_rF * t54);
+        t596 = -self.rF;
+        t597 = -SA_mF;
+        t598 = -(SA_mF * t54);
+        t599 = -t553;
         (
             WhippleMatrices {
                 m: [[t26, t86], [t86, t126]],
-                c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t143], [t559, t154]],
-                k0: [[t138, t560], [t560, t561]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t143], [t556, t154]],
+                k0: [[t138, t557], [t557, t558]],
                 k2: [
-                    [<T as ::carvallo::Scalar>::from_f64(0.0), t156],
-                    [<T as ::carvallo::Scalar>::from_f64(0.0), t159],
+                    [::carvallo::Number::like(self.w, 0.0), t156],
+                    [::carvallo::Number::like(self.w, 0.0), t159],
                 ],
             },
             WhippleDerivatives {
                 values: [
-                    t173,
-                    t173,
-                    t201,
-                    t206,
-                    t207,
-                    t228,
+                    t175,
+                    t175,
+                    t211,
+                    t216,
+                    t218,
+                    t251,
+                    t559,
+                    t559,
+                    t560,
+                    t561,
+                    t256,
+                    t258,
+                    t258,
+                    t260,
+                    t156,
                     t562,
-                    t562,
+                    t267,
+                    t563,
                     t563,
                     t564,
-                    t233,
-                    t235,
-                    t235,
-                    t238,
-                    t156,
+                    t269,
+                    t279,
+                    t279,
+                    t292,
                     t565,
-                    t247,
-                    t566,
+                    t296,
+                    t306,
+                    t300,
+                    t300,
                     t566,
                     t567,
-                    t249,
-                    t260,
-                    t260,
-                    t272,
-                    t568,
-                    t278,
-                    t290,
-                    t282,
-                    t282,
-                    t569,
-                    t570,
-                    t297,
-                    t298,
-                    t301,
-                    t302,
-                    t571,
-                    t303,
-                    t9,
-                    t304,
-                    t572,
-                    t305,
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    M22_ITzz,
-                    C122_ITzz,
-                    t306,
-                    t573,
-                    t307,
-                    t574,
-                    t574,
-                    t310,
-                    t575,
-                    t315,
-                    t576,
-                    t576,
-                    t577,
+                    t313,
+                    t314,
                     t317,
                     t318,
-                    t578,
-                    t578,
-                    t579,
-                    self.mB,
-                    t580,
-                    t14,
-                    t581,
-                    t581,
-                    t325,
-                    t582,
+                    t568,
+                    t319,
+                    t9,
+                    t320,
+                    t569,
+                    t321,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    M22_ITzz,
+                    C122_ITzz,
+                    t322,
+                    t570,
+                    t323,
+                    t571,
+                    t571,
+                    t327,
+                    t572,
                     t332,
-                    self.zB,
-                    t583,
-                    t583,
-                    t584,
-                    t585,
+                    t573,
+                    t573,
+                    t574,
+                    t334,
                     t335,
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    t575,
+                    t575,
+                    t576,
+                    self.mB,
+                    t577,
+                    t14,
+                    t578,
+                    t578,
+                    t343,
+                    t579,
+                    t347,
+                    self.zB,
+                    t580,
+                    t580,
+                    t581,
+                    t582,
+                    t350,
+                    ::carvallo::Number::like(self.w, 1.0),
                     M22_ITzz,
                     C122_ITzz,
                     mu,
                     mu,
                     t83,
-                    t586,
-                    t586,
-                    t358,
-                    t587,
-                    t371,
-                    t588,
-                    t588,
-                    t589,
+                    t355,
+                    t355,
+                    t360,
+                    t583,
+                    t370,
+                    t584,
+                    t584,
+                    t585,
+                    t372,
                     t373,
-                    t374,
-                    t385,
-                    t385,
-                    t391,
+                    t389,
+                    t389,
+                    t401,
+                    t586,
+                    t414,
+                    self.mH,
+                    t405,
+                    t405,
+                    t415,
+                    t587,
+                    t588,
+                    t19,
+                    t436,
+                    t436,
+                    t451,
+                    t589,
+                    t473,
+                    self.zH,
+                    t590,
                     t590,
                     t591,
-                    self.mH,
-                    t394,
-                    t394,
-                    t400,
                     t592,
-                    t593,
-                    t19,
-                    t424,
-                    t424,
-                    t441,
-                    t594,
-                    t457,
-                    self.zH,
-                    t595,
-                    t595,
-                    t596,
-                    t597,
-                    t460,
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    t476,
+                    ::carvallo::Number::like(self.w, 1.0),
                     t54,
                     t54,
-                    M22_IAxx,
-                    t463,
-                    t465,
-                    t175,
-                    t175,
+                    t477,
+                    t478,
+                    t479,
+                    C112_SF,
+                    C112_SF,
                     M22_IAxz,
                     t83,
-                    K222_SF,
-                    t466,
-                    t477,
-                    t477,
-                    t482,
-                    t489,
-                    t490,
-                    t496,
-                    t598,
-                    t599,
-                    t599,
-                    t600,
+                    C122_IAxz,
+                    t480,
+                    t485,
+                    t485,
+                    t487,
+                    t493,
+                    t492,
                     t498,
+                    t593,
+                    t594,
+                    t594,
+                    t595,
                     t501,
+                    t504,
                     t24,
-                    t519,
-                    t519,
-                    t535,
-                    t538,
+                    t518,
+                    t518,
+                    t530,
+                    t531,
+                    t548,
+                    t596,
+                    t597,
+                    t597,
+                    t598,
+                    t550,
                     t551,
-                    t601,
-                    t602,
-                    t602,
-                    t603,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t54,
+                    t54,
+                    t552,
+                    t479,
                     t553,
+                    t599,
                     t554,
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    t54,
-                    t54,
                     t555,
-                    t465,
-                    t556,
-                    t604,
-                    t557,
-                    t558,
                 ],
             },
         )

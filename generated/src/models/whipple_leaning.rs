@@ -211,7 +211,7 @@ impl WhippleLeaning<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
+impl<T: ::carvallo::Number> WhippleLeaning<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 36]) -> Self {
@@ -296,6 +296,9 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
             self.dU,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> WhippleLeaning<U> {
@@ -364,12 +367,12 @@ pub struct WhippleLeaningMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 3]; 3],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
+impl<T: ::carvallo::Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 61 additions, 71 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 141 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleLeaningMatrices<T> {
         let t7 = self.zU - self.zP;
@@ -379,10 +382,10 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
         let Sz_theta = self.mU * t7;
         let t30 = self.zP * self.mU;
         let t44 = (((((self.IRxx + self.IBxx) + Jxx_theta) + Jxx_delta)
-            + ((self.zP * <T as ::carvallo::Scalar>::from_f64(2.0))
-                * (Sz_theta + (<T as ::carvallo::Scalar>::from_f64(0.5) * t30))))
+            + ((self.zP * ::carvallo::Number::like(self.w, 2.0))
+                * (Sz_theta + (::carvallo::Number::like(self.w, 0.5) * t30))))
             + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t46, t60) = ::carvallo::Scalar::sin_cos(self.lam);
+        let (t46, t60) = ::carvallo::Number::sin_cos(self.lam);
         let t50 = self.rF * self.mF;
         let t55 = self.w + self.c;
         let t56 = self.xH - t55;
@@ -438,71 +441,71 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
             ],
             c0: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     self.dU,
                 ],
             ],
             c1: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     t148,
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                [t172, t161, <T as ::carvallo::Scalar>::from_f64(0.0)],
+                [t172, t161, ::carvallo::Number::like(self.w, 0.0)],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     t164,
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
             ],
             kc: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     self.kU,
                 ],
             ],
             k0: [
                 [Sz_all, t173, Sz_theta],
-                [t173, t174, <T as ::carvallo::Scalar>::from_f64(0.0)],
-                [Sz_theta, <T as ::carvallo::Scalar>::from_f64(0.0), Sz_theta],
+                [t173, t174, ::carvallo::Number::like(self.w, 0.0)],
+                [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
             ],
             k2: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     t167,
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     t170,
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     t175,
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
             ],
         }
@@ -537,82 +540,82 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleLeaningKinematics<T> {
-        let yaw_per_v_delta = (::carvallo::Scalar::cos(self.lam)) / self.w;
+        let yaw_per_v_delta = (::carvallo::Number::cos(self.lam)) / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t12 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rR);
-        let t13 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rF);
+        let t12 = -(::carvallo::Number::like(self.w, 1.0) / self.rR);
+        let t13 = -(::carvallo::Number::like(self.w, 1.0) / self.rF);
         WhippleLeaningKinematics {
             lateral: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(1.0),
+                heading: ::carvallo::Number::like(self.w, 1.0),
             },
             yaw: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     yaw_by_delta,
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                     yaw_per_v_delta,
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_R: ::carvallo::Rate {
                 speed: t12,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_F: ::carvallo::Rate {
                 speed: t13,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             forces: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
                 ],
             ],
         }
@@ -621,6 +624,8 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
     type Scalar = T;
+    type Parameters = [T; 36];
+    type Over<U: ::carvallo::Number> = WhippleLeaning<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleLeaning",
         docs: "The Whipple-Carvallo bicycle with a rider whose upper body leans on a sprung and damped hip.\n\nFive rigid bodies (rear wheel R, rear frame with the rider's legs B, upper body U, front frame H, front wheel F),\nlaterally symmetric, on knife-edged wheels that roll without slip on level ground. The hip axis lies along x. Axes:\norigin at the rear contact point, x forward, y to the right, z down.",
@@ -1080,6 +1085,65 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
             },
         ],
         matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 2), ("M", 2, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 2), ("M", 2, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 2, 2)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C0", 2, 2)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 2, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("Kc", 2, 2)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 1), ("K0", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 2), ("K0", 2, 0), ("K0", 2, 2)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 2, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "example",
@@ -1190,6 +1254,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<3>>::INFO;
         info.validate(
@@ -1248,5 +1316,82 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 3> for WhippleLeaning<T> {
+    type Entries = [T; 19];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            w: parameter(0),
+            c: parameter(1),
+            lam: parameter(2),
+            g: parameter(3),
+            rR: parameter(4),
+            mR: parameter(5),
+            IRxx: parameter(6),
+            IRyy: parameter(7),
+            xB: parameter(8),
+            zB: parameter(9),
+            mB: parameter(10),
+            IBxx: parameter(11),
+            IByy: parameter(12),
+            IBzz: parameter(13),
+            IBxz: parameter(14),
+            xH: parameter(15),
+            zH: parameter(16),
+            mH: parameter(17),
+            IHxx: parameter(18),
+            IHyy: parameter(19),
+            IHzz: parameter(20),
+            IHxz: parameter(21),
+            rF: parameter(22),
+            mF: parameter(23),
+            IFxx: parameter(24),
+            IFyy: parameter(25),
+            zP: parameter(26),
+            mU: parameter(27),
+            xU: parameter(28),
+            zU: parameter(29),
+            IUxx: parameter(30),
+            IUyy: parameter(31),
+            IUzz: parameter(32),
+            IUxz: parameter(33),
+            kU: parameter(34),
+            dU: parameter(35),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[0][2],
+            matrices.m[1][1],
+            matrices.m[1][2],
+            matrices.m[2][2],
+            matrices.c0[2][2],
+            matrices.c1[0][1],
+            matrices.c1[1][0],
+            matrices.c1[1][1],
+            matrices.c1[2][1],
+            matrices.kc[2][2],
+            matrices.k0[0][0],
+            matrices.k0[0][1],
+            matrices.k0[0][2],
+            matrices.k0[1][1],
+            matrices.k2[0][1],
+            matrices.k2[1][1],
+            matrices.k2[2][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 3]; 3]; 6] {
+        let matrices = self.matrices();
+        [matrices.m, matrices.c0, matrices.c1, matrices.kc, matrices.k0, matrices.k2]
     }
 }

@@ -226,7 +226,7 @@ impl WhippleMechanism<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
+impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 26]) -> Self {
@@ -291,6 +291,9 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
             self.IFyy,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> WhippleMechanism<U> {
@@ -345,19 +348,19 @@ pub struct WhippleMechanismMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
+impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 46 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 107 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMechanismMatrices<T> {
         let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
             + (self.mF * (self.rF * self.rF));
         let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
             + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Scalar::sin_cos(self.lam);
+        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
         let t32 = self.rF * self.mF;
         let t37 = self.w + self.c;
         let t38 = self.xH - t37;
@@ -380,8 +383,8 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
         let t84 = mA * t37;
         let t92 = mu
             * ((((self.IRxx + self.IBzz) + Jzz_delta)
-                + ((<T as ::carvallo::Scalar>::from_f64(2.0) * t37)
-                    * (Sx_delta + (<T as ::carvallo::Scalar>::from_f64(0.5) * t84))))
+                + ((::carvallo::Number::like(self.w, 2.0) * t37)
+                    * (Sx_delta + (::carvallo::Number::like(self.w, 0.5) * t84))))
                 + (self.mB * (self.xB * self.xB)));
         let P_delta_yaw = M_yaw_delta + t92;
         let t99 = ((mu * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
@@ -402,11 +405,11 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
         let t132 = -(t28 * P_delta_lateral);
         WhippleMechanismMatrices {
             m: [[t26, t58], [t58, t99]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t114], [t130, t124]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t114], [t130, t124]],
             k0: [[Sz_all, t131], [t131, t132]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t126],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t129],
+                [::carvallo::Number::like(self.w, 0.0), t126],
+                [::carvallo::Number::like(self.w, 0.0), t129],
             ],
         }
     }
@@ -440,61 +443,61 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleMechanismKinematics<T> {
-        let yaw_per_v_delta = (::carvallo::Scalar::cos(self.lam)) / self.w;
+        let yaw_per_v_delta = (::carvallo::Number::cos(self.lam)) / self.w;
         let mu = self.c * yaw_per_v_delta;
-        let t12 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rR);
-        let t13 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rF);
+        let t12 = -(::carvallo::Number::like(self.w, 1.0) / self.rR);
+        let t13 = -(::carvallo::Number::like(self.w, 1.0) / self.rF);
         WhippleMechanismKinematics {
             lateral: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(1.0),
+                heading: ::carvallo::Number::like(self.w, 1.0),
             },
             yaw: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [<T as ::carvallo::Scalar>::from_f64(0.0), mu],
-                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0), yaw_per_v_delta],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
+                rates: [::carvallo::Number::like(self.w, 0.0), mu],
+                coordinates: [::carvallo::Number::like(self.w, 0.0), yaw_per_v_delta],
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_R: ::carvallo::Rate {
                 speed: t12,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_F: ::carvallo::Rate {
                 speed: t13,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             forces: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
                 ],
             ],
         }
@@ -503,6 +506,8 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
     type Scalar = T;
+    type Parameters = [T; 26];
+    type Over<U: ::carvallo::Number> = WhippleMechanism<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleMechanism",
         docs: "The Whipple-Carvallo bicycle, derived from its bodies, joints and wheels.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.\n\nThe declaration asserts that the matrices are those of Appendix A of the paper, which is proved when it is compiled.\n[`Whipple`](crate::Whipple) computes them from these formulas.",
@@ -836,6 +841,41 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
             },
         ],
         matrices: &["M", "C1", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 1), ("K0", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 1, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "benchmark",
@@ -992,6 +1032,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -1040,6 +1084,72 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleMechanism<T> {
+    type Entries = [T; 11];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            w: parameter(0),
+            c: parameter(1),
+            lam: parameter(2),
+            g: parameter(3),
+            rR: parameter(4),
+            mR: parameter(5),
+            IRxx: parameter(6),
+            IRyy: parameter(7),
+            xB: parameter(8),
+            zB: parameter(9),
+            mB: parameter(10),
+            IBxx: parameter(11),
+            IByy: parameter(12),
+            IBzz: parameter(13),
+            IBxz: parameter(14),
+            xH: parameter(15),
+            zH: parameter(16),
+            mH: parameter(17),
+            IHxx: parameter(18),
+            IHyy: parameter(19),
+            IHzz: parameter(20),
+            IHxz: parameter(21),
+            rF: parameter(22),
+            mF: parameter(23),
+            IFxx: parameter(24),
+            IFyy: parameter(25),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[1][1],
+            matrices.c1[0][1],
+            matrices.c1[1][0],
+            matrices.c1[1][1],
+            matrices.k0[0][0],
+            matrices.k0[0][1],
+            matrices.k0[1][1],
+            matrices.k2[0][1],
+            matrices.k2[1][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.c1,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.k0,
+            matrices.k2,
+        ]
     }
 }
 /// The derivatives of the matrices of [`WhippleMechanism`] with respect to its parameters, in SI units: those that are not zero for all parameters.
@@ -1255,12 +1365,12 @@ impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
     }
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
+impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 182 additions, 276 multiplications, 6 divisions, 42 negations and 2 trigonometric functions: 508 operations.
+    /// 151 additions, 255 multiplications, 6 divisions, 48 negations and 2 trigonometric functions: 462 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(
         &self,
@@ -1273,46 +1383,44 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
         let t24 = self.zB * self.zB;
         let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.mR * t19))
             + (self.mB * t24);
-        let t29 = self.rF * self.mF;
-        let t35 = self.w + self.c;
-        let t36 = self.xH - t35;
-        let t37 = self.mH * t36;
-        let Jxz_delta = (self.IHxz - (self.c * t29)) - (self.zH * t37);
-        let (t43, t41) = ::carvallo::Scalar::sin_cos(self.lam);
-        let t44 = Jxx_delta * t43;
-        let hx_delta = (Jxz_delta * t41) + t44;
-        let t46 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.w;
-        let yaw_per_v_delta = t41 * t46;
+        let (t28, t43) = ::carvallo::Number::sin_cos(self.lam);
+        let t32 = self.rF * self.mF;
+        let t38 = self.w + self.c;
+        let t39 = self.xH - t38;
+        let t40 = self.mH * t39;
+        let Jxz_delta = (self.IHxz - (self.c * t32)) - (t40 * self.zH);
+        let t44 = Jxz_delta * t43;
+        let hx_delta = (Jxx_delta * t28) + t44;
+        let t46 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let yaw_per_v_delta = t43 * t46;
         let mu = self.c * yaw_per_v_delta;
         let t52 = self.zB * self.mB;
-        let Sz_delta = (self.zH * self.mH) - t29;
-        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t52)) - (t35 * Sz_delta);
+        let Sz_delta = (self.zH * self.mH) - t32;
+        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t52)) - (t38 * Sz_delta);
         let t60 = hx_delta + (mu * Jxz_all);
-        let Jzz_delta_mH = t36 * t36;
+        let t62 = t28 * Jxz_delta;
+        let Jzz_delta_mH = t39 * t39;
         let Jzz_delta_mF = self.c * self.c;
         let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * Jzz_delta_mH))
             + (self.mF * Jzz_delta_mF);
-        let t71 = t43 * Jxz_delta;
-        let hz_delta = (t41 * Jzz_delta) + t71;
-        let t75 = Sz_delta * t43;
-        let Sx_delta = t37 - (self.c * self.mF);
-        let py_delta = (t41 * Sx_delta) - t75;
-        let M_yaw_delta = hz_delta + (t35 * py_delta);
+        let hz_delta = t62 + (t43 * Jzz_delta);
+        let Sx_delta = t40 - (self.mF * self.c);
+        let py_delta = (t43 * Sx_delta) - (Sz_delta * t28);
+        let M_yaw_delta = hz_delta + (t38 * py_delta);
         let mA = self.mH + self.mF;
-        let t88 = t35 * mA;
+        let t88 = t38 * mA;
+        let t91 = Sx_delta + (t88 * ::carvallo::Number::like(self.w, 0.5));
         let t94 = self.xB * self.xB;
         let P_delta_yaw_mu = (((self.IRxx + self.IBzz) + Jzz_delta)
-            + ((t35 * <T as ::carvallo::Scalar>::from_f64(2.0))
-                * (Sx_delta + (t88 * <T as ::carvallo::Scalar>::from_f64(0.5)))))
-            + (self.mB * t94);
+            + ((t38 * ::carvallo::Number::like(self.w, 2.0)) * t91)) + (self.mB * t94);
         let t97 = mu * P_delta_yaw_mu;
         let P_delta_yaw = M_yaw_delta + t97;
         let t99 = M_yaw_delta + P_delta_yaw;
-        let t101 = ((t43 * hx_delta) + (t41 * hz_delta)) + (mu * t99);
-        let SF_IFyy = <T as ::carvallo::Scalar>::from_f64(1.0) / self.rF;
+        let t101 = ((t28 * hx_delta) + (t43 * hz_delta)) + (mu * t99);
+        let SF_IFyy = ::carvallo::Number::like(self.w, 1.0) / self.rF;
         let SF = self.IFyy * SF_IFyy;
-        let t106 = t41 * SF;
-        let ST_IRyy = <T as ::carvallo::Scalar>::from_f64(1.0) / self.rR;
+        let t106 = t43 * SF;
+        let ST_IRyy = ::carvallo::Number::like(self.w, 1.0) / self.rR;
         let ST = SF + (self.IRyy * ST_IRyy);
         let t112 = self.rR * self.mR;
         let Sz_all = (t52 + Sz_delta) - t112;
@@ -1321,395 +1429,374 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
         let t118 = (t106 + (mu * t114)) + t117;
         let t123 = self.xB * self.mB;
         let Sx_all = (Sx_delta + t88) + t123;
-        let t125 = mu * Sx_all;
-        let P_delta_lateral = py_delta + t125;
+        let P_delta_lateral = py_delta + (mu * Sx_all);
         let t128 = (yaw_per_v_delta * P_delta_yaw) + (mu * P_delta_lateral);
         let t130 = yaw_per_v_delta * t114;
-        let t132 = P_delta_lateral + (t43 * SF);
-        let t133 = yaw_per_v_delta * t132;
-        let C112_SF = t41 + mu;
-        let t135 = C112_SF * self.zH;
+        let t131 = t28 * SF;
+        let K222_yaw_per_v_delta = P_delta_lateral + t131;
+        let t133 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        let M12_Jxz_delta = t43 + mu;
+        let t135 = M12_Jxz_delta * self.zH;
         let t136 = self.mH * t135;
         let t138 = (mu * Sz_delta) - t136;
-        let t140 = t41 / (self.w * self.w);
+        let t140 = t43 / (self.w * self.w);
         let M12_yaw_per_v_delta = self.c * Jxz_all;
-        let t144 = mu * <T as ::carvallo::Scalar>::from_f64(2.0);
-        let P_delta_yaw_Sx_delta = t35 * t144;
-        let M22_Sx_delta = (t41 * P_delta_yaw_Sx_delta) + (mu * P_delta_yaw_Sx_delta);
-        let M22_hz_delta = t41 + t144;
-        let M22_Jxz_delta = t43 * (t41 + M22_hz_delta);
+        let t144 = mu * ::carvallo::Number::like(self.w, 2.0);
+        let P_delta_yaw_Sx_delta = t38 * t144;
+        let M22_Sx_delta = (t43 * P_delta_yaw_Sx_delta) + (mu * P_delta_yaw_Sx_delta);
+        let M22_hz_delta = t43 + t144;
+        let M22_Jxz_delta = t28 * (t43 + M22_hz_delta);
         let t153 = M22_Sx_delta - (M22_Jxz_delta * self.zH);
-        let t155 = self.mH * <T as ::carvallo::Scalar>::from_f64(2.0);
-        let t156 = t36 * t155;
-        let C122_Sx_all = mu * mu;
-        let M22_Jzz_delta = C122_Sx_all + (t41 * M22_hz_delta);
+        let t155 = self.mH * ::carvallo::Number::like(self.w, 2.0);
+        let t156 = t39 * t155;
+        let t158 = mu * mu;
+        let M22_Jzz_delta = (t43 * M22_hz_delta) + t158;
         let t161 = (self.mH * t153) + (t156 * M22_Jzz_delta);
-        let t164 = mu * (t88 + (Sx_delta * <T as ::carvallo::Scalar>::from_f64(2.0)));
-        let t169 = t35 * mu;
-        let t170 = mu * t169;
-        let t172 = ((mu * (t164 + (py_delta * <T as ::carvallo::Scalar>::from_f64(2.0))))
-            - t161) + (mA * t170);
+        let P_delta_lateral_mA = t38 * mu;
+        let t165 = (t91 * t144) + (mA * P_delta_lateral_mA);
+        let t169 = (mu * (t165 + (py_delta * ::carvallo::Number::like(self.w, 2.0))))
+            - t161;
         let M22_mu = t97 + t99;
         let M22_yaw_per_v_delta = self.c * M22_mu;
-        let t176 = t172 - (t140 * M22_yaw_per_v_delta);
-        let t177 = self.zH * yaw_per_v_delta;
-        let t178 = self.mH * t177;
-        let t180 = (yaw_per_v_delta * Sz_delta) - t178;
+        let t173 = t169 - (t140 * M22_yaw_per_v_delta);
+        let t174 = self.zH * yaw_per_v_delta;
+        let t175 = self.mH * t174;
+        let t177 = (yaw_per_v_delta * Sz_delta) - t175;
         let C112_yaw_per_v_delta = Jxz_all + (self.c * t114);
-        let t185 = ST * self.c;
-        let t186 = t140 * t185;
-        let C122_py_delta = mu + (t35 * yaw_per_v_delta);
-        let C122_Sx_delta = (C122_Sx_all + (t41 * C122_py_delta))
+        let t182 = ST * self.c;
+        let t183 = t140 * t182;
+        let C122_py_delta = t38 * yaw_per_v_delta;
+        let C122_Sx_delta = (t43 * C122_py_delta)
             + (yaw_per_v_delta * P_delta_yaw_Sx_delta);
-        let K222_SF = t43 * yaw_per_v_delta;
-        let t194 = K222_SF * self.zH;
-        let t195 = C122_Sx_delta - t194;
-        let C122_Jzz_delta = yaw_per_v_delta * C112_SF;
-        let t199 = (self.mH * t195) + (t156 * C122_Jzz_delta);
-        let t204 = C122_Sx_all + (yaw_per_v_delta * t169);
-        let t206 = ((yaw_per_v_delta * (py_delta + t164)) - t199) + (mA * t204);
-        let C122_mu = (P_delta_lateral + t125) + (yaw_per_v_delta * P_delta_yaw_mu);
+        let C122_Jxz_delta = t28 * yaw_per_v_delta;
+        let t190 = C122_Sx_delta - (C122_Jxz_delta * self.zH);
+        let C122_Jzz_delta = yaw_per_v_delta * M12_Jxz_delta;
+        let t194 = (self.mH * t190) + (t156 * C122_Jzz_delta);
+        let t197 = (yaw_per_v_delta * (py_delta + t165)) - t194;
+        let t199 = self.mH * M12_Jxz_delta;
+        let t200 = (mu * mA) - t199;
+        let P_delta_lateral_yaw_per_v_delta = self.c * Sx_all;
+        let t202 = t140 * P_delta_lateral_yaw_per_v_delta;
+        let P_delta_lateral_w = t200 - t202;
+        let C122_mu = P_delta_lateral + (yaw_per_v_delta * P_delta_yaw_mu);
         let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_mu);
-        let t213 = t206 - (t140 * C122_yaw_per_v_delta);
-        let t214 = self.mH * C112_SF;
-        let t216 = (mu * mA) - t214;
-        let t217 = Sx_all * self.c;
-        let t219 = (t140 * t217) - t216;
-        let t220 = mu * t43;
-        let t222 = t220 + (t41 * t43);
-        let t223 = self.mH * t222;
-        let t225 = t223 - (mA * t220);
-        let t226 = Sx_all * t43;
-        let t227 = self.c * t226;
-        let t229 = t225 + (t140 * t227);
-        let K222_Sx_all = yaw_per_v_delta * mu;
-        let t232 = t41 * yaw_per_v_delta;
-        let K222_Sx_delta = K222_Sx_all + t232;
-        let t234 = self.mH * K222_Sx_delta;
-        let t236 = (mA * K222_Sx_all) - t234;
-        let K222_mu = yaw_per_v_delta * Sx_all;
-        let K222_yaw_per_v_delta = (self.c * K222_mu) + t132;
-        let t241 = t236 - (t140 * K222_yaw_per_v_delta);
-        let t244 = (t117 - t138) - (C112_SF * t29);
-        let t251 = self.mF * <T as ::carvallo::Scalar>::from_f64(2.0);
-        let Jzz_delta_c = self.c * t251;
-        let t254 = (((t172 - (M22_Sx_delta * self.mF)) - (M22_Jxz_delta * t29))
+        let t211 = (t197 + (mu * P_delta_lateral_w)) - (t140 * C122_yaw_per_v_delta);
+        let t216 = (yaw_per_v_delta * P_delta_lateral_w) - (t140 * K222_yaw_per_v_delta);
+        let t219 = (t117 - t138) - (M12_Jxz_delta * t32);
+        let t226 = self.mF * ::carvallo::Number::like(self.w, 2.0);
+        let Jzz_delta_c = self.c * t226;
+        let t229 = (((t169 - (M22_Sx_delta * self.mF)) - (M22_Jxz_delta * t32))
             + (yaw_per_v_delta * M22_mu)) + (Jzz_delta_c * M22_Jzz_delta);
-        let t257 = (yaw_per_v_delta * (t114 - t29)) - t180;
-        let t266 = (((t206 - (C122_Sx_delta * self.mF)) - (K222_SF * t29))
-            + (yaw_per_v_delta * C122_mu)) + (Jzz_delta_c * C122_Jzz_delta);
-        let t267 = C112_SF * self.mF;
-        let t269 = (t267 - t216) - K222_mu;
-        let t271 = t267 - (t216 + K222_mu);
-        let t275 = (t225 + (t222 * self.mF)) - (yaw_per_v_delta * t226);
-        let t279 = (t236 - (K222_Sx_delta * self.mF)) + (yaw_per_v_delta * K222_mu);
-        let t284 = (Jxx_delta * t41) - (t43 * (Jxz_delta + (t46 * M12_yaw_per_v_delta)));
-        let t299 = (t41
-            * (((hx_delta + t44) - (P_delta_yaw_Sx_delta * Sz_delta))
-                + (Jxz_delta * M22_hz_delta)))
-            - (t43
-                * ((((hz_delta + t71) + (Jzz_delta * M22_hz_delta))
-                    + (Sx_delta * P_delta_yaw_Sx_delta)) + (t46 * M22_yaw_per_v_delta)));
-        let t305 = t43 * (SF + (t46 * t185));
-        let t316 = (t41 * ((Jxz_delta * yaw_per_v_delta) - (C122_py_delta * Sz_delta)))
-            - (t43
-                * (((yaw_per_v_delta * Jzz_delta) + (Sx_delta * C122_py_delta))
-                    + (t46 * C122_yaw_per_v_delta)));
-        let t321 = (t43 * ((t46 * t217) + Sx_delta)) + (Sz_delta * t41);
-        let t328 = (t43 * ((Sx_delta * t43) + (t46 * t227)))
-            + (t41 * (t75 - P_delta_lateral));
-        let t337 = (t232 * (SF - Sz_delta))
-            - (t43 * ((yaw_per_v_delta * Sx_delta) + (t46 * K222_yaw_per_v_delta)));
-        let t338 = t112 * <T as ::carvallo::Scalar>::from_f64(2.0);
-        let t339 = self.IRyy / t19;
-        let t340 = self.mR - t339;
-        let t341 = mu * t340;
-        let t342 = t339 * mu;
-        let t343 = yaw_per_v_delta * t340;
-        let t344 = self.rR * mu;
-        let t345 = self.rR * yaw_per_v_delta;
-        let t346 = mu * ST_IRyy;
-        let t347 = yaw_per_v_delta * ST_IRyy;
+        let t232 = (yaw_per_v_delta * (t114 - t32)) - t177;
+        let P_delta_lateral_c = (t200 - (M12_Jxz_delta * self.mF))
+            + (yaw_per_v_delta * Sx_all);
+        let t247 = ((((t197 - (C122_Sx_delta * self.mF)) - (C122_Jxz_delta * t32))
+            + (yaw_per_v_delta * C122_mu)) + (mu * P_delta_lateral_c))
+            + (Jzz_delta_c * C122_Jzz_delta);
+        let t249 = yaw_per_v_delta * P_delta_lateral_c;
+        let hx_delta_lam = (Jxx_delta * t43) - t62;
+        let t252 = t28 * t46;
+        let t254 = hx_delta_lam - (t252 * M12_yaw_per_v_delta);
+        let hz_delta_lam = t44 - (Jzz_delta * t28);
+        let t266 = (t43 * Sz_delta) + (Sx_delta * t28);
+        let t270 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
+            + (hz_delta_lam * M22_hz_delta)) - (t266 * P_delta_yaw_Sx_delta))
+            - (t252 * M22_yaw_per_v_delta);
+        let t274 = t131 + (t252 * t182);
+        let t277 = t266 + (t252 * P_delta_lateral_yaw_per_v_delta);
+        let t283 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t277))
+            - (t266 * C122_py_delta)) - (t252 * C122_yaw_per_v_delta);
+        let t290 = (yaw_per_v_delta * (t106 - t277)) - (t252 * K222_yaw_per_v_delta);
+        let t291 = t112 * ::carvallo::Number::like(self.w, 2.0);
+        let t292 = self.IRyy / t19;
+        let t293 = self.mR - t292;
+        let t294 = mu * t293;
+        let t295 = t292 * mu;
+        let t296 = yaw_per_v_delta * t293;
+        let t297 = self.rR * mu;
+        let t298 = self.rR * yaw_per_v_delta;
+        let t299 = yaw_per_v_delta * mu;
+        let t300 = mu * ST_IRyy;
+        let t301 = yaw_per_v_delta * ST_IRyy;
         let P_delta_yaw_xB = t123 * t144;
-        let t350 = mu * P_delta_yaw_xB;
-        let t354 = (self.mB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_xB);
-        let t357 = self.mB * K222_Sx_all;
-        let t358 = <T as ::carvallo::Scalar>::from_f64(2.0) * t52;
-        let t359 = self.xB * mu;
-        let t362 = mu + (self.xB * yaw_per_v_delta);
+        let t304 = mu * P_delta_yaw_xB;
+        let P_delta_lateral_xB = self.mB * mu;
+        let t309 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * P_delta_lateral_xB);
+        let t311 = yaw_per_v_delta * P_delta_lateral_xB;
+        let t312 = ::carvallo::Number::like(self.w, 2.0) * t52;
+        let P_delta_lateral_mB = self.xB * mu;
+        let t316 = mu + (self.xB * yaw_per_v_delta);
         let P_delta_yaw_mB = mu * t94;
-        let t367 = mu * P_delta_yaw_mB;
-        let t371 = (self.xB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_mB);
-        let t374 = self.xB * K222_Sx_all;
+        let t321 = mu * P_delta_yaw_mB;
+        let t325 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * P_delta_lateral_mB);
+        let t328 = yaw_per_v_delta * P_delta_lateral_mB;
+        let t330 = t194 + (mu * t199);
+        let t332 = yaw_per_v_delta * t199;
         let Jxx_delta_zH = self.zH * t155;
-        let t376 = C112_SF * t37;
-        let t377 = self.mH * t169;
-        let t379 = t43 * Jxx_delta_zH;
-        let t380 = t379 - (t376 + t377);
-        let t382 = (t379 - t376) - t377;
-        let t384 = P_delta_yaw_Sx_delta * t43;
-        let K022_Sz_delta = t43 * t43;
-        let t389 = (Jxx_delta_zH * K022_Sz_delta)
-            - ((M22_Jxz_delta * t37) + (self.mH * t384));
-        let t394 = C122_py_delta * t43;
-        let t397 = self.mH * t43;
-        let t398 = self.mH * K022_Sz_delta;
-        let t401 = self.zH * t169;
-        let t402 = t36 * t135;
-        let t404 = t43 * Jxx_delta_mH;
-        let t405 = t404 - (t401 + t402);
-        let t407 = (t404 - t401) - t402;
-        let M22_mA = t35 * t170;
-        let t416 = (((M22_mA - (self.zH * t384)) + (t36 * t153))
-            + (Jzz_delta_mH * M22_Jzz_delta)) + (Jxx_delta_mH * K022_Sz_delta);
-        let C122_mA = t35 * t204;
-        let t426 = ((C122_mA - (self.zH * t394)) + (t36 * t195))
-            + (Jzz_delta_mH * C122_Jzz_delta);
-        let t427 = t36 * C112_SF;
-        let t429 = self.zH * t43;
-        let t430 = t429 - (t169 + t427);
-        let t432 = (t429 - t169) - t427;
-        let t433 = t35 * t220;
-        let t437 = ((self.zH * K022_Sz_delta) - t433) - (t36 * t222);
-        let K222_mA = t35 * K222_Sx_all;
-        let t441 = (K222_mA - t194) + (t36 * K222_Sx_delta);
-        let Jxx_delta_rF = self.rF * t251;
-        let t443 = t43 * Jxx_delta_rF;
-        let t444 = Jxx_delta_rF * K022_Sz_delta;
-        let t445 = mu - C122_py_delta;
-        let t447 = self.IFyy / Jxx_delta_mF;
-        let t448 = t447 * C112_SF;
-        let t451 = (self.c * K222_SF) - t394;
-        let t456 = yaw_per_v_delta * (self.mF - t447);
-        let t459 = (K222_SF * self.mF) - (t447 * K222_SF);
-        let t460 = t43 * Jxx_delta_mF;
-        let t466 = ((M22_mA - (M22_Sx_delta * self.c)) + (Jzz_delta_mF * M22_Jzz_delta))
-            + (Jxx_delta_mF * K022_Sz_delta);
-        let t473 = ((C122_mA - (C122_Sx_delta * self.c)) - (self.rF * t451))
-            + (Jzz_delta_mF * C122_Jzz_delta);
-        let t474 = C112_SF * self.c;
-        let t476 = t43 * self.rF;
-        let t477 = (t474 - t169) - t476;
-        let t479 = t474 - (t169 + t476);
-        let t483 = ((t222 * self.c) - t433) - (K022_Sz_delta * self.rF);
-        let t484 = self.rF * yaw_per_v_delta;
-        let t488 = (K222_mA - (K222_Sx_delta * self.c)) + (K222_SF * self.rF);
-        let t489 = M22_Jzz_delta + K022_Sz_delta;
-        let t490 = SF_IFyy * C112_SF;
-        let t491 = yaw_per_v_delta * SF_IFyy;
-        let t492 = SF_IFyy * K222_SF;
-        let t493 = -(t106 + (mu * ST));
-        let t494 = -P_delta_lateral;
-        let t495 = -(P_delta_lateral * t43);
-        let t496 = -(t138 + (t140 * M12_yaw_per_v_delta));
-        let t497 = -(t180 + (t140 * C112_yaw_per_v_delta));
-        let t498 = -(t114 * t140);
-        let t499 = -(ST * yaw_per_v_delta);
-        let t500 = -(t43 * (SF + (t46 * C112_yaw_per_v_delta)));
-        let t501 = -((t114 * t46) * t43);
-        let t502 = -self.mR;
-        let t503 = -self.rR;
-        let t504 = -t346;
-        let t505 = -(t52 * mu);
-        let t506 = -(t52 * yaw_per_v_delta);
-        let t507 = -(self.mB * mu);
-        let t508 = -(self.mB * t220);
-        let t509 = -(self.mB * t359);
-        let t510 = -(self.mB * t362);
-        let t511 = -(self.mB * yaw_per_v_delta);
-        let t512 = -(self.zB * t359);
-        let t513 = -(self.zB * t362);
-        let t514 = -t359;
-        let t515 = -(self.xB * t220);
-        let t516 = -(self.zB * yaw_per_v_delta);
-        let t517 = -t136;
-        let t518 = -t178;
-        let t519 = -t214;
-        let t520 = -t223;
-        let t521 = -((t37 * yaw_per_v_delta) + (self.mH * C122_py_delta));
-        let t522 = -((K222_SF * t37) + (self.mH * t394));
-        let t523 = -(self.mH * yaw_per_v_delta);
-        let t524 = -(self.mH * K222_SF);
-        let t525 = -((self.zH * C122_py_delta) + (t36 * t177));
-        let t526 = -t177;
-        let t527 = -((self.mF * t445) + t448);
-        let t528 = -(self.mF * t451);
-        let t529 = -self.mF;
-        let t530 = -(t43 * self.mF);
-        let t531 = -(K022_Sz_delta * self.mF);
-        let t532 = -(self.rF * t445);
-        let t533 = -self.rF;
-        let t534 = -t490;
+        let t338 = (t28 * Jxx_delta_zH)
+            - ((M12_Jxz_delta * t40) + (self.mH * P_delta_lateral_mA));
+        let t340 = self.mH * t28;
+        let M22_Jxx_delta = t28 * t28;
+        let t345 = (Jxx_delta_zH * M22_Jxx_delta)
+            - ((M22_Jxz_delta * t40) + (t340 * P_delta_yaw_Sx_delta));
+        let t347 = mu + C122_py_delta;
+        let t355 = t340 * t28;
+        let t362 = ((t28 * Jxx_delta_mH) - (self.zH * P_delta_lateral_mA))
+            - (t39 * t135);
+        let P_delta_yaw_mA = t38 * P_delta_lateral_mA;
+        let M22_mA = mu * P_delta_yaw_mA;
+        let t367 = self.zH * t28;
+        let t373 = (((M22_mA + (t39 * t153)) - (t367 * P_delta_yaw_Sx_delta))
+            + (Jzz_delta_mH * M22_Jzz_delta)) + (Jxx_delta_mH * M22_Jxx_delta);
+        let C122_mA = yaw_per_v_delta * P_delta_yaw_mA;
+        let P_delta_lateral_mH = (P_delta_lateral_mA - t367) + (t39 * M12_Jxz_delta);
+        let t388 = (((C122_mA + (t39 * t190)) + (mu * P_delta_lateral_mH))
+            - (t367 * C122_py_delta)) + (Jzz_delta_mH * C122_Jzz_delta);
+        let t390 = yaw_per_v_delta * P_delta_lateral_mH;
+        let Jxx_delta_rF = self.rF * t226;
+        let t392 = t28 * Jxx_delta_rF;
+        let t393 = Jxx_delta_rF * M22_Jxx_delta;
+        let t394 = mu - t347;
+        let t396 = self.IFyy / Jxx_delta_mF;
+        let t397 = t396 * M12_Jxz_delta;
+        let t401 = (t28 * C122_py_delta) - (C122_Jxz_delta * self.c);
+        let P_delta_lateral_rF = self.mF * t28;
+        let t405 = (self.mF * t401) + (mu * P_delta_lateral_rF);
+        let t408 = yaw_per_v_delta * (self.mF - t396);
+        let t411 = (yaw_per_v_delta * P_delta_lateral_rF) - (t396 * C122_Jxz_delta);
+        let t412 = t28 * Jxx_delta_mF;
+        let t418 = ((M22_mA - (M22_Sx_delta * self.c)) + (Jzz_delta_mF * M22_Jzz_delta))
+            + (Jxx_delta_mF * M22_Jxx_delta);
+        let P_delta_lateral_mF = (P_delta_lateral_mA - (M12_Jxz_delta * self.c))
+            + (self.rF * t28);
+        let t431 = (((C122_mA - (C122_Sx_delta * self.c)) + (self.rF * t401))
+            + (mu * P_delta_lateral_mF)) + (Jzz_delta_mF * C122_Jzz_delta);
+        let t433 = self.rF * yaw_per_v_delta;
+        let t434 = yaw_per_v_delta * P_delta_lateral_mF;
+        let t435 = M22_Jzz_delta + M22_Jxx_delta;
+        let t436 = SF_IFyy * M12_Jxz_delta;
+        let t437 = yaw_per_v_delta * SF_IFyy;
+        let t438 = SF_IFyy * C122_Jxz_delta;
+        let t439 = -(t106 + (mu * ST));
+        let t440 = -P_delta_lateral;
+        let t441 = -(P_delta_lateral * t28);
+        let t442 = -(t138 + (t140 * M12_yaw_per_v_delta));
+        let t443 = -(t177 + (t140 * C112_yaw_per_v_delta));
+        let t444 = t202 - t200;
+        let t445 = -(P_delta_lateral_w * t28);
+        let t446 = -(t114 * t140);
+        let t447 = -(ST * yaw_per_v_delta);
+        let t448 = -P_delta_lateral_c;
+        let t449 = -(P_delta_lateral_c * t28);
+        let t450 = -(t131 + (t252 * C112_yaw_per_v_delta));
+        let t451 = (t28 * t277) - (P_delta_lateral * t43);
+        let t452 = -(t114 * t252);
+        let t453 = -self.mR;
+        let t454 = -self.rR;
+        let t455 = -t300;
+        let t456 = -(t52 * mu);
+        let t457 = -(t52 * yaw_per_v_delta);
+        let t458 = -P_delta_lateral_xB;
+        let t459 = -(P_delta_lateral_xB * t28);
+        let t460 = -(self.mB * P_delta_lateral_mB);
+        let t461 = -(self.mB * t316);
+        let t462 = -(self.mB * yaw_per_v_delta);
+        let t463 = -(self.zB * P_delta_lateral_mB);
+        let t464 = -(self.zB * t316);
+        let t465 = -P_delta_lateral_mB;
+        let t466 = -(P_delta_lateral_mB * t28);
+        let t467 = -(self.zB * yaw_per_v_delta);
+        let t468 = -t136;
+        let t469 = -t175;
+        let t470 = -t199;
+        let t471 = -(t199 * t28);
+        let t472 = -((t40 * yaw_per_v_delta) + (self.mH * t347));
+        let t473 = -(((C122_Jxz_delta * t40) + (mu * t340)) + (t340 * C122_py_delta));
+        let t474 = -(self.mH * yaw_per_v_delta);
+        let t475 = -(yaw_per_v_delta * t340);
+        let t476 = -((self.zH * t347) + (t39 * t174));
+        let t477 = -P_delta_lateral_mH;
+        let t478 = -(P_delta_lateral_mH * t28);
+        let t479 = -t174;
+        let t480 = -((self.mF * t394) + t397);
+        let t481 = -self.mF;
+        let t482 = -P_delta_lateral_rF;
+        let t483 = -(t28 * P_delta_lateral_rF);
+        let t484 = -(self.rF * t394);
+        let t485 = -self.rF;
+        let t486 = -P_delta_lateral_mF;
+        let t487 = -(t28 * P_delta_lateral_mF);
+        let t488 = -t436;
         (
             WhippleMechanismMatrices {
                 m: [[t26, t60], [t60, t101]],
-                c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t118], [t493, t128]],
-                k0: [[Sz_all, t494], [t494, t495]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t118], [t439, t128]],
+                k0: [[Sz_all, t440], [t440, t441]],
                 k2: [
-                    [<T as ::carvallo::Scalar>::from_f64(0.0), t130],
-                    [<T as ::carvallo::Scalar>::from_f64(0.0), t133],
+                    [::carvallo::Number::like(self.w, 0.0), t130],
+                    [::carvallo::Number::like(self.w, 0.0), t133],
                 ],
             },
             WhippleMechanismDerivatives {
                 values: [
-                    t496,
-                    t496,
-                    t176,
-                    t497,
-                    t186,
-                    t213,
+                    t442,
+                    t442,
+                    t173,
+                    t443,
+                    t183,
+                    t211,
+                    t444,
+                    t444,
+                    t445,
+                    t446,
+                    t216,
                     t219,
                     t219,
                     t229,
-                    t498,
-                    t241,
-                    t244,
-                    t244,
+                    t232,
+                    t447,
+                    t247,
+                    t448,
+                    t448,
+                    t449,
+                    t249,
                     t254,
-                    t257,
-                    t499,
-                    t266,
-                    t269,
-                    t271,
-                    t275,
-                    t279,
-                    t284,
-                    t284,
-                    t299,
-                    t500,
-                    t305,
-                    t316,
-                    t321,
-                    t321,
-                    t328,
-                    t501,
-                    t337,
-                    t338,
-                    t341,
-                    t342,
-                    t502,
-                    t343,
+                    t254,
+                    t270,
+                    t450,
+                    t274,
+                    t283,
+                    t277,
+                    t277,
+                    t451,
+                    t452,
+                    t290,
+                    t291,
+                    t294,
+                    t295,
+                    t453,
+                    t296,
                     t19,
-                    t344,
-                    t503,
-                    t345,
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    C122_Sx_all,
-                    K222_Sx_all,
-                    t346,
-                    t504,
-                    t347,
-                    t505,
-                    t505,
-                    t350,
-                    t506,
-                    t354,
-                    t507,
-                    t507,
-                    t508,
-                    t357,
-                    t358,
-                    t509,
-                    t509,
-                    t510,
+                    t297,
+                    t454,
+                    t298,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t158,
+                    t299,
+                    t300,
+                    t455,
+                    t301,
+                    t456,
+                    t456,
+                    t304,
+                    t457,
+                    t309,
+                    t458,
+                    t458,
+                    t459,
+                    t311,
+                    t312,
+                    t460,
+                    t460,
+                    t461,
                     self.mB,
-                    t511,
+                    t462,
                     t24,
-                    t512,
-                    t512,
-                    t367,
-                    t513,
-                    t371,
+                    t463,
+                    t463,
+                    t321,
+                    t464,
+                    t325,
                     self.zB,
-                    t514,
-                    t514,
-                    t515,
-                    t516,
-                    t374,
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    C122_Sx_all,
-                    K222_Sx_all,
+                    t465,
+                    t465,
+                    t466,
+                    t467,
+                    t328,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t158,
+                    t299,
                     mu,
                     mu,
                     yaw_per_v_delta,
-                    t517,
-                    t517,
+                    t468,
+                    t468,
                     t161,
-                    t518,
-                    t199,
-                    t519,
-                    t519,
-                    t520,
-                    t234,
+                    t469,
+                    t330,
+                    t470,
+                    t470,
+                    t471,
+                    t332,
                     Jxx_delta_zH,
-                    t380,
-                    t382,
-                    t389,
-                    t521,
-                    t522,
+                    t338,
+                    t338,
+                    t345,
+                    t472,
+                    t473,
                     self.mH,
-                    t397,
-                    t397,
-                    t398,
-                    t523,
-                    t524,
+                    t340,
+                    t340,
+                    t355,
+                    t474,
+                    t475,
                     Jxx_delta_mH,
-                    t405,
-                    t407,
-                    t416,
-                    t525,
-                    t426,
+                    t362,
+                    t362,
+                    t373,
+                    t476,
+                    t388,
                     self.zH,
-                    t430,
-                    t432,
-                    t437,
-                    t526,
-                    t441,
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    t43,
-                    t43,
-                    K022_Sz_delta,
+                    t477,
+                    t477,
+                    t478,
+                    t479,
+                    t390,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t28,
+                    t28,
+                    M22_Jxx_delta,
                     M22_Jzz_delta,
                     C122_Jzz_delta,
-                    C112_SF,
-                    C112_SF,
+                    M12_Jxz_delta,
+                    M12_Jxz_delta,
                     M22_Jxz_delta,
                     yaw_per_v_delta,
-                    K222_SF,
+                    C122_Jxz_delta,
                     Jxx_delta_rF,
-                    t443,
-                    t443,
-                    t444,
-                    t527,
-                    t448,
-                    t528,
-                    t529,
-                    t530,
-                    t530,
-                    t531,
-                    t456,
-                    t459,
-                    Jxx_delta_mF,
-                    t460,
-                    t460,
-                    t466,
-                    t532,
-                    t473,
-                    t533,
-                    t477,
-                    t479,
+                    t392,
+                    t392,
+                    t393,
+                    t480,
+                    t397,
+                    t405,
+                    t481,
+                    t482,
+                    t482,
                     t483,
+                    t408,
+                    t411,
+                    Jxx_delta_mF,
+                    t412,
+                    t412,
+                    t418,
                     t484,
-                    t488,
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    t43,
-                    t43,
-                    t489,
+                    t431,
+                    t485,
+                    t486,
+                    t486,
+                    t487,
+                    t433,
+                    t434,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t28,
+                    t28,
+                    t435,
                     C122_Jzz_delta,
-                    t490,
-                    t534,
-                    t491,
-                    t492,
+                    t436,
+                    t488,
+                    t437,
+                    t438,
                 ],
             },
         )

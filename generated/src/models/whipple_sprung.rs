@@ -204,7 +204,7 @@ impl WhippleSprung<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleSprung<T> {
+impl<T: ::carvallo::Number> WhippleSprung<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 28]) -> Self {
@@ -273,6 +273,9 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
             self.d,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> WhippleSprung<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> WhippleSprung<U> {
@@ -333,19 +336,19 @@ pub struct WhippleSprungMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleSprung<T> {
+impl<T: ::carvallo::Number> WhippleSprung<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 46 additions, 54 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 108 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleSprungMatrices<T> {
         let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
             + (self.mF * (self.rF * self.rF));
         let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
             + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Scalar::sin_cos(self.lam);
+        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
         let t32 = self.rF * self.mF;
         let t37 = self.w + self.c;
         let t38 = self.xH - t37;
@@ -388,23 +391,23 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
             m: [[t26, t58], [t58, t96]],
             c0: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), self.d],
+                [::carvallo::Number::like(self.w, 0.0), self.d],
             ],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t112], [t131, t124]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t112], [t131, t124]],
             kc: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), self.k],
+                [::carvallo::Number::like(self.w, 0.0), self.k],
             ],
             k0: [[Sz_all, t132], [t132, t133]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t127],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t130],
+                [::carvallo::Number::like(self.w, 0.0), t127],
+                [::carvallo::Number::like(self.w, 0.0), t130],
             ],
         }
     }
@@ -438,61 +441,61 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleSprungKinematics<T> {
-        let yaw_per_v_delta = (::carvallo::Scalar::cos(self.lam)) / self.w;
+        let yaw_per_v_delta = (::carvallo::Number::cos(self.lam)) / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t12 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rR);
-        let t13 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rF);
+        let t12 = -(::carvallo::Number::like(self.w, 1.0) / self.rR);
+        let t13 = -(::carvallo::Number::like(self.w, 1.0) / self.rF);
         WhippleSprungKinematics {
             lateral: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(1.0),
+                heading: ::carvallo::Number::like(self.w, 1.0),
             },
             yaw: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [<T as ::carvallo::Scalar>::from_f64(0.0), yaw_by_delta],
-                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0), yaw_per_v_delta],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
+                rates: [::carvallo::Number::like(self.w, 0.0), yaw_by_delta],
+                coordinates: [::carvallo::Number::like(self.w, 0.0), yaw_per_v_delta],
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_R: ::carvallo::Rate {
                 speed: t12,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_F: ::carvallo::Rate {
                 speed: t13,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             forces: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
                 ],
             ],
         }
@@ -501,6 +504,8 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleSprung<T> {
     type Scalar = T;
+    type Parameters = [T; 28];
+    type Over<U: ::carvallo::Number> = WhippleSprung<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleSprung",
         docs: "The Whipple-Carvallo bicycle with a spring and a damper between rear frame and front frame.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.",
@@ -858,6 +863,47 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleSprung<T> {
             },
         ],
         matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("Kc", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 1), ("K0", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 1, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "benchmark",
@@ -987,6 +1033,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleSprung<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -1037,5 +1087,68 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleSprung<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleSprung<T> {
+    type Entries = [T; 13];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            w: parameter(0),
+            c: parameter(1),
+            lam: parameter(2),
+            g: parameter(3),
+            rR: parameter(4),
+            mR: parameter(5),
+            IRxx: parameter(6),
+            IRyy: parameter(7),
+            xB: parameter(8),
+            zB: parameter(9),
+            mB: parameter(10),
+            IBxx: parameter(11),
+            IByy: parameter(12),
+            IBzz: parameter(13),
+            IBxz: parameter(14),
+            xH: parameter(15),
+            zH: parameter(16),
+            mH: parameter(17),
+            IHxx: parameter(18),
+            IHyy: parameter(19),
+            IHzz: parameter(20),
+            IHxz: parameter(21),
+            rF: parameter(22),
+            mF: parameter(23),
+            IFxx: parameter(24),
+            IFyy: parameter(25),
+            k: parameter(26),
+            d: parameter(27),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[1][1],
+            matrices.c0[1][1],
+            matrices.c1[0][1],
+            matrices.c1[1][0],
+            matrices.c1[1][1],
+            matrices.kc[1][1],
+            matrices.k0[0][0],
+            matrices.k0[0][1],
+            matrices.k0[1][1],
+            matrices.k2[0][1],
+            matrices.k2[1][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [matrices.m, matrices.c0, matrices.c1, matrices.kc, matrices.k0, matrices.k2]
     }
 }

@@ -205,7 +205,7 @@ impl WhippleTyres<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleTyres<T> {
+impl<T: ::carvallo::Number> WhippleTyres<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 28]) -> Self {
@@ -274,6 +274,9 @@ impl<T: ::carvallo::Scalar> WhippleTyres<T> {
             self.rhoF,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> WhippleTyres<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> WhippleTyres<U> {
@@ -330,26 +333,26 @@ pub struct WhippleTyresMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 2]; 2],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleTyres<T> {
+impl<T: ::carvallo::Number> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 54 additions, 61 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 122 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleTyresMatrices<T> {
         let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
             + (self.mF * (self.rF * self.rF));
         let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
             + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Scalar::sin_cos(self.lam);
+        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
         let t32 = self.rF * self.mF;
         let t37 = self.w + self.c;
         let t38 = self.xH - t37;
         let t39 = self.mH * t38;
         let Jxz_delta = (self.IHxz - (self.c * t32)) - (self.zH * t39);
         let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t42);
-        let t45 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.w;
+        let t45 = ::carvallo::Number::like(self.w, 1.0) / self.w;
         let yaw_per_v_delta = t42 * t45;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let t51 = self.zB * self.mB;
@@ -389,11 +392,11 @@ impl<T: ::carvallo::Scalar> WhippleTyres<T> {
         let t147 = -(t28 * (py_delta - t138));
         WhippleTyresMatrices {
             m: [[t26, t59], [t59, t97]],
-            c1: [[<T as ::carvallo::Scalar>::from_f64(0.0), t112], [t145, t124]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t112], [t145, t124]],
             k0: [[t134, t146], [t146, t147]],
             k2: [
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t141],
-                [<T as ::carvallo::Scalar>::from_f64(0.0), t144],
+                [::carvallo::Number::like(self.w, 0.0), t141],
+                [::carvallo::Number::like(self.w, 0.0), t144],
             ],
         }
     }
@@ -427,61 +430,61 @@ impl<T: ::carvallo::Scalar> WhippleTyres<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleTyresKinematics<T> {
-        let yaw_per_v_delta = (::carvallo::Scalar::cos(self.lam)) / self.w;
+        let yaw_per_v_delta = (::carvallo::Number::cos(self.lam)) / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t12 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rR);
-        let t13 = -(<T as ::carvallo::Scalar>::from_f64(1.0) / self.rF);
+        let t12 = -(::carvallo::Number::like(self.w, 1.0) / self.rR);
+        let t13 = -(::carvallo::Number::like(self.w, 1.0) / self.rF);
         WhippleTyresKinematics {
             lateral: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(1.0),
+                heading: ::carvallo::Number::like(self.w, 1.0),
             },
             yaw: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [<T as ::carvallo::Scalar>::from_f64(0.0), yaw_by_delta],
-                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0), yaw_per_v_delta],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.w, 0.0),
+                rates: [::carvallo::Number::like(self.w, 0.0), yaw_by_delta],
+                coordinates: [::carvallo::Number::like(self.w, 0.0), yaw_per_v_delta],
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_R: ::carvallo::Rate {
                 speed: t12,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             wheel_F: ::carvallo::Rate {
                 speed: t13,
                 rates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 coordinates: [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.w, 0.0),
             },
             forces: [
                 [
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
-                    <T as ::carvallo::Scalar>::from_f64(0.0),
-                    <T as ::carvallo::Scalar>::from_f64(1.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 1.0),
                 ],
             ],
         }
@@ -490,6 +493,8 @@ impl<T: ::carvallo::Scalar> WhippleTyres<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleTyres<T> {
     type Scalar = T;
+    type Parameters = [T; 28];
+    type Over<U: ::carvallo::Number> = WhippleTyres<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleTyres",
         docs: "The Whipple-Carvallo bicycle on tyres whose cross-sections are circles.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric. The rims of the wheels are parts of tori that roll without slip on level ground: the radii rR and rF of\nthe wheels reach from the centre to the ground, and those of the cross-sections, rhoR and rhoF, are parts of them.\nAxes: origin at the rear contact point, x forward, y to the right, z down.",
@@ -847,6 +852,41 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleTyres<T> {
             },
         ],
         matrices: &["M", "C1", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 1), ("M", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("M", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 1), ("K0", 1, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 1, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 1)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 1, 1)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "benchmark",
@@ -976,6 +1016,10 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleTyres<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Parameters {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<2>>::INFO;
         info.validate(
@@ -1026,5 +1070,73 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleTyres<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleTyres<T> {
+    type Entries = [T; 11];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            w: parameter(0),
+            c: parameter(1),
+            lam: parameter(2),
+            g: parameter(3),
+            rR: parameter(4),
+            mR: parameter(5),
+            IRxx: parameter(6),
+            IRyy: parameter(7),
+            xB: parameter(8),
+            zB: parameter(9),
+            mB: parameter(10),
+            IBxx: parameter(11),
+            IByy: parameter(12),
+            IBzz: parameter(13),
+            IBxz: parameter(14),
+            xH: parameter(15),
+            zH: parameter(16),
+            mH: parameter(17),
+            IHxx: parameter(18),
+            IHyy: parameter(19),
+            IHzz: parameter(20),
+            IHxz: parameter(21),
+            rF: parameter(22),
+            mF: parameter(23),
+            IFxx: parameter(24),
+            IFyy: parameter(25),
+            rhoR: parameter(26),
+            rhoF: parameter(27),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.m[0][1],
+            matrices.m[1][1],
+            matrices.c1[0][1],
+            matrices.c1[1][0],
+            matrices.c1[1][1],
+            matrices.k0[0][0],
+            matrices.k0[0][1],
+            matrices.k0[1][1],
+            matrices.k2[0][1],
+            matrices.k2[1][1],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.c1,
+            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
+            matrices.k0,
+            matrices.k2,
+        ]
     }
 }

@@ -5,7 +5,7 @@
 
 use super::resolvent::Resolvent;
 use crate::numeric::{DoubleDouble, exponent, ldexp};
-use crate::{Complex, Scalar};
+use crate::{Complex, Number};
 
 /// The error of the factors, as [`Quartic::polish`] measures it, that is no more than rounding.
 const TOLERANCE: f64 = 8.0 * f64::EPSILON;
@@ -99,7 +99,7 @@ impl Quartic {
         let residual =
             [self.a - s.p - t.p, self.b - s.q - t.q - s.p * t.p, self.c - s.p * t.q - t.p * s.q, self.d - s.q * t.q];
         // Two roots may sum to zero, but then their size is not.
-        let (sp, tp) = (s.p.abs() + Scalar::sqrt(s.q.abs()), t.p.abs() + Scalar::sqrt(t.q.abs()));
+        let (sp, tp) = (s.p.abs() + Number::sqrt(s.q.abs()), t.p.abs() + Number::sqrt(t.q.abs()));
         let (sq, tq) = (s.q.abs(), t.q.abs());
         let size = [sp + tp, sq + tq + sp * tp, sp * tq + tp * sq, sq * tq];
         let term = |i: usize| residual[i].abs() / (size[i] + f64::MIN_POSITIVE);
@@ -130,10 +130,10 @@ impl Quadratic {
         let half = 0.5 * self.p;
         let discriminant = half * half - self.q;
         if discriminant < 0.0 {
-            let (re, im) = (0.0 - half, Scalar::sqrt(-discriminant));
+            let (re, im) = (0.0 - half, Number::sqrt(-discriminant));
             return [Complex::new(re, -im), Complex::new(re, im)];
         }
-        let large = 0.0 - (half + Scalar::sqrt(discriminant).copysign(half));
+        let large = 0.0 - (half + Number::sqrt(discriminant).copysign(half));
         let small = if large == 0.0 { 0.0 } else { self.q / large + 0.0 };
         [Complex::new(large.min(small), 0.0), Complex::new(large.max(small), 0.0)]
     }

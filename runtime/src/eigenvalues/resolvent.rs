@@ -12,7 +12,7 @@
 //! coincide.
 
 use super::quartic::{Quadratic, Quartic};
-use crate::Scalar;
+use crate::Number;
 use crate::numeric::{DoubleDouble, Real};
 
 /// The ratio of constant terms from which on it pays to compute one factor from the other.
@@ -140,7 +140,7 @@ impl Resolvent<DoubleDouble> {
 #[inline]
 fn single_root(m: f64, n: f64, discriminant: f64) -> f64 {
     // A sum of two terms whose product is m; where their signs differ they would cancel.
-    let cube = n.abs() + Scalar::sqrt(discriminant);
+    let cube = n.abs() + Number::sqrt(discriminant);
     let reciprocal = inverse_cube_root(cube);
     let (large, small) = (cube * reciprocal * reciprocal, m * reciprocal);
     let f = if m > 0.0 { large + small } else { 2.0 * n.abs() / (large * large - m + small * small) };
@@ -153,7 +153,7 @@ fn largest_root(m: f64, n: f64) -> f64 {
     if m <= 0.0 {
         return 0.0;
     }
-    let root = Scalar::sqrt(m);
+    let root = Number::sqrt(m);
     let cosine = (n / (m * root)).clamp(-1.0, 1.0);
     2.0 * root * (0.5 + third_of_angle(0.5 + 0.5 * cosine))
 }
@@ -180,7 +180,7 @@ fn inverse_cube_root(x: f64) -> f64 {
 #[inline]
 fn third_of_angle(x: f64) -> f64 {
     let square = x / 3.0;
-    let w = Scalar::sqrt(square);
+    let w = Number::sqrt(square);
     let series = (0.999_998_25 - 0.333_113_36 * w)
         + square * (0.273_085_70 - 0.257_508_55 * w)
         + square * square * (0.195_737_48 - 0.075_921_859 * w);

@@ -57,9 +57,10 @@ pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> Opt
         }
 
         #allow
-        impl<#scalar: #runtime::Scalar> #name<#scalar> {
+        impl<#scalar: #runtime::Number> #name<#scalar> {
             #function_docs
-            #[inline]
+            // Lanes are fast only inside the function that was compiled for them.
+            #[inline(always)]
             #[must_use]
             pub fn matrices_and_derivatives(&self) -> (#matrices<#scalar>, #derivatives<#scalar>) {
                 #body

@@ -46,9 +46,10 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
         }
 
         #allow
-        impl<#scalar: #runtime::Scalar> #name<#scalar> {
+        impl<#scalar: #runtime::Number> #name<#scalar> {
             #function_docs
-            #[inline]
+            // Lanes are fast only inside the function that was compiled for them.
+            #[inline(always)]
             #[must_use]
             pub fn matrices(&self) -> #matrices<#scalar> {
                 #body
@@ -110,6 +111,21 @@ pub fn literal(body: &Body, outputs: &[Value], fields: &[Ident], model: &Model, 
     quote! { #matrices { #(#fields: #rows,)* } }
 }
 
+/// The values of a program that differ and are not always zero, each with the outputs that it is.
+pub fn entries(program: &Program) -> Vec<(Value, Vec<usize>)> {
+    let mut entries: Vec<(Value, Vec<usize>)> = Vec::new();
+    for (place, value) in program.outputs.iter().enumerate() {
+        if program.instructions[*value] == Instruction::Constant(0.0) {
+            continue;
+        }
+        match entries.iter_mut().find(|(known, _)| known == value) {
+            Some((_, places)) => places.push(place),
+            None => entries.push((*value, vec![place])),
+        }
+    }
+    entries
+}
+
 /// A program as statements, and each value as an expression.
 pub struct Body {
     /// Variables, one or a pair, and what is bound to them.
@@ -151,7 +167,7 @@ impl Body {
                 if value == sine.min(cosine) {
                     let (s, c) = (variable(sine), variable(cosine));
                     let angle = &body.values[*angle];
-                    body.bindings.push((vec![s, c], quote!(#runtime::Scalar::sin_cos(#angle))));
+                    body.bindings.push((vec![s, c], quote!(#runtime::Number::sin_cos(#angle))));
                 }
                 body.push(quote!(#name), 0);
                 continue;
@@ -205,7 +221,7 @@ impl Body {
     }
 
     fn expression(&self, instruction: Instruction, model: &Model, names: &Names) -> TokenStream {
-        let Names { runtime, scalar, .. } = names;
+        let Names { runtime, .. } = names;
         let at = |value| self.operand(value);
         let binary = |a, sign: TokenStream, b| {
             let (a, b) = (at(a), at(b));
@@ -213,17 +229,14 @@ impl Body {
         };
         let call = |function: TokenStream, argument: Value| {
             let argument = &self.values[argument];
-            quote!(#runtime::Scalar::#function(#argument))
+            quote!(#runtime::Number::#function(#argument))
         };
         match instruction {
             Instruction::Parameter(index) => {
                 let name = &model.parameters[index].name;
                 quote!(self.#name)
             }
-            Instruction::Constant(value) => {
-                let value = number(value);
-                quote!(<#scalar as #runtime::Scalar>::from_f64(#value))
-            }
+            Instruction::Constant(value) => constant(value, model, names),
             Instruction::Add(a, b) => binary(a, quote!(+), b),
             Instruction::Sub(a, b) => binary(a, quote!(-), b),
             Instruction::Mul(a, b) => binary(a, quote!(*), b),
@@ -234,8 +247,8 @@ impl Body {
                 quote!(-#a)
             }
             Instruction::Reciprocal(a) => {
-                let a = at(a);
-                quote!(<#scalar as #runtime::Scalar>::from_f64(1.0) / #a)
+                let (one, a) = (constant(1.0, model, names), at(a));
+                quote!(#one / #a)
             }
             Instruction::Sqrt(a) => call(quote!(sqrt), a),
             Instruction::Sin(a) => call(quote!(sin), a),
@@ -244,6 +257,15 @@ impl Body {
             Instruction::Power(..) => unreachable!("the pass `powers` leaves none"),
         }
     }
+}
+
+/// A number, in as many lanes as the parameters have.
+pub fn constant(value: f64, model: &Model, names: &Names) -> TokenStream {
+    let runtime = &names.runtime;
+    let value = number(value);
+    let some = model.parameters.iter().find(|parameter| parameter.used).or(model.parameters.first());
+    let some = some.map(|parameter| &parameter.name);
+    quote!(#runtime::Number::like(self.#some, #value))
 }
 
 /// For each angle of which sine and cosine are both wanted, the values that they are: they come from one call.

@@ -4,6 +4,7 @@ mod derivatives;
 mod evaluator;
 mod info;
 mod kinematics;
+mod lanes;
 mod names;
 mod outline;
 mod references;
@@ -49,13 +50,16 @@ fn emit_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> Tok
     let structure = structure::emit(model, &names);
     // Without coordinates, which is a mistake, there is no size of the matrices.
     let sized = !model.coordinates.is_empty();
-    let evaluator = sized.then(|| evaluator::emit(model, &names, programs.map(|programs| &programs.matrices)));
+    let matrices = programs.map(|programs| &programs.matrices);
+    let evaluator = sized.then(|| evaluator::emit(model, &names, matrices));
     let kinematics = programs.and_then(|programs| programs.kinematics.as_ref());
     let kinematics = if sized { kinematics::emit(model, &names, kinematics) } else { None };
+    let requirements = programs.map(|programs| &programs.requirements);
+    let trait_impl = sized.then(|| trait_impl::emit(model, &names, matrices, requirements));
+    let lanes = sized.then(|| lanes::emit(model, &names, matrices));
     let derivatives = if sized { derivatives::emit(model, &names, derivatives) } else { None };
-    let trait_impl = sized.then(|| trait_impl::emit(model, &names, programs.map(|programs| &programs.requirements)));
     let references = names.among_items.then(|| references::emit(model, &names));
-    quote! { #structure #evaluator #kinematics #trait_impl #derivatives #references }
+    quote! { #structure #evaluator #kinematics #trait_impl #lanes #derivatives #references }
 }
 
 /// What generated items are allowed: names as in the formulas, and parts that a crate does not use.

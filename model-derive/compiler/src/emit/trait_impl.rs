@@ -10,15 +10,15 @@ use crate::model::Model;
 use crate::program::Program;
 use crate::syntax::MatrixName;
 
-pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> TokenStream {
-    let Names { runtime, model: name, scalar, .. } = names;
+pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requirements: Option<&Program>) -> TokenStream {
+    let Names { runtime, model: name, scalar, other, .. } = names;
     let allow = allow();
     let n = Literal::usize_unsuffixed(model.coordinates.len());
     let count = Literal::usize_unsuffixed(model.parameters.len());
     let text = model.name.to_string();
     let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
     let positions: Vec<_> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
-    let description = info::emit(model, names);
+    let description = info::emit(model, names, matrices);
     let [values, info, matrices] = ["values", "info", "matrices"].map(|name| names.variable(name));
     let length = names.length(&values);
     let length_check = quote! {
@@ -43,6 +43,10 @@ pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> Tok
         impl<#scalar: #runtime::Scalar> #runtime::Model<#n> for #name<#scalar> {
             type Scalar = #scalar;
 
+            type Parameters = [#scalar; #count];
+
+            type Over<#other: #runtime::Number> = #name<#other>;
+
             const INFO: &'static #runtime::ModelInfo = #description;
 
             fn from_slice(#values: &[#scalar]) -> ::core::result::Result<Self, #runtime::LengthError> {
@@ -54,6 +58,11 @@ pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> Tok
                 #length_check
                 #values.copy_from_slice(&self.to_array());
                 ::core::result::Result::Ok(())
+            }
+
+            #[inline(always)]
+            fn parameters(&self) -> Self::Parameters {
+                self.to_array()
             }
 
             fn validate(&self) -> ::core::result::Result<(), #runtime::ParameterError> {

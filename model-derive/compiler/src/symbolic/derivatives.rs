@@ -7,28 +7,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::door::{Failure, enter};
+use super::elimination::Graph;
 use super::form::{Engine, Form, Undefined};
 use super::optimize::Place;
 use super::prove::{Depth, Proof, prove};
 use super::sample::Sample;
 use crate::equations::Equations;
 use crate::model::Expr;
-
-/// In which order definitions are taken out of the chain rule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
-    /// The first first: of each definition the derivatives with respect to the parameters.
-    Forward,
-    /// The last first: of each output the derivatives with respect to the definitions.
-    Adjoint,
-    /// First the one by which the fewest products come (Markowitz 1957; Griewank & Reese 1991).
-    Fewest,
-}
-
-impl Order {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Forward, Self::Adjoint, Self::Fewest];
-}
 
 /// Formulas together with those of their derivatives.
 #[derive(Clone, Debug)]
@@ -52,30 +37,22 @@ pub enum Node {
     Output(usize),
 }
 
-/// The derivatives of all outputs of equations with respect to all parameters, in each of the orders. The origins of
-/// definitions that are new are `beyond` those of the model.
+/// The derivatives of all outputs of equations with respect to all parameters. The origins of definitions that are new
+/// lie `beyond` those of the model.
 ///
 /// # Errors
 /// If the engine cannot be had or fails, or if a formula has no value.
 pub fn derive(equations: Vec<Equations>, beyond: usize) -> Result<Vec<Derived>, Failure> {
     enter(move |engine| {
-        let all = equations.iter().enumerate().flat_map(|(index, equations)| {
-            let chain = Chain::new(engine, equations, beyond).map_err(|(place, why)| Failure::Undefined {
-                equations: index,
-                place,
-                why,
-            });
-            match chain {
-                Ok(chain) => Order::ALL.into_iter().map(|order| Ok(chain.clone().derived(order))).collect(),
-                Err(failure) => vec![Err(failure)],
-            }
-        });
-        all.collect()
+        let derived = |(index, equations)| match Chain::new(engine, equations, beyond) {
+            Ok(chain) => Ok(chain.derived()),
+            Err((place, why)) => Err(Failure::Undefined { equations: index, place, why }),
+        };
+        equations.iter().enumerate().map(derived).collect()
     })?
 }
 
 /// Partial derivatives that are left to be multiplied along the ways from outputs to parameters.
-#[derive(Clone)]
 struct Chain<'a> {
     engine: &'a Engine,
     equations: Equations,
@@ -107,10 +84,19 @@ impl<'a> Chain<'a> {
             chain.add(Node::Definition(index), expr, &form);
         }
         for (index, expr) in equations.outputs.iter().enumerate() {
+            if chain.first(index) != index {
+                continue;
+            }
             let form = engine.form(expr, &values).map_err(|why| (Place::Output(index), why))?;
             chain.add(Node::Output(index), expr, &form);
         }
         Ok(chain)
+    }
+
+    /// The first output that is the same formula, such as the mirror image of an entry.
+    fn first(&self, output: usize) -> usize {
+        let outputs = &self.equations.outputs;
+        outputs.iter().position(|other| *other == outputs[output]).unwrap_or(output)
     }
 
     /// Notes the partial derivatives of a formula.
@@ -128,22 +114,17 @@ impl<'a> Chain<'a> {
         self.partials.insert(node, partials);
     }
 
-    /// All derivatives, with the definitions taken out in an order.
-    fn derived(mut self, order: Order) -> Derived {
+    /// All derivatives.
+    fn derived(mut self) -> Derived {
         let outputs = self.equations.outputs.len();
-        let mut left: BTreeSet<usize> = (0..self.equations.definitions.len()).collect();
-        while let Some(&index) = match order {
-            Order::Forward => left.first(),
-            Order::Adjoint => left.last(),
-            Order::Fewest => left.iter().min_by_key(|index| self.products(Node::Definition(**index))),
-        } {
-            left.remove(&index);
-            self.take_out(Node::Definition(index));
+        let (graph, nodes) = self.graph();
+        for node in graph.order(&nodes) {
+            self.take_out(Node::Definition(node - self.equations.parameters));
         }
         let mut partials = Vec::new();
         for parameter in 0..self.equations.parameters {
             for output in 0..outputs {
-                let of_output = self.partials.get(&Node::Output(output));
+                let of_output = self.partials.get(&Node::Output(self.first(output)));
                 let partial = of_output.and_then(|partials| partials.get(&Node::Parameter(parameter)));
                 let partial = partial.map(|partial| partial.expr(self.equations.parameters));
                 if let Some(partial) = partial.filter(|partial| !self.is_zero(partial)) {
@@ -155,10 +136,22 @@ impl<'a> Chain<'a> {
         Derived { equations: self.equations, partials, definitions: self.definitions }
     }
 
-    /// How many products it takes to take a definition out.
-    fn products(&self, node: Node) -> usize {
-        let users = self.partials.values().filter(|partials| partials.contains_key(&node)).count();
-        users * self.partials.get(&node).map_or(0, BTreeMap::len)
+    /// Which derivatives there are, and the nodes of the definitions in it.
+    fn graph(&self) -> (Graph, Vec<usize>) {
+        let Equations { parameters, definitions, outputs, .. } = &self.equations;
+        let position = |node: &Node| match *node {
+            Node::Parameter(index) => index,
+            Node::Definition(index) => parameters + index,
+            Node::Output(index) => parameters + definitions.len() + index,
+        };
+        let units = [1, -1].map(Form::number);
+        let mut graph = Graph::new(parameters + definitions.len() + outputs.len());
+        for (user, partials) in &self.partials {
+            partials.iter().for_each(|(with, partial)| {
+                graph.insert(position(user), position(with), units.contains(partial));
+            });
+        }
+        (graph, (*parameters..parameters + definitions.len()).collect())
     }
 
     /// Takes a definition out: what was derived with respect to it is derived with respect to what stands in it.

@@ -4,6 +4,7 @@ mod algebra;
 mod angles;
 mod derivatives;
 mod door;
+mod elimination;
 mod form;
 mod identity;
 mod import;
