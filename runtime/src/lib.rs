@@ -40,6 +40,8 @@ mod numeric;
 mod rate;
 mod scalar;
 #[cfg(feature = "std")]
+mod sensitivity;
+#[cfg(feature = "std")]
 mod stability;
 mod system;
 mod trigonometry;
@@ -54,6 +56,11 @@ pub use nalgebra::Complex;
 pub use number::Number;
 pub use rate::Rate;
 pub use scalar::Scalar;
+#[cfg(feature = "std")]
+pub use sensitivity::{
+    CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable, Sensitivity,
+    standard_deviation,
+};
 #[cfg(feature = "std")]
 pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};
 pub use system::{StateSpace, System};
