@@ -134,7 +134,7 @@ pub fn verdict(values: &[Complex<f64>]) -> Verdict {
 }
 
 /// The parameters that are probably to blame where there is no answer, as the end of a sentence.
-fn extremes(design: &Design) -> String {
+pub fn extremes(design: &Design) -> String {
     let parameters = design.info().parameters.iter().zip(&design.parameters);
     let extremes = parameters.filter(|(_, given)| given.value != 0.0 && !ORDINARY.contains(&given.value.abs()));
     let extremes: Vec<String> =

@@ -13,6 +13,7 @@ mod png;
 mod scene;
 mod side_view;
 mod svg;
+mod tornado;
 
 use std::path::Path;
 
@@ -23,6 +24,7 @@ pub use self::eigenvalues::eigenvalues;
 pub use self::map::{MapAxis, MapCell, map};
 pub use self::scene::Scene;
 pub use self::side_view::side_view;
+pub use self::tornado::tornado;
 
 /// Writes a drawing in the format that the ending of the path names: PNG, or else SVG.
 ///

@@ -9,6 +9,7 @@ mod mistakes_of_models;
 mod models;
 mod pictures;
 mod process;
+mod sensitivity;
 mod show;
 mod sweep;
 

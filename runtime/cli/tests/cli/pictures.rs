@@ -55,6 +55,27 @@ fn eigenvalues_without_names_of_modes_have_two_labels() {
 }
 
 #[test]
+fn a_bar_chart_has_a_legend_and_every_parameter_with_its_step() {
+    let texts = picture(&["sensitivity"]);
+    for expected in [
+        "Sensitivity of benchmark: what 1 % of each parameter changes",
+        "weave speed, 4.2924 m/s",
+        "capsize speed, 6.0243 m/s",
+        "λ",
+        "+0.00314 rad",
+        "IRxx",
+        "−0.009 m",
+        "+0.85 kg",
+    ] {
+        assert!(texts.iter().any(|text| text == expected), "{expected} is not in {texts:?}");
+    }
+    assert!(texts.iter().any(|text| text.starts_with("change of the critical speed (m/s)")), "{texts:?}");
+    assert!(!texts.iter().any(|text| text == "IByy" || text.contains('*')), "{texts:?}");
+    let texts = picture(&["sensitivity", "--set", "IFyy=0"]);
+    assert!(texts.iter().any(|text| text.starts_with("* +")) && !texts.iter().any(|text| text.contains("capsize")));
+}
+
+#[test]
 fn every_bicycle_has_both_pictures() {
     for bicycle in ["benchmark", "balanceassistv1", "browser", "pista", "silver", "yellowrev", "pista-rider"] {
         assert!(picture(&["analyze", bicycle]).len() > 20);
