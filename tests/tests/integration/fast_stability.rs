@@ -139,10 +139,10 @@ proptest! {
         check(&Coefficients::from_rows(coupled([diagonal(1.0, 1.0), ZERO, c1, kc, ZERO, k2], coupling)), 0.0)?;
     }
 
-    /// Kinds of a bicycle, moved by units that differ by many powers of ten.
+    /// Some of them beyond what the fast way deals with.
     #[test]
-    fn in_any_units(design in designs::regular(), (mass, length, time) in (-30..30, -30..30, -30..30)) {
-        let [mass, length, time] = [mass, length, time].map(|exponent| 2f64.powi(exponent));
+    fn in_any_units(design in designs::regular(), (mass, length, time) in (-8..8, -8..8, -8..8)) {
+        let [mass, length, time] = [mass, length, time].map(|exponent| 16f64.powi(exponent));
         let Coefficients { m, c0, c1, kc, k0, k2 } = design.coefficients();
         let inertia = mass * length * length;
         let scaled = Coefficients {

@@ -40,9 +40,10 @@ pub(super) struct Matrices {
     mass: Sum,
 }
 
-/// As many products of numbers within these limits as occur here stay in the range of `f64`.
-const SMALLEST: f64 = 1e-20;
-const LARGEST: f64 = 1e20;
+/// Products of 18 numbers within these limits stay in the range of `f64`: those of 12 entries, 6 times with gravity, that
+/// the discriminant consists of.
+const SMALLEST: f64 = 1e-15;
+const LARGEST: f64 = 1e15;
 
 /// The smallest determinant of the mass matrix that is surely not zero, relative to its terms.
 const REGULAR: f64 = 16.0 * f64::EPSILON;
@@ -99,7 +100,7 @@ impl Matrices {
 }
 
 /// The coefficients of a quartic by their own: `p_0` to `p_4`, of which only the last one does not depend on the speed.
-type Quartic<const P0: usize, const P1: usize, const P2: usize, const P3: usize> =
+type Powers<const P0: usize, const P1: usize, const P2: usize, const P3: usize> =
     ([Sum; P0], [Sum; P1], [Sum; P2], [Sum; P3], Sum);
 
 /// The Hurwitz determinant `p_1 p_2 p_3 - p_1^2 p_4 - p_0 p_3^2` and the discriminant `4 I^3 - J^2`, up to a factor, with
@@ -117,7 +118,7 @@ fn conditions<
     const II: usize,
     const D: usize,
 >(
-    (p0, p1, p2, p3, p4): Quartic<P0, P1, P2, P3>,
+    (p0, p1, p2, p3, p4): Powers<P0, P1, P2, P3>,
     odd: usize,
 ) -> ([Sum; H], [Sum; D]) {
     let p13: [Sum; P13] = product(&p1, &p3);

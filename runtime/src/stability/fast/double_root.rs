@@ -32,7 +32,8 @@ const CLOSE: f64 = 1.0 / (1u64 << 22) as f64;
 /// What may be lacking of the speed, relative to it.
 const LACKING: f64 = f64::EPSILON / 256.0;
 
-/// The degrees of the coefficients in x, and the powers of x that they are multiplied with.
+/// The degrees of the coefficients in x, and the powers of x that they are multiplied with: in the square of the speed,
+/// or in the speed.
 const fn shape<const P: usize>() -> [(usize, usize); 5] {
     if P == 3 { [(2, 0), (1, 1), (1, 1), (0, 2), (0, 2)] } else { [(4, 0), (3, 0), (2, 0), (1, 0), (0, 0)] }
 }
