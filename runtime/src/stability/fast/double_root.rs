@@ -87,14 +87,13 @@ impl<const P: usize> DoubleRoots<P> {
     #[inline]
     fn residuals(&self, sigma: f64, x: f64) -> [f64; 2] {
         let mut p = [DoubleDouble::ZERO; 5];
-        for power in 0..5 {
-            let (degree, factors) = const { shape::<P>() }[power];
-            p[power] = self.exact[power][degree];
+        for ((p, coefficients), (degree, factors)) in p.iter_mut().zip(&self.exact).zip(const { shape::<P>() }) {
+            *p = coefficients[degree];
             for i in (0..degree).rev() {
-                p[power] = p[power].times(x).add_roughly(self.exact[power][i]);
+                *p = p.times(x).add_roughly(coefficients[i]);
             }
             for _ in 0..factors {
-                p[power] = p[power].times(x);
+                *p = p.times(x);
             }
         }
         let mut value = p[4].times(sigma).add_roughly(p[3]);
