@@ -15,7 +15,6 @@ pub(super) const CERTAIN: f64 = 128.0 * f64::EPSILON;
 impl<const N: usize> Rounded<N> {
     #[inline]
     pub(crate) fn new(coefficients: &[Sum; N]) -> Self {
-        let coefficients = coefficients.map(|c| if c.sign() == 0 { Sum::ZERO } else { c });
         let value = coefficients.map(|c| c.value.to_f64());
         // What is left of cancelled terms errs by the rounding of these in double-double.
         let size = coefficients.map(|c| c.value.to_f64().abs() + c.size * (NOISE / f64::EPSILON));

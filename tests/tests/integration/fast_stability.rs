@@ -196,11 +196,34 @@ proptest! {
     }
 }
 
-/// Without speeds at which anything changes.
 #[test]
 fn on_motion_that_is_always_stable() {
-    let c1 = [[2.0, 0.5], [-0.5, 1.0]];
-    let coefficients = Coefficients::from_rows([diagonal(1.0, 1.0), ZERO, c1, diagonal(4.0, 9.0), ZERO, ZERO]);
+    let (m, c1) = (diagonal(1.0, 1.0), [[2.0, 0.5], [-0.5, 1.0]]);
+    let coefficients = Coefficients::from_rows([m, ZERO, c1, diagonal(4.0, 9.0), ZERO, diagonal(0.5, 0.25)]);
     let answered = check(&coefficients, 0.0).unwrap_or_else(|error| panic!("{error}"));
     assert!(answered);
+}
+
+/// With coefficients of the discriminant that are less than the noise of their terms, and yet not zero.
+#[test]
+fn on_terms_that_cancel_to_less_than_their_noise() {
+    let undamped = [
+        [[-4.631782732528299e-6, -23294.953947309623], [0.0, 2.7810520211882848e-5]],
+        ZERO,
+        [[1.0, 1.0], [0.001541116330231213, 1.0]],
+        [[1.0, 0.0], [1.0, 1.0]],
+        [[-9.40203684990654, 0.0], [-301254.2299823092, 0.005453363440902662]],
+        [[1.0, 6.689678129675988e-6], [-1.0, 1.0]],
+    ];
+    let damped = [
+        [[1.0, 0.0011888950088722527], [0.0004488393884959774, 2.6266370095602897e-6]],
+        [[1.0, 1.0], [1.0, 1.0]],
+        [[1.0, 717863.6495880147], [5981127.226151192, 1.0]],
+        [[1.0, 1.0], [1.0, 1.0]],
+        [[-10636.133138722435, 1.0], [1.0, 1.0]],
+        [[-1.0, 3.063056952604649e-6], [-0.0005237983404409374, 0.0015071825497475315]],
+    ];
+    for (rows, gravity) in [(undamped, 902.9096789262502), (damped, -6.054979675979903)] {
+        check(&Coefficients::from_rows(rows), gravity).unwrap_or_else(|error| panic!("{error}"));
+    }
 }

@@ -1,7 +1,7 @@
 //! The characteristic polynomial and the conditions for critical speeds, by coefficients in fixed arrays.
 
 use crate::numeric::Sum;
-use crate::numeric::fixed::{add, padded, product, square, sub, times, trimmed};
+use crate::numeric::fixed::{add, padded, product, square, sub, times};
 use crate::{Coefficients, Matrix, Scalar};
 
 /// What polynomials along speed are in.
@@ -74,9 +74,9 @@ impl Matrices {
     pub(super) fn of_square(&self) -> OfSquare {
         let Self { m, c1, k, k2, mass, .. } = *self;
         let positive = |p: Sum| if mass.value.to_f64() < 0.0 { -p } else { p };
-        let p0 = trimmed([determinant_of_sums(k), mixed_sums(k2, k), determinant(k2)].map(positive));
-        let p1 = trimmed([mixed_sums(c1, k), mixed(c1, k2)].map(positive));
-        let p2 = trimmed([mixed_sums(m, k), mixed(m, k2) + determinant(c1)].map(positive));
+        let p0 = [determinant_of_sums(k), mixed_sums(k2, k), determinant(k2)].map(positive);
+        let p1 = [mixed_sums(c1, k), mixed(c1, k2)].map(positive);
+        let p2 = [mixed_sums(m, k), mixed(m, k2) + determinant(c1)].map(positive);
         let (p3, p4) = ([positive(mixed(m, c1))], positive(mass));
         let (hurwitz, discriminant) = conditions::<3, 2, 2, 1, 2, 1, 3, 4, 5, 7>((p0, p1, p2, p3, p4), 1);
         let p = [p0, padded(p1), padded(p2), padded(p3), padded([p4])];
@@ -91,8 +91,8 @@ impl Matrices {
         let p1 = [mixed_sums(c0, k), mixed_sums(c1, k), mixed(c0, k2), mixed(c1, k2)];
         let p2 = [mixed_sums(m, k) + determinant(c0), mixed(c0, c1), mixed(m, k2) + determinant(c1)];
         let p3 = [mixed(m, c0), mixed(m, c1)];
-        let (p0, p1) = (trimmed(p0.map(positive)), trimmed(p1.map(positive)));
-        let (p2, p3, p4) = (trimmed(p2.map(positive)), trimmed(p3.map(positive)), positive(mass));
+        let (p0, p1) = (p0.map(positive), p1.map(positive));
+        let (p2, p3, p4) = (p2.map(positive), p3.map(positive), positive(mass));
         let (hurwitz, discriminant) = conditions::<5, 4, 3, 2, 5, 3, 7, 7, 9, 13>((p0, p1, p2, p3, p4), 0);
         let p = [p0, padded(p1), padded(p2), padded(p3), padded([p4])];
         Conditions { variable: Variable::Speed, p, hurwitz, discriminant }
@@ -142,7 +142,7 @@ fn conditions<
     let ii: [Sum; II] = square(&i);
     let iii: [Sum; D] = product(&ii, &i);
     let jj: [Sum; D] = square(&j);
-    (trimmed(sub(first, rest)), sub(iii.map(|iii| iii.doubled().doubled()), jj))
+    (sub(first, rest), sub(iii.map(|iii| iii.doubled().doubled()), jj))
 }
 
 #[inline]
