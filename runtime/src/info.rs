@@ -19,6 +19,9 @@ pub struct ModelInfo {
     pub coordinates: &'static [CoordinateInfo],
     /// The matrices that the model has, in the order `M`, `C0`, `C1`, `Kc`, `K0`, `K2`; the others are zero.
     pub matrices: &'static [&'static str],
+    /// The entries of the matrices that differ from each other and are not zero at all parameters: the columns of what
+    /// is computed for many designs at once.
+    pub entries: &'static [EntryInfo],
     /// The named parameter sets that the declaration carries.
     pub sets: &'static [SetInfo],
     /// The position of the parameter that is the gravitational field strength g, if there is one.
@@ -58,6 +61,23 @@ impl ModelInfo {
             return Ok(());
         }
         Err(ParameterError { model: self.name, subject, value, unit, required })
+    }
+}
+
+/// One entry of the matrices of a model, or several that are always equal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EntryInfo {
+    /// Where it is: the name of a matrix, a row and a column, both from zero. The first place names it.
+    pub places: &'static [(&'static str, usize, usize)],
+}
+
+/// Reads `M[0][1]`.
+impl fmt::Display for EntryInfo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.places {
+            [(matrix, row, column), ..] => write!(f, "{matrix}[{row}][{column}]"),
+            [] => Ok(()),
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::{Coefficients, Domain, ModelInfo, Scalar};
+use crate::{Coefficients, Domain, Evaluator, ModelInfo, Number, Scalar};
 
 /// A model with N coordinates: its parameters are the fields of the type.
 ///
@@ -10,6 +10,12 @@ use crate::{Coefficients, Domain, ModelInfo, Scalar};
 pub trait Model<const N: usize>: Copy {
     /// The number type of the parameters and of the matrices.
     type Scalar: Scalar;
+
+    /// An array with an element for each parameter.
+    type Array<U: Copy>: Copy + AsRef<[U]> + AsMut<[U]>;
+
+    /// The same model over another kind of number.
+    type Over<T: Number>: Evaluator<T, N>;
 
     /// Names, units, documentation and domains.
     const INFO: &'static ModelInfo;
@@ -25,6 +31,12 @@ pub trait Model<const N: usize>: Copy {
     /// # Errors
     /// If the slice has another length than there are parameters.
     fn write_to(&self, values: &mut [Self::Scalar]) -> Result<(), LengthError>;
+
+    /// An array whose elements follow from the positions of the parameters in declared order.
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U>;
+
+    /// The parameters in declared order.
+    fn parameters(&self) -> Self::Array<Self::Scalar>;
 
     /// Whether every parameter lies in its domain and every requirement of the declaration holds.
     ///

@@ -1,48 +1,23 @@
-//! The number types that models are evaluated in.
+//! The number types of parameters and results.
 
-use core::fmt::{Debug, Display};
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::fmt::Display;
 
-/// A floating-point number that a model can be evaluated in: `f32` or `f64`.
+use crate::Number;
+use crate::trigonometry::{sin_cos, sin_cos_single};
+
+/// A floating-point number: `f32` or `f64`.
 ///
-/// Sine, cosine, tangent and square root come from the platform with feature `std`, and from `libm` without it.
-pub trait Scalar:
-    Copy
-    + Debug
-    + Display
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + nalgebra::Scalar
-    + sealed::Sealed
-{
+/// Sine and cosine are the same to the last bit on every platform, but for angles beyond 1e5 rad. Those, the tangent and
+/// the square root come from the platform with feature `std`, and from `libm` without it.
+pub trait Scalar: Number + Display + PartialOrd + nalgebra::Scalar {
     /// The number nearest to `value`.
     fn from_f64(value: f64) -> Self;
     /// This number, exactly.
     fn to_f64(self) -> f64;
-    /// Sine and cosine of an angle in radians.
-    fn sin_cos(self) -> (Self, Self);
-    /// Sine of an angle in radians.
-    fn sin(self) -> Self;
-    /// Cosine of an angle in radians.
-    fn cos(self) -> Self;
-    /// Tangent of an angle in radians.
-    fn tan(self) -> Self;
-    /// The non-negative square root.
-    fn sqrt(self) -> Self;
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
 }
 
 macro_rules! scalar {
-    ($t:ident, $sin_cos:path, $sin:path, $cos:path, $tan:path, $sqrt:path) => {
+    ($t:ident, $sin_cos:path, $tan:path, $sqrt:path) => {
         impl Scalar for $t {
             #[inline]
             fn from_f64(value: f64) -> Self {
@@ -52,23 +27,30 @@ macro_rules! scalar {
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
-            #[inline]
+        }
+
+        impl Number for $t {
+            #[inline(always)]
+            fn like(self, value: f64) -> Self {
+                value as $t
+            }
+            #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 $sin_cos(self)
             }
-            #[inline]
+            #[inline(always)]
             fn sin(self) -> Self {
-                $sin(self)
+                $sin_cos(self).0
             }
-            #[inline]
+            #[inline(always)]
             fn cos(self) -> Self {
-                $cos(self)
+                $sin_cos(self).1
             }
-            #[inline]
+            #[inline(always)]
             fn tan(self) -> Self {
                 $tan(self)
             }
-            #[inline]
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 $sqrt(self)
             }
@@ -77,10 +59,10 @@ macro_rules! scalar {
 }
 
 #[cfg(feature = "std")]
-scalar!(f32, f32::sin_cos, f32::sin, f32::cos, f32::tan, f32::sqrt);
+scalar!(f32, sin_cos_single, f32::tan, f32::sqrt);
 #[cfg(feature = "std")]
-scalar!(f64, f64::sin_cos, f64::sin, f64::cos, f64::tan, f64::sqrt);
+scalar!(f64, sin_cos, f64::tan, f64::sqrt);
 #[cfg(not(feature = "std"))]
-scalar!(f32, libm::sincosf, libm::sinf, libm::cosf, libm::tanf, libm::sqrtf);
+scalar!(f32, sin_cos_single, libm::tanf, libm::sqrtf);
 #[cfg(not(feature = "std"))]
-scalar!(f64, libm::sincos, libm::sin, libm::cos, libm::tan, libm::sqrt);
+scalar!(f64, sin_cos, libm::tan, libm::sqrt);

@@ -1,6 +1,6 @@
 // @generated from generated/models/skateboard.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 1287935754ece2c2
+// Hash of the source: 0f4f8539b65fdea9
 
 /// A skateboard with a rider who stands still on it: one degree of freedom, the tilt of the board.
 ///
@@ -107,7 +107,7 @@ impl Skateboard<::core::primitive::f64> {
     };
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Skateboard<T> {
+impl<T: ::carvallo::Number> Skateboard<T> {
     /// The parameters from an array in declared order.
     #[must_use]
     pub const fn from_array(values: [T; 15]) -> Self {
@@ -150,6 +150,9 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
             self.g,
         ]
     }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> Skateboard<T> {
     /// The same parameters in another number type, each rounded to the nearest.
     #[must_use]
     pub fn cast<U: ::carvallo::Scalar>(&self) -> Skateboard<U> {
@@ -195,22 +198,22 @@ pub struct SkateboardMatrices<T = ::core::primitive::f64> {
     pub k2: [[T; 1]; 1],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Skateboard<T> {
+impl<T: ::carvallo::Number> Skateboard<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 9 additions, 18 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 35 operations.
     ///
     /// The parameters are not validated.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> SkateboardMatrices<T> {
         let P_gamma_lateral = self.m * self.h;
         let t10 = (self.Ixx + (self.r * (P_gamma_lateral - P_gamma_lateral)))
             + (self.m * (self.h * self.h));
-        let (lateral_per_v_deltaR, t12) = ::carvallo::Scalar::sin_cos(self.lamR);
-        let t13 = <T as ::carvallo::Scalar>::from_f64(1.0) / t12;
-        let (t27, t25) = ::carvallo::Scalar::sin_cos(self.lamF);
-        let t26 = <T as ::carvallo::Scalar>::from_f64(1.0) / t25;
-        let t29 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
+        let (lateral_per_v_deltaR, t12) = ::carvallo::Number::sin_cos(self.lamR);
+        let t13 = ::carvallo::Number::like(self.L, 1.0) / t12;
+        let (t27, t25) = ::carvallo::Number::sin_cos(self.lamF);
+        let t26 = ::carvallo::Number::like(self.L, 1.0) / t25;
+        let t29 = ::carvallo::Number::like(self.L, 1.0) / self.L;
         let t34 = (t26 * (t27 * t29)) + (t13 * (lateral_per_v_deltaR * t29));
         let t36 = ((self.Ixz + ((self.m * self.x) * ((self.r + self.h) - self.r))) * t34)
             - ((t13 * lateral_per_v_deltaR) * P_gamma_lateral);
@@ -263,16 +266,16 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> SkateboardKinematics<T> {
-        let (lateral_per_v_deltaR, t4) = ::carvallo::Scalar::sin_cos(self.lamR);
-        let t5 = <T as ::carvallo::Scalar>::from_f64(1.0) / t4;
+        let (lateral_per_v_deltaR, t4) = ::carvallo::Number::sin_cos(self.lamR);
+        let t5 = ::carvallo::Number::like(self.L, 1.0) / t4;
         let t7 = t5 * lateral_per_v_deltaR;
-        let pitch_by_vertical = <T as ::carvallo::Scalar>::from_f64(1.0) / self.L;
-        let (t11, t13) = ::carvallo::Scalar::sin_cos(self.lamF);
-        let t14 = <T as ::carvallo::Scalar>::from_f64(1.0) / t13;
+        let pitch_by_vertical = ::carvallo::Number::like(self.L, 1.0) / self.L;
+        let (t11, t13) = ::carvallo::Number::sin_cos(self.lamF);
+        let t14 = ::carvallo::Number::like(self.L, 1.0) / t13;
         let t15 = (pitch_by_vertical * t11) * t14;
         let t16 = pitch_by_vertical * lateral_per_v_deltaR;
         let t18 = t15 + (t5 * t16);
-        let t19 = <T as ::carvallo::Scalar>::from_f64(1.0) / self.r;
+        let t19 = ::carvallo::Number::like(self.L, 1.0) / self.r;
         let t22 = self.b * t19;
         let t23 = (t11 * t14) * t22;
         let spin_FL_per_v_deltaR = t16 * t22;
@@ -288,60 +291,62 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
         let t36 = -spin_RL_by_gamma;
         SkateboardKinematics {
             lateral: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.L, 0.0),
                 rates: [t29],
                 coordinates: [t30],
-                heading: <T as ::carvallo::Scalar>::from_f64(1.0),
+                heading: ::carvallo::Number::like(self.L, 1.0),
             },
             yaw: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
-                rates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
+                speed: ::carvallo::Number::like(self.L, 0.0),
+                rates: [::carvallo::Number::like(self.L, 0.0)],
                 coordinates: [t18],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             deltaF: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.L, 0.0),
                 rates: [t31],
-                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                coordinates: [::carvallo::Number::like(self.L, 0.0)],
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             deltaR: ::carvallo::Rate {
-                speed: <T as ::carvallo::Scalar>::from_f64(0.0),
+                speed: ::carvallo::Number::like(self.L, 0.0),
                 rates: [t32],
-                coordinates: [<T as ::carvallo::Scalar>::from_f64(0.0)],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                coordinates: [::carvallo::Number::like(self.L, 0.0)],
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_FL: ::carvallo::Rate {
                 speed: t33,
                 rates: [t34],
                 coordinates: [t35],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_FR: ::carvallo::Rate {
                 speed: t33,
                 rates: [t23],
                 coordinates: [t27],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_RL: ::carvallo::Rate {
                 speed: t33,
                 rates: [spin_RL_by_gamma],
                 coordinates: [t35],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_RR: ::carvallo::Rate {
                 speed: t33,
                 rates: [t36],
                 coordinates: [t27],
-                heading: <T as ::carvallo::Scalar>::from_f64(0.0),
+                heading: ::carvallo::Number::like(self.L, 0.0),
             },
-            forces: [[<T as ::carvallo::Scalar>::from_f64(1.0)]],
+            forces: [[::carvallo::Number::like(self.L, 1.0)]],
         }
     }
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
     type Scalar = T;
+    type Array<U: ::core::marker::Copy> = [U; 15];
+    type Over<U: ::carvallo::Number> = Skateboard<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Skateboard",
         docs: "A skateboard with a rider who stands still on it: one degree of freedom, the tilt of the board.\n\nEach truck turns about its king pin, which passes through the middle of its axle, with a wheel at either end. All\nfour wheels stay on the ground and do not slip, so that tilting steers both axles. Trucks and wheels have no mass;\nboard and rider are one rigid body. Axes: origin on the ground below the rear axle, x forward, y to the right, z\ndown.",
@@ -537,6 +542,23 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
             },
         ],
         matrices: &["M", "C1", "Kc", "K0", "K2"],
+        entries: &[
+            ::carvallo::EntryInfo {
+                places: &[("M", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("C1", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("Kc", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K0", 0, 0)],
+            },
+            ::carvallo::EntryInfo {
+                places: &[("K2", 0, 0)],
+            },
+        ],
         sets: &[
             ::carvallo::SetInfo {
                 name: "example",
@@ -605,6 +627,16 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
         values.copy_from_slice(&self.to_array());
         ::core::result::Result::Ok(())
     }
+    #[inline(always)]
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
+        self.to_array()
+    }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
         let info = <Self as ::carvallo::Model<1>>::INFO;
         info.validate(
@@ -642,5 +674,248 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
     }
     fn gravity(&self) -> ::core::option::Option<T> {
         ::core::option::Option::Some(self.g)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Skateboard<T> {
+    type Entries = [T; 5];
+    #[inline(always)]
+    fn from_parameters(
+        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
+    ) -> Self {
+        Self {
+            L: parameter(0),
+            b: parameter(1),
+            r: parameter(2),
+            lamF: parameter(3),
+            lamR: parameter(4),
+            kF: parameter(5),
+            kR: parameter(6),
+            m: parameter(7),
+            x: parameter(8),
+            h: parameter(9),
+            Ixx: parameter(10),
+            Iyy: parameter(11),
+            Izz: parameter(12),
+            Ixz: parameter(13),
+            g: parameter(14),
+        }
+    }
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0],
+            matrices.c1[0][0],
+            matrices.kc[0][0],
+            matrices.k0[0][0],
+            matrices.k2[0][0],
+        ]
+    }
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 1]; 1]; 6] {
+        let matrices = self.matrices();
+        [
+            matrices.m,
+            [[::carvallo::Number::like(self.L, 0.0); 1]; 1],
+            matrices.c1,
+            matrices.kc,
+            matrices.k0,
+            matrices.k2,
+        ]
+    }
+}
+/// The derivatives of the matrices of [`Skateboard`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SkateboardDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 21],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl SkateboardDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 21] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 13),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> SkateboardDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<SkateboardMatrices<T>> {
+        if parameter >= 15 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = SkateboardMatrices {
+            m: [[zero; 1]; 1],
+            c1: [[zero; 1]; 1],
+            kc: [[zero; 1]; 1],
+            k0: [[zero; 1]; 1],
+            k2: [[zero; 1]; 1],
+        };
+        for position in 0..21 {
+            let partial = <SkateboardDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C1 => &mut matrices.c1,
+                ::carvallo::MatrixName::Kc => &mut matrices.kc,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                ::carvallo::MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> Skateboard<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 10 additions, 44 multiplications, 3 divisions, 5 negations and 4 trigonometric functions: 66 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (SkateboardMatrices<T>, SkateboardDerivatives<T>) {
+        let t3 = self.h * self.h;
+        let t5 = self.Ixx + (self.m * t3);
+        let (lateral_per_v_deltaR, lateral_per_v_deltaR_lamR) = ::carvallo::Number::sin_cos(
+            self.lamR,
+        );
+        let t8 = ::carvallo::Number::like(self.L, 1.0) / lateral_per_v_deltaR_lamR;
+        let t10 = t8 * lateral_per_v_deltaR;
+        let P_gamma_lateral = self.m * self.h;
+        let t15 = ::carvallo::Number::like(self.L, 1.0) / self.L;
+        let (t19, t17) = ::carvallo::Number::sin_cos(self.lamF);
+        let t18 = ::carvallo::Number::like(self.L, 1.0) / t17;
+        let t21 = t10 + (t18 * t19);
+        let t22 = t15 * t21;
+        let t26 = self.Ixz + (self.x * P_gamma_lateral);
+        let t28 = (t22 * t26) - (t10 * P_gamma_lateral);
+        let t30 = t18 * t18;
+        let t33 = t8 * t8;
+        let t35 = (self.kF * t30) + (self.kR * t33);
+        let t36 = P_gamma_lateral * t22;
+        let t38 = t21 * (t15 * t15);
+        let t42 = t19 * t30;
+        let t45 = t15 * ((t18 * t17) + (t42 * t19));
+        let t46 = t45 * t26;
+        let t50 = ((self.kF * t18) * t42) * ::carvallo::Number::like(self.L, 2.0);
+        let t51 = P_gamma_lateral * t45;
+        let t52 = t8 * lateral_per_v_deltaR_lamR;
+        let t54 = lateral_per_v_deltaR * t33;
+        let t55 = lateral_per_v_deltaR * t54;
+        let t59 = t15 * (t52 + t55);
+        let t61 = (t59 * t26) - ((t52 * P_gamma_lateral) + (t55 * P_gamma_lateral));
+        let t64 = ((self.kR * t8) * t54) * ::carvallo::Number::like(self.L, 2.0);
+        let t65 = P_gamma_lateral * t59;
+        let t67 = (self.x * t22) - t10;
+        let t68 = self.h * t67;
+        let t69 = self.h * t22;
+        let t70 = ::carvallo::Number::like(self.L, 2.0) * P_gamma_lateral;
+        let t71 = self.m * t67;
+        let t72 = self.m * t22;
+        let t73 = -P_gamma_lateral;
+        let t74 = -(t38 * t26);
+        let t75 = -(P_gamma_lateral * t38);
+        let t76 = -self.h;
+        let t77 = -self.m;
+        (
+            SkateboardMatrices {
+                m: [[t5]],
+                c1: [[t28]],
+                kc: [[t35]],
+                k0: [[t73]],
+                k2: [[t36]],
+            },
+            SkateboardDerivatives {
+                values: [
+                    t74,
+                    t75,
+                    t46,
+                    t50,
+                    t51,
+                    t61,
+                    t64,
+                    t65,
+                    t30,
+                    t33,
+                    t3,
+                    t68,
+                    t76,
+                    t69,
+                    t36,
+                    t70,
+                    t71,
+                    t77,
+                    t72,
+                    ::carvallo::Number::like(self.L, 1.0),
+                    t22,
+                ],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<1> for Skateboard<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 1>; 15];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 1>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1]; 6],
+        ); 15];
+        for position in 0..21 {
+            <SkateboardDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+                matrices.c1,
+                matrices.kc,
+                matrices.k0,
+                matrices.k2,
+            ]),
+            all,
+        )
     }
 }

@@ -3,7 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::DoubleDouble;
-use crate::Scalar;
+use crate::Number;
 
 /// A real number: `f64` or [`DoubleDouble`].
 pub(crate) trait Real:
@@ -28,7 +28,7 @@ impl Real for f64 {
     }
     #[inline]
     fn sqrt(self) -> Self {
-        Scalar::sqrt(self.max(0.0))
+        Number::sqrt(self.max(0.0))
     }
 }
 
@@ -38,7 +38,7 @@ impl Real for DoubleDouble {
     }
 
     fn sqrt(self) -> Self {
-        let root = Scalar::sqrt(self.to_f64().max(0.0));
+        let root = Number::sqrt(self.to_f64().max(0.0));
         if root == 0.0 {
             return Self::ZERO;
         }

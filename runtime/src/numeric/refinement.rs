@@ -2,7 +2,7 @@
 
 use super::isolation::Bracket;
 use super::rounded::Rounded;
-use crate::Scalar;
+use crate::Number;
 
 impl<const N: usize> Rounded<N> {
     /// The root in an interval, to a relative error of about the cube of `close`, by Halley's iteration.
@@ -39,7 +39,7 @@ impl<const N: usize> Rounded<N> {
     fn quadratic_root(&self, bracket: &Bracket) -> f64 {
         let [c, b, a] = [0, 1, 2].map(|i| self.value[i]);
         // The numerator without cancellation.
-        let q = -0.5 * (b + Scalar::sqrt((b * b - 4.0 * a * c).max(0.0)).copysign(b));
+        let q = -0.5 * (b + Number::sqrt((b * b - 4.0 * a * c).max(0.0)).copysign(b));
         let is_in = |x: &f64| *x > bracket.low && *x < bracket.high;
         [q / a, c / q].into_iter().find(is_in).unwrap_or(bracket.guess)
     }

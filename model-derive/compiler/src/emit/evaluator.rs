@@ -16,7 +16,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
     let visibility = &model.visibility;
     let n = model.coordinates.len();
     let allow = allow();
-    let fields: Vec<Ident> = model.matrices.iter().map(|(matrix, _)| field(*matrix, model)).collect();
+    let fields = fields(model);
     let field_docs = model.matrices.iter().map(|(matrix, _)| {
         let proved = if model.symmetric.contains(matrix) { " Symmetric, proved." } else { "" };
         docs(&format!("{}{proved}", matrix.docs()))
@@ -46,9 +46,10 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
         }
 
         #allow
-        impl<#scalar: #runtime::Scalar> #name<#scalar> {
+        impl<#scalar: #runtime::Number> #name<#scalar> {
             #function_docs
-            #[inline]
+            // Lanes are fast only inside the function that was compiled for them.
+            #[inline(always)]
             #[must_use]
             pub fn matrices(&self) -> #matrices<#scalar> {
                 #body
@@ -77,6 +78,11 @@ fn needs(model: &Model) -> String {
     )
 }
 
+/// The fields of the struct of the matrices.
+pub fn fields(model: &Model) -> Vec<Ident> {
+    model.matrices.iter().map(|(matrix, _)| field(*matrix, model)).collect()
+}
+
 /// The field of a matrix, at the span of its declaration.
 fn field(matrix: MatrixName, model: &Model) -> Ident {
     let declared = model.references.matrices.iter().find(|(name, _)| *name == matrix);
@@ -84,22 +90,40 @@ fn field(matrix: MatrixName, model: &Model) -> Ident {
 }
 
 fn matrices_body(model: &Model, names: &Names, program: &Program, fields: &[Ident]) -> TokenStream {
-    let matrices = &names.matrices;
-    let n = model.coordinates.len();
     let body = Body::new(program, model, names);
     let statements = body.statements();
+    let matrices = literal(&body, &program.outputs, fields, model, names);
+    quote! { #statements #matrices }
+}
+
+/// The struct of the matrices, whose entries are the first of the outputs.
+pub fn literal(body: &Body, outputs: &[Value], fields: &[Ident], model: &Model, names: &Names) -> TokenStream {
+    let matrices = &names.matrices;
+    let n = model.coordinates.len();
     let rows = (0..fields.len()).map(|matrix| {
         let rows = (0..n).map(|row| {
             let first = (matrix * n + row) * n;
-            let entries = program.outputs[first..first + n].iter().map(|value| &body.values[*value]);
+            let entries = outputs[first..first + n].iter().map(|value| &body.values[*value]);
             quote! { [#(#entries),*] }
         });
         quote! { [#(#rows),*] }
     });
-    quote! {
-        #statements
-        #matrices { #(#fields: #rows,)* }
+    quote! { #matrices { #(#fields: #rows,)* } }
+}
+
+/// The values of a program that differ and are not always zero, each with the outputs that it is.
+pub fn entries(program: &Program) -> Vec<(Value, Vec<usize>)> {
+    let mut entries: Vec<(Value, Vec<usize>)> = Vec::new();
+    for (place, value) in program.outputs.iter().enumerate() {
+        if program.instructions[*value] == Instruction::Constant(0.0) {
+            continue;
+        }
+        match entries.iter_mut().find(|(known, _)| known == value) {
+            Some((_, places)) => places.push(place),
+            None => entries.push((*value, vec![place])),
+        }
     }
+    entries
 }
 
 /// A program as statements, and each value as an expression.
@@ -143,7 +167,7 @@ impl Body {
                 if value == sine.min(cosine) {
                     let (s, c) = (variable(sine), variable(cosine));
                     let angle = &body.values[*angle];
-                    body.bindings.push((vec![s, c], quote!(#runtime::Scalar::sin_cos(#angle))));
+                    body.bindings.push((vec![s, c], quote!(#runtime::Number::sin_cos(#angle))));
                 }
                 body.push(quote!(#name), 0);
                 continue;
@@ -197,7 +221,7 @@ impl Body {
     }
 
     fn expression(&self, instruction: Instruction, model: &Model, names: &Names) -> TokenStream {
-        let Names { runtime, scalar, .. } = names;
+        let Names { runtime, .. } = names;
         let at = |value| self.operand(value);
         let binary = |a, sign: TokenStream, b| {
             let (a, b) = (at(a), at(b));
@@ -205,17 +229,14 @@ impl Body {
         };
         let call = |function: TokenStream, argument: Value| {
             let argument = &self.values[argument];
-            quote!(#runtime::Scalar::#function(#argument))
+            quote!(#runtime::Number::#function(#argument))
         };
         match instruction {
             Instruction::Parameter(index) => {
                 let name = &model.parameters[index].name;
                 quote!(self.#name)
             }
-            Instruction::Constant(value) => {
-                let value = number(value);
-                quote!(<#scalar as #runtime::Scalar>::from_f64(#value))
-            }
+            Instruction::Constant(value) => constant(value, model, names),
             Instruction::Add(a, b) => binary(a, quote!(+), b),
             Instruction::Sub(a, b) => binary(a, quote!(-), b),
             Instruction::Mul(a, b) => binary(a, quote!(*), b),
@@ -226,8 +247,8 @@ impl Body {
                 quote!(-#a)
             }
             Instruction::Reciprocal(a) => {
-                let a = at(a);
-                quote!(<#scalar as #runtime::Scalar>::from_f64(1.0) / #a)
+                let (one, a) = (constant(1.0, model, names), at(a));
+                quote!(#one / #a)
             }
             Instruction::Sqrt(a) => call(quote!(sqrt), a),
             Instruction::Sin(a) => call(quote!(sin), a),
@@ -236,6 +257,15 @@ impl Body {
             Instruction::Power(..) => unreachable!("the pass `powers` leaves none"),
         }
     }
+}
+
+/// A number, in as many lanes as the parameters have.
+pub fn constant(value: f64, model: &Model, names: &Names) -> TokenStream {
+    let runtime = &names.runtime;
+    let value = number(value);
+    let some = model.parameters.iter().find(|parameter| parameter.used).or(model.parameters.first());
+    let some = some.map(|parameter| &parameter.name);
+    quote!(#runtime::Number::like(self.#some, #value))
 }
 
 /// For each angle of which sine and cosine are both wanted, the values that they are: they come from one call.

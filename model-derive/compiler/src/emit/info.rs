@@ -3,11 +3,13 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::evaluator::entries;
 use super::names::Names;
 use super::number;
 use crate::model::{Bound, Domain, Model};
+use crate::program::Program;
 
-pub fn emit(model: &Model, names: &Names) -> TokenStream {
+pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenStream {
     let runtime = &names.runtime;
     let Model { docs, source, .. } = model;
     let name = model.name.to_string();
@@ -31,7 +33,16 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
         let values = set.values.iter().map(|value| number(*value));
         quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: &[#(#values),*] } }
     });
-    let matrices = model.matrices.iter().map(|(matrix, _)| matrix.name());
+    let names_of_matrices = model.matrices.iter().map(|(matrix, _)| matrix.name());
+    let n = model.coordinates.len();
+    let entries = matrices.map(entries).unwrap_or_default().into_iter().map(|(_, places)| {
+        let places = places.into_iter().map(|place| {
+            let matrix = model.matrices[place / (n * n)].0.name();
+            let [row, column] = [place / n % n, place % n].map(Literal::usize_unsuffixed);
+            quote!((#matrix, #row, #column))
+        });
+        quote! { #runtime::EntryInfo { places: &[#(#places),*] } }
+    });
     let gravity = match model.gravity {
         Some(index) => {
             let index = Literal::usize_unsuffixed(index);
@@ -46,7 +57,8 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
             source: #source,
             parameters: &[#(#parameters),*],
             coordinates: &[#(#coordinates),*],
-            matrices: &[#(#matrices),*],
+            matrices: &[#(#names_of_matrices),*],
+            entries: &[#(#entries),*],
             sets: &[#(#sets),*],
             gravity: #gravity,
         }

@@ -1,8 +1,10 @@
 //! A checked model and its programs to Rust.
 
+mod derivatives;
 mod evaluator;
 mod info;
 mod kinematics;
+mod lanes;
 mod names;
 mod outline;
 mod references;
@@ -43,16 +45,21 @@ pub fn outline(model: Model, driver: &Driver) -> TokenStream {
 }
 
 fn emit_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> TokenStream {
-    let names = Names::new(model, driver);
+    let derivatives = programs.and_then(|programs| programs.derivatives.as_ref());
+    let names = Names::new(model, derivatives, driver);
     let structure = structure::emit(model, &names);
     // Without coordinates, which is a mistake, there is no size of the matrices.
     let sized = !model.coordinates.is_empty();
-    let evaluator = sized.then(|| evaluator::emit(model, &names, programs.map(|programs| &programs.matrices)));
+    let matrices = programs.map(|programs| &programs.matrices);
+    let evaluator = sized.then(|| evaluator::emit(model, &names, matrices));
     let kinematics = programs.and_then(|programs| programs.kinematics.as_ref());
     let kinematics = if sized { kinematics::emit(model, &names, kinematics) } else { None };
-    let trait_impl = sized.then(|| trait_impl::emit(model, &names, programs.map(|programs| &programs.requirements)));
+    let requirements = programs.map(|programs| &programs.requirements);
+    let trait_impl = sized.then(|| trait_impl::emit(model, &names, matrices, requirements));
+    let lanes = sized.then(|| lanes::emit(model, &names, matrices));
+    let derivatives = if sized { derivatives::emit(model, &names, derivatives) } else { None };
     let references = names.among_items.then(|| references::emit(model, &names));
-    quote! { #structure #evaluator #kinematics #trait_impl #references }
+    quote! { #structure #evaluator #kinematics #trait_impl #lanes #derivatives #references }
 }
 
 /// What generated items are allowed: names as in the formulas, and parts that a crate does not use.

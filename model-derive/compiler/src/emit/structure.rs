@@ -30,7 +30,7 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
         #sets
 
         #allow
-        impl<#scalar: #runtime::Scalar> #name<#scalar> {
+        impl<#scalar: #runtime::Number> #name<#scalar> {
             /// The parameters from an array in declared order.
             #[must_use]
             pub const fn from_array(#values: [#scalar; #count]) -> Self {
@@ -42,7 +42,10 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
             pub const fn to_array(&self) -> [#scalar; #count] {
                 [#(self.#fields,)*]
             }
+        }
 
+        #allow
+        impl<#scalar: #runtime::Scalar> #name<#scalar> {
             /// The same parameters in another number type, each rounded to the nearest.
             #[must_use]
             pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> {

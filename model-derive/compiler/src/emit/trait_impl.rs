@@ -10,15 +10,15 @@ use crate::model::Model;
 use crate::program::Program;
 use crate::syntax::MatrixName;
 
-pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> TokenStream {
-    let Names { runtime, model: name, scalar, .. } = names;
+pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requirements: Option<&Program>) -> TokenStream {
+    let Names { runtime, model: name, scalar, other, .. } = names;
     let allow = allow();
     let n = Literal::usize_unsuffixed(model.coordinates.len());
     let count = Literal::usize_unsuffixed(model.parameters.len());
     let text = model.name.to_string();
     let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
     let positions: Vec<_> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
-    let description = info::emit(model, names);
+    let description = info::emit(model, names, matrices);
     let [values, info, matrices] = ["values", "info", "matrices"].map(|name| names.variable(name));
     let length = names.length(&values);
     let length_check = quote! {
@@ -37,18 +37,15 @@ pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> Tok
     };
     let requirements = requirements.map(|program| validate_requirements(model, names, &info, program));
     let zero = quote!([[<#scalar as #runtime::Scalar>::from_f64(0.0); #n]; #n]);
-    let rows = MatrixName::ALL.map(|matrix| {
-        let field = format_ident!("{}", matrix.field());
-        if model.matrices.iter().any(|(declared, _)| *declared == matrix) {
-            quote!(#matrices.#field)
-        } else {
-            zero.clone()
-        }
-    });
+    let rows = all_matrices(model, &matrices, &zero);
     quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #runtime::Model<#n> for #name<#scalar> {
             type Scalar = #scalar;
+
+            type Array<#other: ::core::marker::Copy> = [#other; #count];
+
+            type Over<#other: #runtime::Number> = #name<#other>;
 
             const INFO: &'static #runtime::ModelInfo = #description;
 
@@ -61,6 +58,18 @@ pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> Tok
                 #length_check
                 #values.copy_from_slice(&self.to_array());
                 ::core::result::Result::Ok(())
+            }
+
+            #[inline(always)]
+            fn array<#other: ::core::marker::Copy>(
+                element: impl ::core::ops::FnMut(::core::primitive::usize) -> #other,
+            ) -> Self::Array<#other> {
+                ::core::array::from_fn(element)
+            }
+
+            #[inline(always)]
+            fn parameters(&self) -> Self::Array<#scalar> {
+                self.to_array()
             }
 
             fn validate(&self) -> ::core::result::Result<(), #runtime::ParameterError> {
@@ -81,6 +90,15 @@ pub fn emit(model: &Model, names: &Names, requirements: Option<&Program>) -> Tok
             }
         }
     }
+}
+
+/// The rows of each of the six matrices, from the struct of the declared ones.
+pub fn all_matrices(model: &Model, matrices: &Ident, zero: &TokenStream) -> [TokenStream; 6] {
+    MatrixName::ALL.map(|matrix| {
+        let field = format_ident!("{}", matrix.field());
+        let declared = model.matrices.iter().any(|(declared, _)| *declared == matrix);
+        if declared { quote!(#matrices.#field) } else { zero.clone() }
+    })
 }
 
 fn validate_requirements(model: &Model, names: &Names, info: &Ident, program: &Program) -> TokenStream {

@@ -1,7 +1,7 @@
 //! Roots of polynomials along speed in about twice the precision of `f64`.
 
 use super::characteristic::Variable;
-use crate::Scalar;
+use crate::Number;
 use crate::numeric::fixed::at;
 use crate::numeric::isolation::Bracket;
 use crate::numeric::rounded::Rounded;
@@ -54,7 +54,7 @@ impl Root {
     /// The square root in the same form, without its error.
     #[inline]
     pub(super) fn sqrt(x: f64, rest: f64) -> (f64, f64) {
-        let root = Scalar::sqrt(x);
+        let root = Number::sqrt(x);
         let left = DoubleDouble::from(x) - DoubleDouble::product(root, root);
         normal(root, (left.to_f64() + rest) / (2.0 * root))
     }

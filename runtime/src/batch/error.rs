@@ -1,0 +1,48 @@
+//! Columns that do not fit together.
+
+use core::fmt;
+
+/// Columns or slices that do not fit a model or each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BatchError {
+    /// There are not as many columns as the model has parameters or entries.
+    Columns {
+        /// The name of the model.
+        model: &'static str,
+        /// `parameters` or `entries`.
+        what: &'static str,
+        /// How many the model has.
+        expected: usize,
+        /// How many were given.
+        found: usize,
+    },
+    /// A column or slice is not as long as the first one.
+    Length {
+        /// What it is: `parameter`, `entry`, `column` or `result`.
+        what: &'static str,
+        /// Its position among the columns.
+        position: usize,
+        /// The length of the first column.
+        expected: usize,
+        /// Its own length.
+        found: usize,
+    },
+}
+
+impl fmt::Display for BatchError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Columns { model, what, expected, found } => {
+                write!(f, "{model}: {found} columns of {what} given; it has {expected} {what}")
+            }
+            Self::Length { what, position, expected, found } => {
+                write!(
+                    f,
+                    "{what} {position} is given for {found} designs: expected {expected}, as many as there are of the first"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for BatchError {}
