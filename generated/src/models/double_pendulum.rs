@@ -127,25 +127,24 @@ pub struct DoublePendulumMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> DoublePendulum<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 8 additions, 11 multiplications and 2 negations: 21 operations.
+    /// 8 additions, 7 multiplications and 2 negations: 17 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> DoublePendulumMatrices<T> {
-        let Jxx_theta2 = self.I2 + (self.m2 * (self.a2 * self.a2));
-        let t11 = self.a2 * self.m2;
-        let t12 = self.l1 * self.m2;
-        let Jxx_theta1 = ((self.I1 + Jxx_theta2)
-            + ((self.l1 * ::carvallo::Number::like(self.l1, 2.0))
-                * (t11 + (t12 * ::carvallo::Number::like(self.l1, 0.5)))))
-            + (self.m1 * (self.a1 * self.a1));
-        let M_theta1_theta2 = Jxx_theta2 + (self.l1 * t11);
-        let t28 = -((t11 + t12) + (self.a1 * self.m1));
-        let t29 = -t11;
+        let t4 = self.a2 * self.m2;
+        let Jxx_theta2 = self.I2 + (self.a2 * t4);
+        let t9 = t4 + (self.m2 * self.l1);
+        let t14 = self.a1 * self.m1;
+        let Jxx_theta1 = ((self.I1 + Jxx_theta2) + (self.l1 * (t4 + t9)))
+            + (self.a1 * t14);
+        let M_theta1_theta2 = Jxx_theta2 + (t4 * self.l1);
+        let t22 = -(t9 + t14);
+        let t23 = -t4;
         DoublePendulumMatrices {
             m: [[Jxx_theta1, M_theta1_theta2], [M_theta1_theta2, Jxx_theta2]],
-            k0: [[t28, t29], [t29, t29]],
+            k0: [[t22, t23], [t23, t23]],
         }
     }
 }
@@ -543,7 +542,7 @@ impl<T: ::carvallo::Scalar> DoublePendulumDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> DoublePendulum<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 15 additions, 17 multiplications and 7 negations: 39 operations.
+    /// 11 additions, 11 multiplications and 7 negations: 29 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -551,63 +550,60 @@ impl<T: ::carvallo::Number> DoublePendulum<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (DoublePendulumMatrices<T>, DoublePendulumDerivatives<T>) {
-        let Jxx_theta2_m2 = self.a2 * self.a2;
-        let Jxx_theta2 = self.I2 + (self.m2 * Jxx_theta2_m2);
-        let t11 = self.a2 * self.m2;
-        let t13 = self.l1 * self.m2;
-        let t16 = ::carvallo::Number::like(self.l1, 2.0)
-            * (t11 + (::carvallo::Number::like(self.l1, 0.5) * t13));
-        let t21 = self.a1 * self.a1;
-        let Jxx_theta1 = ((self.I1 + Jxx_theta2) + (self.l1 * t16)) + (self.m1 * t21);
-        let M_theta1_theta2 = Jxx_theta2 + (t11 * self.l1);
-        let t27 = self.a1 * self.m1;
-        let t29 = t13 + t16;
-        let t30 = t27 * ::carvallo::Number::like(self.l1, 2.0);
-        let t31 = self.a2 * ::carvallo::Number::like(self.l1, 2.0);
-        let Jxx_theta2_a2 = self.m2 * t31;
-        let t34 = Jxx_theta2_a2 + (::carvallo::Number::like(self.l1, 2.0) * t13);
-        let t35 = Jxx_theta2_a2 + t13;
-        let t38 = Jxx_theta2_m2 + (self.l1 * (self.l1 + t31));
-        let t40 = Jxx_theta2_m2 + (self.l1 * self.a2);
-        let t42 = -((t11 + t13) + t27);
-        let t43 = -t11;
-        let t44 = -self.m2;
-        let t45 = -self.m1;
-        let t46 = -self.a1;
-        let t47 = -(self.l1 + self.a2);
-        let t48 = -self.a2;
+        let t4 = self.a2 * self.m2;
+        let Jxx_theta2 = self.I2 + (self.a2 * t4);
+        let t8 = self.a2 + self.l1;
+        let t9 = self.m2 * t8;
+        let t10 = t4 + t9;
+        let t14 = self.a1 * self.m1;
+        let Jxx_theta1 = ((self.I1 + Jxx_theta2) + (self.l1 * t10)) + (self.a1 * t14);
+        let M_theta1_theta2 = Jxx_theta2 + (t4 * self.l1);
+        let t22 = t9 + t9;
+        let t23 = t14 + t14;
+        let t24 = self.a1 * self.a1;
+        let t26 = t4 + t4;
+        let t27 = t8 * t8;
+        let t28 = self.a2 * t8;
+        let t29 = self.a2 * self.a2;
+        let t30 = -(t9 + t14);
+        let t31 = -t4;
+        let t32 = -self.m2;
+        let t33 = -self.m1;
+        let t34 = -self.a1;
+        let t35 = -t8;
+        let t36 = -self.a2;
         (
             DoublePendulumMatrices {
                 m: [[Jxx_theta1, M_theta1_theta2], [M_theta1_theta2, Jxx_theta2]],
-                k0: [[t42, t43], [t43, t43]],
+                k0: [[t30, t31], [t31, t31]],
             },
             DoublePendulumDerivatives {
                 values: [
-                    t29,
-                    t11,
-                    t11,
-                    t44,
-                    t30,
-                    t45,
-                    t21,
-                    t46,
-                    ::carvallo::Number::like(self.l1, 1.0),
+                    t22,
+                    t4,
+                    t4,
+                    t32,
+                    t23,
+                    t33,
+                    t24,
                     t34,
+                    ::carvallo::Number::like(self.l1, 1.0),
+                    t22,
+                    t10,
+                    t10,
+                    t26,
+                    t32,
+                    t32,
+                    t32,
+                    t32,
+                    t27,
+                    t28,
+                    t28,
+                    t29,
                     t35,
-                    t35,
-                    Jxx_theta2_a2,
-                    t44,
-                    t44,
-                    t44,
-                    t44,
-                    t38,
-                    t40,
-                    t40,
-                    Jxx_theta2_m2,
-                    t47,
-                    t48,
-                    t48,
-                    t48,
+                    t36,
+                    t36,
+                    t36,
                     ::carvallo::Number::like(self.l1, 1.0),
                     ::carvallo::Number::like(self.l1, 1.0),
                     ::carvallo::Number::like(self.l1, 1.0),

@@ -98,18 +98,18 @@ pub struct PendulumMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Pendulum<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 3 multiplications.
+    /// 2 multiplications.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> PendulumMatrices<T> {
-        let t3 = self.m * (self.l * self.l);
-        let t5 = self.m * self.l;
+        let t2 = self.l * self.m;
+        let t3 = self.l * t2;
         PendulumMatrices {
             m: [[t3]],
             c0: [[self.c]],
-            k0: [[t5]],
+            k0: [[t2]],
         }
     }
 }
@@ -363,7 +363,7 @@ impl<T: ::carvallo::Scalar> PendulumDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Pendulum<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 4 multiplications.
+    /// 1 addition and 3 multiplications: 4 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -374,7 +374,7 @@ impl<T: ::carvallo::Number> Pendulum<T> {
         let t2 = self.l * self.l;
         let t3 = self.m * t2;
         let t5 = self.m * self.l;
-        let t7 = ::carvallo::Number::like(self.m, 2.0) * t5;
+        let t6 = t5 + t5;
         (
             PendulumMatrices {
                 m: [[t3]],
@@ -382,7 +382,7 @@ impl<T: ::carvallo::Number> Pendulum<T> {
                 k0: [[t5]],
             },
             PendulumDerivatives {
-                values: [t2, self.l, t7, self.m, ::carvallo::Number::like(self.m, 1.0)],
+                values: [t2, self.l, t6, self.m, ::carvallo::Number::like(self.m, 1.0)],
             },
         )
     }

@@ -118,29 +118,29 @@ pub struct RollingDiscMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RollingDisc<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 2 additions, 3 multiplications, 1 division and 2 negations: 8 operations.
+    /// 2 additions, 2 multiplications, 1 division and 2 negations: 7 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RollingDiscMatrices<T> {
-        let Jxx_all = self.It + (self.m * (self.r * self.r));
+        let t3 = self.r * self.m;
+        let Jxx_all = self.It + (self.r * t3);
         let h_spin_D = self.Ia / self.r;
-        let t9 = self.r * self.m;
-        let t10 = h_spin_D + t9;
-        let t11 = -h_spin_D;
-        let t12 = -t9;
+        let t9 = t3 + h_spin_D;
+        let t10 = -h_spin_D;
+        let t11 = -t3;
         RollingDiscMatrices {
             m: [
                 [Jxx_all, ::carvallo::Number::like(self.r, 0.0)],
                 [::carvallo::Number::like(self.r, 0.0), self.It],
             ],
             c1: [
-                [::carvallo::Number::like(self.r, 0.0), t10],
-                [t11, ::carvallo::Number::like(self.r, 0.0)],
+                [::carvallo::Number::like(self.r, 0.0), t9],
+                [t10, ::carvallo::Number::like(self.r, 0.0)],
             ],
             k0: [
-                [t12, ::carvallo::Number::like(self.r, 0.0)],
+                [t11, ::carvallo::Number::like(self.r, 0.0)],
                 [
                     ::carvallo::Number::like(self.r, 0.0),
                     ::carvallo::Number::like(self.r, 0.0),
@@ -496,7 +496,7 @@ impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RollingDisc<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 3 additions, 7 multiplications, 1 division and 5 negations: 16 operations.
+    /// 4 additions, 5 multiplications, 1 division and 5 negations: 15 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -504,20 +504,20 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (RollingDiscMatrices<T>, RollingDiscDerivatives<T>) {
-        let t3 = self.r * self.r;
-        let Jxx_all = self.It + (self.m * t3);
+        let t3 = self.r * self.m;
+        let Jxx_all = self.It + (self.r * t3);
         let t8 = ::carvallo::Number::like(self.r, 1.0) / self.r;
         let h_spin_D = self.Ia * t8;
-        let t10 = self.r * self.m;
-        let t11 = h_spin_D + t10;
-        let t14 = ::carvallo::Number::like(self.r, 2.0) * t10;
-        let t16 = self.Ia * (t8 * t8);
-        let t17 = self.m - t16;
-        let t18 = -h_spin_D;
-        let t19 = -t10;
-        let t20 = -self.m;
-        let t21 = -self.r;
-        let t22 = -t8;
+        let t10 = t3 + h_spin_D;
+        let t11 = t3 + t3;
+        let t12 = t8 * h_spin_D;
+        let t13 = self.m - t12;
+        let t14 = self.r * self.r;
+        let t16 = -h_spin_D;
+        let t17 = -t3;
+        let t18 = -self.m;
+        let t19 = -self.r;
+        let t20 = -t8;
         (
             RollingDiscMatrices {
                 m: [
@@ -525,11 +525,11 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
                     [::carvallo::Number::like(self.r, 0.0), self.It],
                 ],
                 c1: [
-                    [::carvallo::Number::like(self.r, 0.0), t11],
-                    [t18, ::carvallo::Number::like(self.r, 0.0)],
+                    [::carvallo::Number::like(self.r, 0.0), t10],
+                    [t16, ::carvallo::Number::like(self.r, 0.0)],
                 ],
                 k0: [
-                    [t19, ::carvallo::Number::like(self.r, 0.0)],
+                    [t17, ::carvallo::Number::like(self.r, 0.0)],
                     [
                         ::carvallo::Number::like(self.r, 0.0),
                         ::carvallo::Number::like(self.r, 0.0),
@@ -538,15 +538,15 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
             },
             RollingDiscDerivatives {
                 values: [
+                    t11,
+                    t13,
+                    t12,
+                    t18,
                     t14,
-                    t17,
-                    t16,
-                    t20,
-                    t3,
                     self.r,
-                    t21,
+                    t19,
                     t8,
-                    t22,
+                    t20,
                     ::carvallo::Number::like(self.r, 1.0),
                     ::carvallo::Number::like(self.r, 1.0),
                 ],

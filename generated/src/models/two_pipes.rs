@@ -120,40 +120,39 @@ pub struct TwoPipesMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> TwoPipes<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 1 addition, 14 multiplications and 3 negations: 18 operations.
+    /// 4 additions, 10 multiplications and 3 negations: 17 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> TwoPipesMatrices<T> {
         let t1 = self.l * self.l;
-        let t5 = self.m + self.f;
-        let inertia = (self.l * t1) * t5;
+        let weight = t1 * (self.m + self.f);
+        let inertia = self.l * weight;
         let t8 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
         let t10 = inertia * ::carvallo::Number::like(self.l, 0.5);
         let t12 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t15 = self.c * ::carvallo::Number::like(self.l, 2.0);
-        let t16 = self.f * t1;
-        let t17 = ::carvallo::Number::like(self.l, 2.0) * t16;
-        let t20 = self.k * ::carvallo::Number::like(self.l, 2.0);
-        let weight = t1 * t5;
-        let t23 = weight * ::carvallo::Number::like(self.l, 1.5);
-        let t24 = weight * ::carvallo::Number::like(self.l, 0.5);
-        let t25 = self.l * self.f;
-        let t26 = -self.c;
-        let t27 = -self.k;
-        let t28 = -t25;
+        let t14 = self.c + self.c;
+        let t15 = t1 * self.f;
+        let t16 = t15 + t15;
+        let t19 = self.k + self.k;
+        let t21 = weight * ::carvallo::Number::like(self.l, 1.5);
+        let t22 = weight * ::carvallo::Number::like(self.l, 0.5);
+        let t23 = self.l * self.f;
+        let t24 = -self.c;
+        let t25 = -self.k;
+        let t26 = -t23;
         TwoPipesMatrices {
             m: [[t8, t10], [t10, t12]],
-            c0: [[t15, t26], [t26, self.c]],
-            c1: [[t16, t17], [::carvallo::Number::like(self.l, 0.0), t16]],
-            kc: [[t20, t27], [t27, self.k]],
+            c0: [[t14, t24], [t24, self.c]],
+            c1: [[t15, t16], [::carvallo::Number::like(self.l, 0.0), t15]],
+            kc: [[t19, t25], [t25, self.k]],
             k0: [
-                [t23, ::carvallo::Number::like(self.l, 0.0)],
-                [::carvallo::Number::like(self.l, 0.0), t24],
+                [t21, ::carvallo::Number::like(self.l, 0.0)],
+                [::carvallo::Number::like(self.l, 0.0), t22],
             ],
             k2: [
-                [t28, t25],
+                [t26, t23],
                 [
                     ::carvallo::Number::like(self.l, 0.0),
                     ::carvallo::Number::like(self.l, 0.0),
@@ -529,7 +528,7 @@ impl<T: ::carvallo::Scalar> TwoPipesDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> TwoPipes<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 1 addition, 30 multiplications and 5 negations: 36 operations.
+    /// 5 additions, 22 multiplications and 5 negations: 32 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -544,46 +543,43 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
         let t8 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
         let t10 = inertia * ::carvallo::Number::like(self.l, 0.5);
         let t12 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t15 = self.c * ::carvallo::Number::like(self.l, 2.0);
-        let t17 = self.f * weight_m;
-        let t18 = ::carvallo::Number::like(self.l, 2.0) * weight_m;
-        let t19 = self.f * t18;
-        let t22 = self.k * ::carvallo::Number::like(self.l, 2.0);
+        let t14 = self.c + self.c;
+        let t15 = self.f * weight_m;
+        let t16 = weight_m + weight_m;
+        let t17 = self.f * t16;
+        let t20 = self.k + self.k;
         let weight = t2 * weight_m;
-        let t25 = weight * ::carvallo::Number::like(self.l, 1.5);
-        let t26 = weight * ::carvallo::Number::like(self.l, 0.5);
-        let t27 = self.l * self.f;
-        let inertia_l = ::carvallo::Number::like(self.l, 3.0) * weight;
-        let t30 = inertia_l * ::carvallo::Number::like(self.l, 1.3333333333333333);
-        let t31 = inertia_l * ::carvallo::Number::like(self.l, 0.5);
-        let t32 = inertia_l * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t33 = ::carvallo::Number::like(self.l, 2.0) * t27;
-        let t35 = ::carvallo::Number::like(self.l, 4.0) * t27;
-        let weight_l = (self.l * ::carvallo::Number::like(self.l, 2.0)) * t2;
-        let t38 = weight_l * ::carvallo::Number::like(self.l, 1.5);
-        let t39 = weight_l * ::carvallo::Number::like(self.l, 0.5);
-        let t40 = inertia_m * ::carvallo::Number::like(self.l, 1.3333333333333333);
-        let t41 = inertia_m * ::carvallo::Number::like(self.l, 0.5);
-        let t42 = inertia_m * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t43 = weight_m * ::carvallo::Number::like(self.l, 1.5);
-        let t44 = weight_m * ::carvallo::Number::like(self.l, 0.5);
-        let t45 = -self.c;
-        let t46 = -self.k;
-        let t47 = -t27;
-        let t48 = -self.f;
-        let t49 = -self.l;
+        let t23 = weight * ::carvallo::Number::like(self.l, 1.5);
+        let t24 = ::carvallo::Number::like(self.l, 0.5) * weight;
+        let t25 = self.f * self.l;
+        let t27 = weight * ::carvallo::Number::like(self.l, 4.0);
+        let t29 = t24 * ::carvallo::Number::like(self.l, 3.0);
+        let t30 = t25 + t25;
+        let t31 = t25 * ::carvallo::Number::like(self.l, 4.0);
+        let t32 = t2 * self.l;
+        let t33 = ::carvallo::Number::like(self.l, 3.0) * t32;
+        let t34 = inertia_m * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t35 = inertia_m * ::carvallo::Number::like(self.l, 0.5);
+        let t36 = inertia_m * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t37 = weight_m * ::carvallo::Number::like(self.l, 1.5);
+        let t38 = weight_m * ::carvallo::Number::like(self.l, 0.5);
+        let t41 = -self.c;
+        let t42 = -self.k;
+        let t43 = -t25;
+        let t44 = -self.f;
+        let t45 = -self.l;
         (
             TwoPipesMatrices {
                 m: [[t8, t10], [t10, t12]],
-                c0: [[t15, t45], [t45, self.c]],
-                c1: [[t17, t19], [::carvallo::Number::like(self.l, 0.0), t17]],
-                kc: [[t22, t46], [t46, self.k]],
+                c0: [[t14, t41], [t41, self.c]],
+                c1: [[t15, t17], [::carvallo::Number::like(self.l, 0.0), t15]],
+                kc: [[t20, t42], [t42, self.k]],
                 k0: [
-                    [t25, ::carvallo::Number::like(self.l, 0.0)],
-                    [::carvallo::Number::like(self.l, 0.0), t26],
+                    [t23, ::carvallo::Number::like(self.l, 0.0)],
+                    [::carvallo::Number::like(self.l, 0.0), t24],
                 ],
                 k2: [
-                    [t47, t27],
+                    [t43, t25],
                     [
                         ::carvallo::Number::like(self.l, 0.0),
                         ::carvallo::Number::like(self.l, 0.0),
@@ -592,33 +588,33 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
             },
             TwoPipesDerivatives {
                 values: [
+                    t27,
+                    t29,
+                    t29,
+                    weight,
                     t30,
                     t31,
-                    t31,
+                    t30,
+                    t33,
                     t32,
-                    t33,
-                    t35,
-                    t33,
-                    t38,
-                    t39,
-                    t48,
+                    t44,
                     self.f,
-                    t40,
-                    t41,
-                    t41,
-                    t42,
-                    t43,
-                    t44,
-                    t40,
-                    t41,
-                    t41,
-                    t42,
+                    t34,
+                    t35,
+                    t35,
+                    t36,
+                    t37,
+                    t38,
+                    t34,
+                    t35,
+                    t35,
+                    t36,
                     weight_m,
-                    t18,
+                    t16,
                     weight_m,
-                    t43,
-                    t44,
-                    t49,
+                    t37,
+                    t38,
+                    t45,
                     self.l,
                     ::carvallo::Number::like(self.l, 2.0),
                     ::carvallo::Number::like(self.l, -1.0),

@@ -350,66 +350,67 @@ pub struct WhippleMechanismMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 46 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 107 operations.
+    /// 47 additions, 44 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMechanismMatrices<T> {
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
-            + (self.mF * (self.rF * self.rF));
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
-            + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
-        let t32 = self.rF * self.mF;
-        let t37 = self.w + self.c;
-        let t38 = self.xH - t37;
-        let t39 = self.mH * t38;
-        let Jxz_delta = (self.IHxz - (self.c * t32)) - (self.zH * t39);
-        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t42);
-        let yaw_per_v_delta = t42 / self.w;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t40) = ::carvallo::Number::sin_cos(self.lam);
+        let t35 = self.c + self.w;
+        let t36 = t35 - self.xH;
+        let Jxz_delta = (self.IHxz + (t6 * t36)) - (t10 * self.c);
+        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t40);
+        let yaw_per_v_delta = t40 / self.w;
         let mu = self.c * yaw_per_v_delta;
-        let t50 = self.zB * self.mB;
-        let Sz_delta = (self.zH * self.mH) - t32;
-        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t50)) - (Sz_delta * t37);
-        let t58 = hx_delta + (mu * Jxz_all);
-        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * (t38 * t38)))
-            + (self.mF * (self.c * self.c));
-        let hz_delta = (Jxz_delta * t28) + (Jzz_delta * t42);
-        let Sx_delta = t39 - (self.c * self.mF);
-        let py_delta = (Sx_delta * t42) - (Sz_delta * t28);
-        let M_yaw_delta = hz_delta + (py_delta * t37);
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t35 * Sz_delta);
+        let t54 = hx_delta + (mu * Jxz_all);
+        let t57 = self.mH * t36;
+        let t59 = self.mF * self.c;
+        let Jzz_delta = ((self.IFxx + self.IHzz) + (t36 * t57)) + (self.c * t59);
+        let hz_delta = (t28 * Jxz_delta) + (t40 * Jzz_delta);
+        let t67 = t57 + t59;
+        let t69 = (t28 * Sz_delta) + (t40 * t67);
+        let M_yaw_delta = hz_delta - (t35 * t69);
+        let t73 = self.mB * self.xB;
         let mA = self.mH + self.mF;
-        let t84 = mA * t37;
-        let t92 = mu
-            * ((((self.IRxx + self.IBzz) + Jzz_delta)
-                + ((::carvallo::Number::like(self.w, 2.0) * t37)
-                    * (Sx_delta + (::carvallo::Number::like(self.w, 0.5) * t84))))
-                + (self.mB * (self.xB * self.xB)));
-        let P_delta_yaw = M_yaw_delta + t92;
-        let t99 = ((mu * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
-            + (hz_delta * t42);
+        let t77 = t67 - (t35 * mA);
+        let P_delta_yaw = M_yaw_delta
+            + (mu
+                * ((((self.IRxx + Jzz_delta) + self.IBzz) + (self.xB * t73))
+                    - (t35 * (t67 + t77))));
+        let t91 = ((mu * (M_yaw_delta + P_delta_yaw)) + (t28 * hx_delta))
+            + (t40 * hz_delta);
         let SF = self.IFyy / self.rF;
         let ST = SF + (self.IRyy / self.rR);
-        let Sz_all = (Sz_delta + t50) - (self.rR * self.mR);
-        let t109 = ST - Sz_all;
-        let t113 = SF * t42;
-        let t114 = ((mu * t109) + (yaw_per_v_delta * Jxz_all)) + t113;
-        let Sx_all = (Sx_delta + (self.xB * self.mB)) + t84;
-        let P_delta_lateral = py_delta + (mu * Sx_all);
-        let t124 = (mu * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t126 = yaw_per_v_delta * t109;
-        let t129 = yaw_per_v_delta * (P_delta_lateral + (SF * t28));
-        let t130 = -(t113 + (mu * ST));
-        let t131 = -P_delta_lateral;
-        let t132 = -(t28 * P_delta_lateral);
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t100 = ST - Sz_all;
+        let t103 = t40 * SF;
+        let t105 = ((mu * t100) + (yaw_per_v_delta * Jxz_all)) + t103;
+        let Sx_all = t73 - t77;
+        let t109 = mu * Sx_all;
+        let P_delta_lateral = t109 - t69;
+        let t113 = (mu * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t115 = yaw_per_v_delta * t100;
+        let t118 = yaw_per_v_delta * (P_delta_lateral + (t28 * SF));
+        let t119 = -(t103 + (mu * ST));
+        let t120 = t69 - t109;
+        let t121 = -(t28 * P_delta_lateral);
         WhippleMechanismMatrices {
-            m: [[t26, t58], [t58, t99]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t114], [t130, t124]],
-            k0: [[Sz_all, t131], [t131, t132]],
+            m: [[t26, t54], [t54, t91]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t105], [t119, t113]],
+            k0: [[Sz_all, t120], [t120, t121]],
             k2: [
-                [::carvallo::Number::like(self.w, 0.0), t126],
-                [::carvallo::Number::like(self.w, 0.0), t129],
+                [::carvallo::Number::like(self.w, 0.0), t115],
+                [::carvallo::Number::like(self.w, 0.0), t118],
             ],
         }
     }
@@ -1373,7 +1374,7 @@ impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 151 additions, 261 multiplications, 3 divisions, 48 negations and 2 trigonometric functions: 465 operations.
+    /// 159 additions, 241 multiplications, 3 divisions, 40 negations and 2 trigonometric functions: 445 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1381,385 +1382,371 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
-        let Jxx_delta_mH = self.zH * self.zH;
-        let Jxx_delta_mF = self.rF * self.rF;
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * Jxx_delta_mH))
-            + (self.mF * Jxx_delta_mF);
-        let t19 = self.rR * self.rR;
-        let t24 = self.zB * self.zB;
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.mR * t19))
-            + (self.mB * t24);
-        let (t28, t43) = ::carvallo::Number::sin_cos(self.lam);
-        let t32 = self.rF * self.mF;
-        let t38 = self.w + self.c;
-        let t39 = self.xH - t38;
-        let t40 = self.mH * t39;
-        let Jxz_delta = (self.IHxz - (self.c * t32)) - (t40 * self.zH);
-        let t44 = Jxz_delta * t43;
-        let hx_delta = (Jxx_delta * t28) + t44;
-        let t46 = ::carvallo::Number::like(self.w, 1.0) / self.w;
-        let yaw_per_v_delta = t43 * t46;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t40) = ::carvallo::Number::sin_cos(self.lam);
+        let t34 = self.c + self.w;
+        let t36 = t34 - self.xH;
+        let Jxz_delta = (self.IHxz + (t6 * t36)) - (t10 * self.c);
+        let t41 = Jxz_delta * t40;
+        let hx_delta = (Jxx_delta * t28) + t41;
+        let t43 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let yaw_per_v_delta = t40 * t43;
         let mu = self.c * yaw_per_v_delta;
-        let t52 = self.zB * self.mB;
-        let Sz_delta = (self.zH * self.mH) - t32;
-        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t52)) - (t38 * Sz_delta);
-        let t60 = hx_delta + (mu * Jxz_all);
-        let t62 = t28 * Jxz_delta;
-        let Jzz_delta_mH = t39 * t39;
-        let Jzz_delta_mF = self.c * self.c;
-        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * Jzz_delta_mH))
-            + (self.mF * Jzz_delta_mF);
-        let hz_delta = t62 + (t43 * Jzz_delta);
-        let Sx_delta = t40 - (self.c * self.mF);
-        let py_delta = (t43 * Sx_delta) - (Sz_delta * t28);
-        let M_yaw_delta = hz_delta + (t38 * py_delta);
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t34 * Sz_delta);
+        let t55 = hx_delta + (mu * Jxz_all);
+        let t57 = t28 * Jxz_delta;
+        let t59 = self.mF * self.c;
+        let t61 = self.mH * t36;
+        let Jzz_delta = ((self.IFxx + self.IHzz) + (self.c * t59)) + (t36 * t61);
+        let hz_delta = t57 + (t40 * Jzz_delta);
+        let t70 = t59 + t61;
+        let t72 = (t28 * Sz_delta) + (t40 * t70);
+        let M_yaw_delta = hz_delta - (t34 * t72);
         let mA = self.mH + self.mF;
-        let t88 = t38 * mA;
-        let t91 = Sx_delta + (t88 * ::carvallo::Number::like(self.w, 0.5));
-        let t94 = self.xB * self.xB;
-        let P_delta_yaw_mu = (((self.IRxx + self.IBzz) + Jzz_delta)
-            + ((t38 * ::carvallo::Number::like(self.w, 2.0)) * t91)) + (self.mB * t94);
-        let t97 = mu * P_delta_yaw_mu;
-        let P_delta_yaw = M_yaw_delta + t97;
-        let t99 = M_yaw_delta + P_delta_yaw;
-        let t101 = ((t28 * hx_delta) + (t43 * hz_delta)) + (mu * t99);
-        let t104 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        let SF = self.IFyy * t104;
-        let t106 = t43 * SF;
-        let t108 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        let ST = SF + (self.IRyy * t108);
-        let t112 = self.rR * self.mR;
-        let Sz_all = (t52 + Sz_delta) - t112;
-        let t114 = ST - Sz_all;
-        let t117 = yaw_per_v_delta * Jxz_all;
-        let t118 = (t106 + (mu * t114)) + t117;
-        let t123 = self.xB * self.mB;
-        let Sx_all = (Sx_delta + t88) + t123;
-        let P_delta_lateral = py_delta + (mu * Sx_all);
-        let t128 = (yaw_per_v_delta * P_delta_yaw) + (mu * P_delta_lateral);
-        let t130 = yaw_per_v_delta * t114;
-        let t131 = t28 * SF;
-        let K222_yaw_per_v_delta = P_delta_lateral + t131;
-        let t133 = yaw_per_v_delta * K222_yaw_per_v_delta;
-        let M12_Jxz_delta = t43 + mu;
-        let t135 = M12_Jxz_delta * self.zH;
-        let t136 = self.mH * t135;
-        let t138 = (mu * Sz_delta) - t136;
-        let t140 = t43 * (t46 * t46);
-        let M12_yaw_per_v_delta = self.c * Jxz_all;
-        let t144 = mu * ::carvallo::Number::like(self.w, 2.0);
-        let P_delta_yaw_Sx_delta = t38 * t144;
-        let M22_Sx_delta = (t43 * P_delta_yaw_Sx_delta) + (mu * P_delta_yaw_Sx_delta);
-        let M22_hz_delta = t43 + t144;
-        let M22_Jxz_delta = t28 * (t43 + M22_hz_delta);
-        let t153 = M22_Sx_delta - (M22_Jxz_delta * self.zH);
-        let t155 = self.mH * ::carvallo::Number::like(self.w, 2.0);
-        let t156 = t39 * t155;
-        let t158 = mu * mu;
-        let M22_Jzz_delta = (t43 * M22_hz_delta) + t158;
-        let t161 = (self.mH * t153) + (t156 * M22_Jzz_delta);
-        let P_delta_lateral_mA = t38 * mu;
-        let t165 = (t91 * t144) + (mA * P_delta_lateral_mA);
-        let t169 = (mu * (t165 + (py_delta * ::carvallo::Number::like(self.w, 2.0))))
-            - t161;
-        let M22_mu = t97 + t99;
+        let t78 = t70 - (t34 * mA);
+        let t79 = t70 + t78;
+        let t81 = self.mB * self.xB;
+        let P_delta_yaw_mu = (((self.IRxx + Jzz_delta) + self.IBzz) + (self.xB * t81))
+            - (t34 * t79);
+        let t87 = mu * P_delta_yaw_mu;
+        let P_delta_yaw = M_yaw_delta + t87;
+        let t89 = M_yaw_delta + P_delta_yaw;
+        let t92 = ((t28 * hx_delta) + (t40 * hz_delta)) + (mu * t89);
+        let t95 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let SF = self.IFyy * t95;
+        let t97 = t40 * SF;
+        let t99 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let t100 = self.IRyy * t99;
+        let ST = SF + t100;
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t104 = ST - Sz_all;
+        let t106 = yaw_per_v_delta * Jxz_all;
+        let t108 = (t97 + (mu * t104)) + t106;
+        let Sx_all = t81 - t78;
+        let t114 = t72 - (mu * Sx_all);
+        let t116 = (yaw_per_v_delta * P_delta_yaw) - (mu * t114);
+        let t117 = t28 * t114;
+        let t118 = yaw_per_v_delta * t104;
+        let t119 = t28 * SF;
+        let K222_yaw_per_v_delta = t119 - t114;
+        let t121 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        let t122 = t43 * yaw_per_v_delta;
+        let t123 = self.c * Jxz_all;
+        let M12_Jxz_delta = t40 + mu;
+        let t127 = t6 * M12_Jxz_delta;
+        let t128 = t127 - (mu * Sz_delta);
+        let t129 = t128 - (t122 * t123);
+        let M22_mu = t87 + t89;
         let M22_yaw_per_v_delta = self.c * M22_mu;
-        let t173 = t169 - (t140 * M22_yaw_per_v_delta);
-        let t174 = self.zH * yaw_per_v_delta;
-        let t175 = self.mH * t174;
-        let t177 = (yaw_per_v_delta * Sz_delta) - t175;
-        let C112_yaw_per_v_delta = Jxz_all + (self.c * t114);
-        let t182 = ST * self.c;
-        let t183 = t140 * t182;
-        let C122_py_delta = t38 * yaw_per_v_delta;
-        let C122_Sx_delta = (t43 * C122_py_delta)
-            + (yaw_per_v_delta * P_delta_yaw_Sx_delta);
-        let C122_Jxz_delta = t28 * yaw_per_v_delta;
-        let t190 = C122_Sx_delta - (C122_Jxz_delta * self.zH);
-        let C122_Jzz_delta = yaw_per_v_delta * M12_Jxz_delta;
-        let t194 = (self.mH * t190) + (t156 * C122_Jzz_delta);
-        let t197 = (yaw_per_v_delta * (py_delta + t165)) - t194;
-        let t199 = self.mH * M12_Jxz_delta;
-        let t200 = (mu * mA) - t199;
-        let P_delta_lateral_yaw_per_v_delta = self.c * Sx_all;
-        let t202 = t140 * P_delta_lateral_yaw_per_v_delta;
-        let P_delta_lateral_w = t200 - t202;
-        let C122_mu = P_delta_lateral + (yaw_per_v_delta * P_delta_yaw_mu);
+        let t134 = t34 * mu;
+        let t137 = (t72 + (mu * t79)) - (mA * t134);
+        let t140 = t134 + t134;
+        let t143 = (t40 * t140) + (mu * t140);
+        let M22_hz_delta = mu + M12_Jxz_delta;
+        let t146 = mu * mu;
+        let M22_Jzz_delta = (t40 * M22_hz_delta) + t146;
+        let t149 = (t36 * M22_Jzz_delta) - t143;
+        let M22_Jxz_delta = t28 * (t40 + M22_hz_delta);
+        let t156 = ((self.mH * t149) + (t6 * M22_Jxz_delta)) + (t61 * M22_Jzz_delta);
+        let t157 = t156 - (mu * (t72 + t137));
+        let t158 = t157 - (t122 * M22_yaw_per_v_delta);
+        let C112_yaw_per_v_delta = Jxz_all + (self.c * t104);
+        let t163 = t6 * yaw_per_v_delta;
+        let t164 = t163 - (yaw_per_v_delta * Sz_delta);
+        let t165 = t164 - (t122 * C112_yaw_per_v_delta);
+        let t166 = self.c * ST;
+        let t167 = t122 * t166;
+        let t168 = mu * mA;
+        let t169 = self.c * Sx_all;
+        let t171 = t168 - (t122 * t169);
+        let t172 = self.mH * M12_Jxz_delta;
+        let P_delta_lateral_w = t171 - t172;
+        let C122_mu = (yaw_per_v_delta * P_delta_yaw_mu) - t114;
         let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_mu);
-        let t211 = (t197 + (mu * P_delta_lateral_w)) - (t140 * C122_yaw_per_v_delta);
-        let t216 = (yaw_per_v_delta * P_delta_lateral_w) - (t140 * K222_yaw_per_v_delta);
-        let t219 = (t117 - t138) - (M12_Jxz_delta * t32);
-        let t226 = self.mF * ::carvallo::Number::like(self.w, 2.0);
-        let Jzz_delta_c = self.c * t226;
-        let t229 = (((t169 - (M22_Sx_delta * self.mF)) - (M22_Jxz_delta * t32))
-            + (yaw_per_v_delta * M22_mu)) + (Jzz_delta_c * M22_Jzz_delta);
-        let t232 = (yaw_per_v_delta * (t114 - t32)) - t177;
-        let P_delta_lateral_c = (t200 - (M12_Jxz_delta * self.mF))
-            + (yaw_per_v_delta * Sx_all);
-        let t247 = ((((t197 - (C122_Sx_delta * self.mF)) - (C122_Jxz_delta * t32))
-            + (yaw_per_v_delta * C122_mu)) + (mu * P_delta_lateral_c))
-            + (Jzz_delta_c * C122_Jzz_delta);
-        let t249 = yaw_per_v_delta * P_delta_lateral_c;
-        let hx_delta_lam = (Jxx_delta * t43) - t62;
-        let t252 = t46 * t28;
-        let t254 = hx_delta_lam - (t252 * M12_yaw_per_v_delta);
-        let t262 = (t43 * Sz_delta) + (Sx_delta * t28);
-        let hz_delta_lam = t44 - (Jzz_delta * t28);
-        let t270 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
-            - (t262 * P_delta_yaw_Sx_delta)) + (hz_delta_lam * M22_hz_delta))
-            - (t252 * M22_yaw_per_v_delta);
-        let t274 = t131 + (t252 * t182);
-        let t277 = t262 + (t252 * P_delta_lateral_yaw_per_v_delta);
-        let t283 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t277))
-            - (t262 * C122_py_delta)) - (t252 * C122_yaw_per_v_delta);
-        let t290 = (yaw_per_v_delta * (t106 - t277)) - (t252 * K222_yaw_per_v_delta);
-        let t291 = t112 * ::carvallo::Number::like(self.w, 2.0);
-        let t293 = self.IRyy * (t108 * t108);
-        let t294 = self.mR - t293;
-        let t295 = mu * t294;
-        let t296 = t293 * mu;
-        let t297 = yaw_per_v_delta * t294;
-        let t298 = self.rR * mu;
-        let t299 = self.rR * yaw_per_v_delta;
-        let t300 = yaw_per_v_delta * mu;
-        let t301 = mu * t108;
-        let t302 = yaw_per_v_delta * t108;
-        let P_delta_yaw_xB = t123 * t144;
-        let t305 = mu * P_delta_yaw_xB;
-        let P_delta_lateral_xB = self.mB * mu;
-        let t310 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * P_delta_lateral_xB);
-        let t312 = yaw_per_v_delta * P_delta_lateral_xB;
-        let t313 = ::carvallo::Number::like(self.w, 2.0) * t52;
-        let P_delta_lateral_mB = self.xB * mu;
-        let t317 = mu + (self.xB * yaw_per_v_delta);
-        let P_delta_yaw_mB = mu * t94;
-        let t322 = mu * P_delta_yaw_mB;
-        let t326 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * P_delta_lateral_mB);
-        let t329 = yaw_per_v_delta * P_delta_lateral_mB;
-        let t331 = t194 + (mu * t199);
-        let t333 = yaw_per_v_delta * t199;
-        let Jxx_delta_zH = self.zH * t155;
-        let t339 = (t28 * Jxx_delta_zH)
-            - ((M12_Jxz_delta * t40) + (self.mH * P_delta_lateral_mA));
-        let t341 = P_delta_yaw_Sx_delta * t28;
+        let t181 = t34 * yaw_per_v_delta;
+        let t184 = (t40 * t181) + (yaw_per_v_delta * t140);
+        let C122_Jzz_delta = yaw_per_v_delta * M12_Jxz_delta;
+        let t187 = (t36 * C122_Jzz_delta) - t184;
+        let C122_Jxz_delta = t28 * yaw_per_v_delta;
+        let t193 = ((self.mH * t187) + (t6 * C122_Jxz_delta)) + (t61 * C122_Jzz_delta);
+        let t194 = t193 - (yaw_per_v_delta * t137);
+        let t196 = ((mu * P_delta_lateral_w) + t194) - (t122 * C122_yaw_per_v_delta);
+        let t201 = (yaw_per_v_delta * P_delta_lateral_w) - (K222_yaw_per_v_delta * t122);
+        let t204 = (t106 + t128) - (t10 * M12_Jxz_delta);
+        let t207 = (self.c * M22_Jzz_delta) - t143;
+        let t214 = (((t157 + (self.mF * t207)) + (yaw_per_v_delta * M22_mu))
+            + (t59 * M22_Jzz_delta)) - (t10 * M22_Jxz_delta);
+        let t217 = t164 + (yaw_per_v_delta * (t104 - t10));
+        let t221 = (self.c * C122_Jzz_delta) - t184;
+        let t226 = (t168 + (yaw_per_v_delta * Sx_all)) - t172;
+        let t227 = self.mF * M12_Jxz_delta;
+        let P_delta_lateral_c = t226 - t227;
+        let t235 = ((((t194 + (self.mF * t221)) + (yaw_per_v_delta * C122_mu))
+            + (mu * P_delta_lateral_c)) + (t59 * C122_Jzz_delta))
+            - (t10 * C122_Jxz_delta);
+        let t237 = yaw_per_v_delta * P_delta_lateral_c;
+        let hx_delta_lam = (Jxx_delta * t40) - t57;
+        let t240 = t28 * t43;
+        let t242 = hx_delta_lam - (t123 * t240);
+        let hz_delta_lam = t41 - (t28 * Jzz_delta);
+        let t252 = (t40 * Sz_delta) - (t28 * t70);
+        let t258 = (((((t28 * hx_delta_lam) + (t40 * hx_delta))
+            + (M22_hz_delta * hz_delta_lam)) - (t28 * hz_delta))
+            - (M22_yaw_per_v_delta * t240)) - (t140 * t252);
+        let t262 = t119 + (t166 * t240);
+        let t265 = t252 + (t169 * t240);
+        let t271 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t265))
+            - (C122_yaw_per_v_delta * t240)) - (t181 * t252);
+        let t274 = (t28 * t265) + (t40 * t114);
+        let t279 = (yaw_per_v_delta * (t97 - t265)) - (K222_yaw_per_v_delta * t240);
+        let t280 = t17 + t17;
+        let t281 = t99 * t100;
+        let t282 = self.mR - t281;
+        let t283 = mu * t282;
+        let t284 = mu * t281;
+        let t285 = yaw_per_v_delta * t282;
+        let t286 = self.rR * self.rR;
+        let t287 = self.rR * mu;
+        let t288 = self.rR * yaw_per_v_delta;
+        let t290 = yaw_per_v_delta * mu;
+        let t291 = mu * t99;
+        let t292 = yaw_per_v_delta * t99;
+        let t294 = mu * self.xB;
+        let t295 = self.mB * t294;
+        let P_delta_yaw_xB = t295 + (mu * t81);
+        let t298 = mu * P_delta_yaw_xB;
+        let t301 = self.mB * mu;
+        let t303 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * t301);
+        let t305 = yaw_per_v_delta * t301;
+        let t306 = t21 + t21;
+        let t308 = mu + (yaw_per_v_delta * self.xB);
+        let t311 = self.zB * self.zB;
+        let P_delta_yaw_mB = self.xB * t294;
+        let t314 = mu * P_delta_yaw_mB;
+        let t318 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * t294);
+        let t321 = yaw_per_v_delta * t294;
+        let t323 = (mu * t172) - t193;
+        let t325 = yaw_per_v_delta * t172;
+        let t326 = t6 + t6;
+        let t330 = ((self.zH * t28) + (t36 * M12_Jxz_delta)) - t134;
+        let t333 = (self.mH * t330) + (t6 * t28);
+        let t334 = t28 * t140;
         let M22_Jxx_delta = t28 * t28;
-        let t346 = (Jxx_delta_zH * M22_Jxx_delta)
-            - ((M22_Jxz_delta * t40) + (self.mH * t341));
-        let t348 = mu + C122_py_delta;
-        let t352 = C122_py_delta * t28;
-        let t355 = self.mH * t28;
-        let t358 = t355 * t28;
-        let t365 = ((t28 * Jxx_delta_mH) - (self.zH * P_delta_lateral_mA))
-            - (t39 * t135);
-        let P_delta_yaw_mA = t38 * P_delta_lateral_mA;
+        let t339 = ((self.zH * M22_Jxx_delta) + (t36 * M22_Jxz_delta)) - t334;
+        let t342 = (self.mH * t339) + (t6 * M22_Jxx_delta);
+        let t343 = mu + t181;
+        let t345 = (t36 * yaw_per_v_delta) - t343;
+        let t346 = self.mH * t345;
+        let t347 = t28 * t181;
+        let t349 = (t36 * C122_Jxz_delta) - t347;
+        let t351 = self.mH * t28;
+        let t353 = (self.mH * t349) - (mu * t351);
+        let t354 = t28 * t351;
+        let t357 = self.zH * self.zH;
+        let t358 = self.zH * t330;
+        let P_delta_yaw_mA = t34 * t134;
         let M22_mA = mu * P_delta_yaw_mA;
-        let t375 = (((M22_mA - (self.zH * t341)) + (t39 * t153))
-            + (Jxx_delta_mH * M22_Jxx_delta)) + (Jzz_delta_mH * M22_Jzz_delta);
+        let t364 = (M22_mA + (self.zH * t339)) + (t36 * t149);
+        let t365 = self.zH * t345;
         let C122_mA = yaw_per_v_delta * P_delta_yaw_mA;
-        let P_delta_lateral_mH = (P_delta_lateral_mA - (self.zH * t28))
-            + (t39 * M12_Jxz_delta);
-        let t391 = (((C122_mA - (self.zH * t352)) + (t39 * t190))
-            + (mu * P_delta_lateral_mH)) + (Jzz_delta_mH * C122_Jzz_delta);
-        let t393 = yaw_per_v_delta * P_delta_lateral_mH;
-        let Jxx_delta_rF = self.rF * t226;
-        let t395 = t28 * Jxx_delta_rF;
-        let t396 = Jxx_delta_rF * M22_Jxx_delta;
-        let t397 = mu - t348;
-        let t400 = self.IFyy * (t104 * t104);
-        let t401 = t400 * M12_Jxz_delta;
-        let t404 = (self.c * C122_Jxz_delta) - t352;
+        let t372 = ((C122_mA + (self.zH * t349)) + (t36 * t187)) - (mu * t330);
+        let t373 = t28 * t330;
+        let t376 = t10 + t10;
+        let t380 = (self.c * M12_Jxz_delta) - (t134 + (self.rF * t28));
+        let t383 = (t10 * t28) - (self.mF * t380);
+        let t387 = (t334 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
+        let t390 = (self.mF * t387) + (t10 * M22_Jxx_delta);
+        let t391 = mu - t343;
+        let t393 = t95 * SF;
+        let t394 = M12_Jxz_delta * t393;
+        let t397 = (self.c * C122_Jxz_delta) - t347;
         let P_delta_lateral_rF = self.mF * t28;
-        let t408 = (mu * P_delta_lateral_rF) - (self.mF * t404);
-        let t411 = yaw_per_v_delta * (self.mF - t400);
-        let t414 = (yaw_per_v_delta * P_delta_lateral_rF) - (t400 * C122_Jxz_delta);
-        let t415 = t28 * Jxx_delta_mF;
-        let t421 = ((M22_mA - (M22_Sx_delta * self.c)) + (Jxx_delta_mF * M22_Jxx_delta))
-            + (Jzz_delta_mF * M22_Jzz_delta);
-        let P_delta_lateral_mF = (P_delta_lateral_mA - (M12_Jxz_delta * self.c))
-            + (self.rF * t28);
-        let t434 = (((C122_mA - (C122_Sx_delta * self.c)) - (self.rF * t404))
-            + (mu * P_delta_lateral_mF)) + (Jzz_delta_mF * C122_Jzz_delta);
-        let t436 = self.rF * yaw_per_v_delta;
-        let t437 = yaw_per_v_delta * P_delta_lateral_mF;
-        let t438 = M22_Jxx_delta + M22_Jzz_delta;
-        let t439 = t104 * M12_Jxz_delta;
-        let t440 = yaw_per_v_delta * t104;
-        let t441 = t104 * C122_Jxz_delta;
-        let t442 = -(t106 + (mu * ST));
-        let t443 = -P_delta_lateral;
-        let t444 = -(P_delta_lateral * t28);
-        let t445 = -(t138 + (t140 * M12_yaw_per_v_delta));
-        let t446 = -(t177 + (t140 * C112_yaw_per_v_delta));
-        let t447 = t202 - t200;
-        let t448 = -(P_delta_lateral_w * t28);
-        let t449 = -(t114 * t140);
-        let t450 = -(ST * yaw_per_v_delta);
-        let t451 = -P_delta_lateral_c;
-        let t452 = -(P_delta_lateral_c * t28);
-        let t453 = -(t131 + (t252 * C112_yaw_per_v_delta));
-        let t454 = (t28 * t277) - (P_delta_lateral * t43);
-        let t455 = -(t114 * t252);
-        let t456 = -self.mR;
-        let t457 = -self.rR;
-        let t458 = -t301;
-        let t459 = -(t52 * mu);
-        let t460 = -(t52 * yaw_per_v_delta);
-        let t461 = -P_delta_lateral_xB;
-        let t462 = -(P_delta_lateral_xB * t28);
-        let t463 = -(self.mB * P_delta_lateral_mB);
-        let t464 = -(self.mB * t317);
-        let t465 = -(self.mB * yaw_per_v_delta);
-        let t466 = -(self.zB * P_delta_lateral_mB);
-        let t467 = -(self.zB * t317);
-        let t468 = -P_delta_lateral_mB;
-        let t469 = -(P_delta_lateral_mB * t28);
-        let t470 = -(self.zB * yaw_per_v_delta);
-        let t471 = -t136;
-        let t472 = -t175;
-        let t473 = -t199;
-        let t474 = -(t199 * t28);
-        let t475 = -((t40 * yaw_per_v_delta) + (self.mH * t348));
-        let t476 = -(((C122_Jxz_delta * t40) + (self.mH * t352)) + (mu * t355));
-        let t477 = -(self.mH * yaw_per_v_delta);
-        let t478 = -(yaw_per_v_delta * t355);
-        let t479 = -((self.zH * t348) + (t39 * t174));
-        let t480 = -P_delta_lateral_mH;
-        let t481 = -(P_delta_lateral_mH * t28);
-        let t482 = -t174;
-        let t483 = -((self.mF * t397) + t401);
-        let t484 = -self.mF;
-        let t485 = -P_delta_lateral_rF;
-        let t486 = -(t28 * P_delta_lateral_rF);
-        let t487 = -(self.rF * t397);
-        let t488 = -self.rF;
-        let t489 = -P_delta_lateral_mF;
-        let t490 = -(t28 * P_delta_lateral_mF);
-        let t491 = -t439;
+        let t401 = (mu * P_delta_lateral_rF) - (self.mF * t397);
+        let t404 = yaw_per_v_delta * (self.mF - t393);
+        let t407 = (yaw_per_v_delta * P_delta_lateral_rF) - (C122_Jxz_delta * t393);
+        let t408 = self.rF * self.rF;
+        let t413 = (M22_mA + (self.c * t207)) + (self.rF * t387);
+        let t420 = ((C122_mA + (self.c * t221)) - (mu * t380)) - (self.rF * t397);
+        let t421 = t28 * t380;
+        let t422 = self.rF * yaw_per_v_delta;
+        let t424 = M22_Jzz_delta + M22_Jxx_delta;
+        let t425 = t95 * M12_Jxz_delta;
+        let t426 = yaw_per_v_delta * t95;
+        let t427 = t95 * C122_Jxz_delta;
+        let t428 = -(t97 + (mu * ST));
+        let t429 = t172 - t171;
+        let t430 = -(t28 * P_delta_lateral_w);
+        let t431 = -(t104 * t122);
+        let t432 = -(yaw_per_v_delta * ST);
+        let t433 = t227 - t226;
+        let t434 = -(t28 * P_delta_lateral_c);
+        let t435 = -(t119 + (C112_yaw_per_v_delta * t240));
+        let t436 = -(t104 * t240);
+        let t437 = -self.mR;
+        let t438 = -self.rR;
+        let t439 = -t291;
+        let t440 = -(t21 * mu);
+        let t441 = -(t21 * yaw_per_v_delta);
+        let t442 = -t301;
+        let t443 = -(t28 * t301);
+        let t444 = -t295;
+        let t445 = -(self.mB * t308);
+        let t446 = -(self.mB * yaw_per_v_delta);
+        let t447 = -(self.zB * t294);
+        let t448 = -(self.zB * t308);
+        let t449 = -t294;
+        let t450 = -(t28 * t294);
+        let t451 = -(self.zB * yaw_per_v_delta);
+        let t452 = -t127;
+        let t453 = -t156;
+        let t454 = -t163;
+        let t455 = -t172;
+        let t456 = -(t28 * t172);
+        let t457 = -(self.mH * yaw_per_v_delta);
+        let t458 = -(yaw_per_v_delta * t351);
+        let t459 = -(self.zH * yaw_per_v_delta);
+        let t460 = -(yaw_per_v_delta * t330);
+        let t461 = -((self.mF * t391) + t394);
+        let t462 = -self.mF;
+        let t463 = -P_delta_lateral_rF;
+        let t464 = -(t28 * P_delta_lateral_rF);
+        let t465 = -(self.rF * t380);
+        let t466 = -(self.rF * t391);
+        let t467 = -self.rF;
+        let t468 = -(yaw_per_v_delta * t380);
+        let t469 = -t425;
         (
             WhippleMechanismMatrices {
-                m: [[t26, t60], [t60, t101]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t118], [t442, t128]],
-                k0: [[Sz_all, t443], [t443, t444]],
+                m: [[t26, t55], [t55, t92]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t428, t116]],
+                k0: [[Sz_all, t114], [t114, t117]],
                 k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t130],
-                    [::carvallo::Number::like(self.w, 0.0), t133],
+                    [::carvallo::Number::like(self.w, 0.0), t118],
+                    [::carvallo::Number::like(self.w, 0.0), t121],
                 ],
             },
             WhippleMechanismDerivatives {
                 values: [
-                    t445,
-                    t445,
-                    t173,
-                    t446,
-                    t183,
-                    t211,
-                    t447,
-                    t447,
-                    t448,
-                    t449,
-                    t216,
-                    t219,
-                    t219,
-                    t229,
-                    t232,
-                    t450,
-                    t247,
-                    t451,
-                    t451,
-                    t452,
-                    t249,
-                    t254,
-                    t254,
-                    t270,
-                    t453,
+                    t129,
+                    t129,
+                    t158,
+                    t165,
+                    t167,
+                    t196,
+                    t429,
+                    t429,
+                    t430,
+                    t431,
+                    t201,
+                    t204,
+                    t204,
+                    t214,
+                    t217,
+                    t432,
+                    t235,
+                    t433,
+                    t433,
+                    t434,
+                    t237,
+                    t242,
+                    t242,
+                    t258,
+                    t435,
+                    t262,
+                    t271,
+                    t265,
+                    t265,
                     t274,
+                    t436,
+                    t279,
+                    t280,
                     t283,
-                    t277,
-                    t277,
-                    t454,
-                    t455,
+                    t284,
+                    t437,
+                    t285,
+                    t286,
+                    t287,
+                    t438,
+                    t288,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t146,
                     t290,
                     t291,
-                    t295,
-                    t296,
-                    t456,
-                    t297,
-                    t19,
+                    t439,
+                    t292,
+                    t440,
+                    t440,
                     t298,
-                    t457,
-                    t299,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t158,
-                    t300,
-                    t301,
-                    t458,
-                    t302,
-                    t459,
-                    t459,
+                    t441,
+                    t303,
+                    t442,
+                    t442,
+                    t443,
                     t305,
-                    t460,
-                    t310,
-                    t461,
-                    t461,
-                    t462,
-                    t312,
-                    t313,
-                    t463,
-                    t463,
-                    t464,
+                    t306,
+                    t444,
+                    t444,
+                    t445,
                     self.mB,
-                    t465,
-                    t24,
-                    t466,
-                    t466,
-                    t322,
-                    t467,
-                    t326,
+                    t446,
+                    t311,
+                    t447,
+                    t447,
+                    t314,
+                    t448,
+                    t318,
                     self.zB,
-                    t468,
-                    t468,
-                    t469,
-                    t470,
-                    t329,
+                    t449,
+                    t449,
+                    t450,
+                    t451,
+                    t321,
                     ::carvallo::Number::like(self.w, 1.0),
-                    t158,
-                    t300,
+                    t146,
+                    t290,
                     mu,
                     mu,
                     yaw_per_v_delta,
-                    t471,
-                    t471,
-                    t161,
-                    t472,
-                    t331,
-                    t473,
-                    t473,
-                    t474,
+                    t452,
+                    t452,
+                    t453,
+                    t454,
+                    t323,
+                    t455,
+                    t455,
+                    t456,
+                    t325,
+                    t326,
                     t333,
-                    Jxx_delta_zH,
-                    t339,
-                    t339,
+                    t333,
+                    t342,
                     t346,
-                    t475,
-                    t476,
+                    t353,
                     self.mH,
-                    t355,
-                    t355,
+                    t351,
+                    t351,
+                    t354,
+                    t457,
+                    t458,
+                    t357,
                     t358,
-                    t477,
-                    t478,
-                    Jxx_delta_mH,
+                    t358,
+                    t364,
                     t365,
-                    t365,
-                    t375,
-                    t479,
-                    t391,
+                    t372,
                     self.zH,
-                    t480,
-                    t480,
-                    t481,
-                    t482,
-                    t393,
+                    t330,
+                    t330,
+                    t373,
+                    t459,
+                    t460,
                     ::carvallo::Number::like(self.w, 1.0),
                     t28,
                     t28,
@@ -1771,40 +1758,40 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
                     M22_Jxz_delta,
                     yaw_per_v_delta,
                     C122_Jxz_delta,
-                    Jxx_delta_rF,
-                    t395,
-                    t395,
-                    t396,
-                    t483,
+                    t376,
+                    t383,
+                    t383,
+                    t390,
+                    t461,
+                    t394,
                     t401,
+                    t462,
+                    t463,
+                    t463,
+                    t464,
+                    t404,
+                    t407,
                     t408,
-                    t484,
-                    t485,
-                    t485,
-                    t486,
-                    t411,
-                    t414,
-                    Jxx_delta_mF,
-                    t415,
-                    t415,
+                    t465,
+                    t465,
+                    t413,
+                    t466,
+                    t420,
+                    t467,
+                    t380,
+                    t380,
                     t421,
-                    t487,
-                    t434,
-                    t488,
-                    t489,
-                    t489,
-                    t490,
-                    t436,
-                    t437,
+                    t422,
+                    t468,
                     ::carvallo::Number::like(self.w, 1.0),
                     t28,
                     t28,
-                    t438,
+                    t424,
                     C122_Jzz_delta,
-                    t439,
-                    t491,
-                    t440,
-                    t441,
+                    t425,
+                    t469,
+                    t426,
+                    t427,
                 ],
             },
         )

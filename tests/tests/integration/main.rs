@@ -25,6 +25,7 @@ mod operations;
 mod published;
 #[cfg(feature = "compiler")]
 mod regenerate;
+mod rounding;
 mod sensitivity;
 mod stability;
 mod state_space;
