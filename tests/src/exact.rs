@@ -119,21 +119,46 @@ fn moments<R: Number>(bodies: &[Body<R>], x: R, z: R) -> (R, R, R) {
 
 /// The matrices of a design, whose floating-point parameters are taken as exact.
 pub fn matrices<R: Number>(design: &Whipple<impl carvallo::Scalar>) -> Matrices<R> {
-    let design = widen(design);
-    let [w, c, r_rear, r_front] = [design.w, design.c, design.rR, design.rF].map(R::from);
-    let (sin, cos) = R::from(design.lam).sin_cos();
-    let body = |[mass, x, z, xx, xz, zz]: [f64; 6]| {
-        let [mass, x, z, xx, xz, zz] = [mass, x, z, xx, xz, zz].map(R::from);
-        Body { mass, x, z, xx, xz, zz }
+    matrices_at(&widen(design).to_array().map(R::from))
+}
+
+/// The derivatives of the matrices with respect to the parameter at a position, by central differences.
+///
+/// With the step below, the rest of the series is of the order of 1e-60, and so are rounding errors in 320 bits.
+pub fn derivatives(design: &Whipple<impl carvallo::Scalar>, parameter: usize) -> Matrices<Real> {
+    let step = Real::parse("1e-30");
+    let exact = widen(design).to_array().map(Real::from);
+    let at = |shift: Real| {
+        let mut values = exact;
+        values[parameter] = values[parameter] + shift;
+        matrices_at(&values)
     };
-    let rear_wheel = body([design.mR, 0.0, -design.rR, design.IRxx, 0.0, design.IRxx]);
-    let rear_frame = body([design.mB, design.xB, design.zB, design.IBxx, design.IBxz, design.IBzz]);
-    let front_frame = body([design.mH, design.xH, design.zH, design.IHxx, design.IHxz, design.IHzz]);
-    let front_wheel = body([design.mF, design.w, -design.rF, design.IFxx, 0.0, design.IFxx]);
+    let (above, below) = (at(step), at(-step));
+    std::array::from_fn(|matrix| {
+        std::array::from_fn(|row| {
+            std::array::from_fn(|column| (above[matrix][row][column] - below[matrix][row][column]) / (step + step))
+        })
+    })
+}
+
+/// The matrices at values of all parameters, in declared order.
+fn matrices_at<R: Number>(values: &[R; 26]) -> Matrices<R> {
+    let at = |name: &str| {
+        let position = Whipple::<f64>::INFO.position(name);
+        values[position.unwrap_or_else(|| panic!("no parameter is called {name}"))]
+    };
+    let [w, c, r_rear, r_front] = ["w", "c", "rR", "rF"].map(at);
+    let (sin, cos) = at("lam").sin_cos();
+    let zero = R::from(0.0);
+    let body = |[mass, x, z, xx, xz, zz]: [R; 6]| Body { mass, x, z, xx, xz, zz };
+    let rear_wheel = body([at("mR"), zero, -r_rear, at("IRxx"), zero, at("IRxx")]);
+    let rear_frame = body(["mB", "xB", "zB", "IBxx", "IBxz", "IBzz"].map(at));
+    let front_frame = body(["mH", "xH", "zH", "IHxx", "IHxz", "IHzz"].map(at));
+    let front_wheel = body([at("mF"), w, -r_front, at("IFxx"), zero, at("IFxx")]);
 
     let all = [rear_wheel, rear_frame, front_frame, front_wheel];
     let (mass, x, z) = centre(&all);
-    let (xx, xz, zz) = moments(&all, R::from(0.0), R::from(0.0));
+    let (xx, xz, zz) = moments(&all, zero, zero);
     let front = [front_frame, front_wheel];
     let (front_mass, front_x, front_z) = centre(&front);
     let (front_xx, front_xz, front_zz) = moments(&front, front_x, front_z);
@@ -146,12 +171,11 @@ pub fn matrices<R: Number>(design: &Whipple<impl carvallo::Scalar>) -> Matrices<
     let (l_x, l_z) = (l_x - front_mass * u * front_z, l_z + front_mass * u * front_x);
 
     let mu = c * cos / w;
-    let (gyro_rear, gyro_front) = (R::from(design.IRyy) / r_rear, R::from(design.IFyy) / r_front);
+    let (gyro_rear, gyro_front) = (at("IRyy") / r_rear, at("IFyy") / r_front);
     let gyro = gyro_rear + gyro_front;
     let gyro_steer = mu * gyro + gyro_front * cos;
     let static_steer = front_mass * u + mu * mass * x;
     let static_lean = mass * z;
-    let zero = R::from(0.0);
     let m_cross = l_x + mu * xz;
     [
         [[xx, m_cross], [m_cross, l_l + mu * (l_z + l_z + mu * zz)]],

@@ -1029,171 +1029,171 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RearSteered<T> {
     ::core::cmp::PartialEq
 )]
 pub struct RearSteeredDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 158],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl RearSteeredDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1227,7 +1227,10 @@ impl<T: ::carvallo::Scalar> RearSteeredDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1235,7 +1238,7 @@ impl<T: ::carvallo::Scalar> RearSteeredDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 162 additions, 274 multiplications, 3 divisions, 41 negations and 2 trigonometric functions: 482 operations.
+    /// 162 additions, 274 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 443 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1346,6 +1349,7 @@ impl<T: ::carvallo::Number> RearSteered<T> {
             - (t138 * t196);
         let t199 = t28 * P_delta_lateral_w;
         let t200 = t138 * t113;
+        let t203 = (P_delta_lateral_w * t47) + (t138 * t131);
         let t206 = (t136 + (t40 * M12_Jxz_delta)) + t104;
         let py_delta_c = self.mF * t43;
         let t214 = self.c * t43;
@@ -1354,6 +1358,7 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t218 = (((t158 - (t40 * t154)) + (t47 * M22_yaw_by_delta))
             - (py_delta_c * t145)) + (hz_delta_c * M22_hz_delta);
         let t221 = t168 + (t47 * (t113 - t40));
+        let t222 = h_wheels_all * t47;
         let t229 = t47 * t123;
         let P_delta_lateral_c = (py_delta_c + t142) - t229;
         let t234 = (((t183 + (t40 * C122_Jxz_delta))
@@ -1361,12 +1366,15 @@ impl<T: ::carvallo::Number> RearSteered<T> {
             + (yaw_by_delta * P_delta_lateral_c)) + (py_delta_c * C122_py_delta);
         let t236 = (t229 - t142) - py_delta_c;
         let t237 = t28 * P_delta_lateral_c;
+        let t238 = P_delta_lateral_c * t47;
         let t240 = (Jxx_delta * t43) + t62;
         let t241 = t46 * t28;
+        let t243 = t240 + (t241 * t139);
         let py_delta_lam = (Sz_delta * t43) - (t28 * t77);
         let t255 = t44 + (t28 * t70);
         let t259 = (((((t240 * t28) - (hx_delta * t43)) - (hz_delta * t28))
             - (py_delta_lam * t145)) - (t255 * M22_hz_delta)) - (t241 * t163);
+        let t261 = t130 + (t241 * t170);
         let t263 = t130 + (t241 * t173);
         let P_delta_lateral_lam = py_delta_lam + (t241 * t187);
         let t272 = (((t255 * t47) + (yaw_by_delta * P_delta_lateral_lam))
@@ -1379,27 +1387,40 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t284 = self.mR - t283;
         let t285 = yaw_by_delta * t284;
         let t286 = t283 * yaw_by_delta;
+        let t287 = t284 * t47;
         let t288 = self.rR * yaw_by_delta;
+        let t289 = self.rR * t47;
         let t290 = yaw_by_delta * yaw_by_delta;
+        let t291 = yaw_by_delta * t47;
         let t292 = yaw_by_delta * t107;
+        let t293 = t107 * t47;
         let t294 = yaw_by_delta * t52;
         let P_delta_yaw_xB = t120 * t144;
         let t296 = yaw_by_delta * P_delta_yaw_xB;
+        let t297 = t52 * t47;
         let t299 = self.mB * yaw_by_delta;
+        let t301 = (t47 * P_delta_yaw_xB) + (yaw_by_delta * t299);
+        let t302 = t299 * t28;
         let t303 = t47 * t299;
         let t304 = ::carvallo::Number::like(self.w, 2.0) * t52;
         let t305 = self.xB * yaw_by_delta;
         let t306 = self.mB * t305;
         let t308 = yaw_by_delta + (self.xB * t47);
+        let t309 = self.mB * t308;
         let t310 = self.mB * t47;
         let t311 = self.zB * t305;
         let P_delta_yaw_mB = yaw_by_delta * t85;
         let t313 = yaw_by_delta * P_delta_yaw_mB;
+        let t314 = self.zB * t308;
+        let t317 = (t47 * P_delta_yaw_mB) + (yaw_by_delta * t305);
+        let t318 = t305 * t28;
         let t319 = self.zB * t47;
         let t320 = t47 * t305;
         let P_delta_yaw_xH = t122 * t144;
         let t323 = (yaw_by_delta * P_delta_yaw_xH) - t156;
         let t327 = t142 + (self.mH * yaw_by_delta);
+        let t329 = ((P_delta_yaw_xH * t47) + t181) + (yaw_by_delta * t327);
+        let t330 = t28 * t327;
         let t331 = t327 * t47;
         let Jxx_delta_zH = self.zH * t148;
         let t336 = t34 * yaw_by_delta;
@@ -1414,6 +1435,7 @@ impl<T: ::carvallo::Number> RearSteered<T> {
             + (py_delta_zH * C122_py_delta);
         let t355 = t28 * py_delta_zH;
         let t356 = self.mH * t47;
+        let t357 = py_delta_zH * t47;
         let t361 = self.zH * t36;
         let t363 = ((self.zH * t336) - (Jxx_delta_mH * t28)) - (t361 * M12_Jxz_delta);
         let P_delta_yaw_mH = yaw_by_delta * t88;
@@ -1430,7 +1452,9 @@ impl<T: ::carvallo::Number> RearSteered<T> {
             - (t361 * C122_Jxz_delta);
         let t390 = t28 * P_delta_lateral_mH;
         let t391 = self.zH * t47;
+        let t392 = P_delta_lateral_mH * t47;
         let t394 = (t43 * M22_hz_delta) + t290;
+        let t395 = t47 * M12_Jxz_delta;
         let Jxx_delta_rF = self.rF * t215;
         let t401 = (Jxz_delta_rF * M12_Jxz_delta)
             - ((t336 * self.mF) + (Jxx_delta_rF * t28));
@@ -1441,6 +1465,8 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t413 = t412 * M12_Jxz_delta;
         let t414 = ((t346 * self.mF) - (Jxz_delta_rF * t47)) - t413;
         let t417 = (Jxz_delta_rF * C122_Jxz_delta) - (t402 * t346);
+        let t418 = t28 * t402;
+        let t420 = t47 * (self.mF - t412);
         let t423 = (t402 * t47) - (t412 * C122_Jxz_delta);
         let Jxz_delta_mF = self.c * self.rF;
         let t429 = (Jxz_delta_mF * M12_Jxz_delta)
@@ -1457,224 +1483,153 @@ impl<T: ::carvallo::Number> RearSteered<T> {
             - (t47 * (P_delta_yaw_mF + hz_delta_mF))) + (py_delta_mF * C122_py_delta))
             + (Jxz_delta_mF * C122_Jxz_delta);
         let t455 = t28 * P_delta_lateral_mF;
+        let t456 = self.rF * t47;
+        let t457 = P_delta_lateral_mF * t47;
         let t458 = t394 + M22_Jxx_delta;
         let t459 = t101 * M12_Jxz_delta;
+        let t460 = t101 * t47;
         let t461 = t101 * C122_Jxz_delta;
-        let t462 = -(t103 + (yaw_by_delta * h_wheels_all));
-        let t463 = t124 - py_delta;
-        let t464 = -(t113 * t47);
-        let t465 = t189 - t142;
-        let t466 = -((P_delta_lateral_w * t47) + (t138 * t131));
-        let t467 = -(h_wheels_all * t47);
-        let t468 = -(P_delta_lateral_c * t47);
-        let t469 = -(t240 + (t241 * t139));
-        let t470 = -(t130 + (t241 * t170));
-        let t471 = -P_delta_lateral_lam;
-        let t472 = -self.mR;
-        let t473 = -(t284 * t47);
-        let t474 = -self.rR;
-        let t475 = -(self.rR * t47);
-        let t476 = -(yaw_by_delta * t47);
-        let t477 = -t292;
-        let t478 = -(t107 * t47);
-        let t479 = -(t52 * t47);
-        let t480 = -((t47 * P_delta_yaw_xB) + (yaw_by_delta * t299));
-        let t481 = -(t299 * t28);
-        let t482 = -(self.mB * t308);
-        let t483 = -(self.zB * t308);
-        let t484 = -((t47 * P_delta_yaw_mB) + (yaw_by_delta * t305));
-        let t485 = -(t305 * t28);
-        let t486 = -yaw_by_delta;
-        let t487 = -t166;
-        let t488 = -(((P_delta_yaw_xH * t47) + t181) + (yaw_by_delta * t327));
-        let t489 = -(t28 * t327);
-        let t490 = -py_delta_zH;
-        let t491 = -(py_delta_zH * t47);
-        let t492 = t382 - py_delta_mH;
-        let t493 = -(P_delta_lateral_mH * t47);
-        let t494 = -t28;
-        let t495 = -(t47 * M12_Jxz_delta);
-        let t496 = -M12_Jxz_delta;
-        let t497 = -C122_Jxz_delta;
-        let t498 = -self.mF;
-        let t499 = -(t28 * t402);
-        let t500 = -(t47 * (self.mF - t412));
-        let t501 = (self.rF * t346) - (t47 * Jxz_delta_mF);
-        let t502 = -self.rF;
-        let t503 = t447 - py_delta_mF;
-        let t504 = -(self.rF * t47);
-        let t505 = -(P_delta_lateral_mF * t47);
-        let t506 = -t459;
-        let t507 = -(t101 * t47);
+        let t462 = (self.rF * t346) - (t47 * Jxz_delta_mF);
+        let t463 = -(t103 + (yaw_by_delta * h_wheels_all));
+        let t464 = t124 - py_delta;
+        let t465 = -(t113 * t47);
+        let t466 = t189 - t142;
+        let t467 = t382 - py_delta_mH;
+        let t468 = t447 - py_delta_mF;
         (
             RearSteeredMatrices {
                 m: [[t26, t60], [t60, t98]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t115], [t462, t127]],
-                k0: [[Sz_all, t463], [t463, t128]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t115], [t463, t127]],
+                k0: [[Sz_all, t464], [t464, t128]],
                 k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t464],
+                    [::carvallo::Number::like(self.w, 0.0), t465],
                     [::carvallo::Number::like(self.w, 0.0), t132],
                 ],
             },
             RearSteeredDerivatives {
                 values: [
                     t141,
-                    t141,
                     t165,
                     t172,
                     t174,
                     t198,
-                    t465,
-                    t465,
+                    t466,
                     t199,
                     t200,
-                    t466,
-                    t206,
+                    t203,
                     t206,
                     t218,
                     t221,
-                    t467,
+                    t222,
                     t234,
                     t236,
-                    t236,
                     t237,
-                    t468,
-                    t469,
-                    t469,
+                    t238,
+                    t243,
                     t259,
-                    t470,
+                    t261,
                     t263,
                     t272,
-                    t471,
-                    t471,
+                    P_delta_lateral_lam,
                     t275,
                     t276,
                     t280,
                     t281,
                     t285,
                     t286,
-                    t472,
-                    t473,
+                    self.mR,
+                    t287,
                     t19,
                     t288,
-                    t474,
-                    t475,
+                    self.rR,
+                    t289,
                     ::carvallo::Number::like(self.w, 1.0),
                     t290,
-                    t476,
+                    t291,
                     t292,
-                    t477,
-                    t478,
-                    t294,
+                    t293,
                     t294,
                     t296,
-                    t479,
-                    t480,
+                    t297,
+                    t301,
                     t299,
-                    t299,
-                    t481,
+                    t302,
                     t303,
                     t304,
                     t306,
-                    t306,
-                    t482,
+                    t309,
                     self.mB,
                     t310,
                     t24,
                     t311,
-                    t311,
                     t313,
-                    t483,
-                    t484,
+                    t314,
+                    t317,
                     self.zB,
                     t305,
-                    t305,
-                    t485,
+                    t318,
                     t319,
                     t320,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t290,
-                    t476,
-                    t486,
-                    t486,
+                    yaw_by_delta,
                     t47,
                     t134,
-                    t134,
                     t323,
-                    t487,
-                    t488,
+                    t166,
+                    t329,
                     t327,
-                    t327,
-                    t489,
+                    t330,
                     t331,
                     Jxx_delta_zH,
-                    t338,
                     t338,
                     t345,
                     t349,
                     t354,
                     self.mH,
-                    t490,
-                    t490,
+                    py_delta_zH,
                     t355,
                     t356,
-                    t491,
+                    t357,
                     Jxx_delta_mH,
-                    t363,
                     t363,
                     t376,
                     t379,
                     t389,
                     self.zH,
-                    t492,
-                    t492,
+                    t467,
                     t390,
                     t391,
-                    t493,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t494,
-                    t494,
+                    t392,
+                    t28,
                     M22_Jxx_delta,
                     t394,
-                    t495,
-                    t496,
-                    t496,
+                    t395,
+                    M12_Jxz_delta,
                     t154,
-                    t47,
-                    t497,
+                    C122_Jxz_delta,
                     Jxx_delta_rF,
-                    t401,
                     t401,
                     t407,
                     t414,
                     t413,
                     t417,
-                    t498,
+                    self.mF,
                     t402,
-                    t402,
-                    t499,
-                    t500,
+                    t418,
+                    t420,
                     t423,
                     Jxx_delta_mF,
                     t429,
-                    t429,
                     t442,
-                    t501,
+                    t462,
                     t454,
-                    t502,
-                    t503,
-                    t503,
+                    self.rF,
+                    t468,
                     t455,
-                    t504,
-                    t505,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t494,
-                    t494,
+                    t456,
+                    t457,
                     t458,
-                    t495,
                     t459,
-                    t506,
-                    t507,
+                    t460,
                     t461,
                 ],
             },
@@ -1692,8 +1647,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RearSteered<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 26];
         for position in 0..158 {
-            <RearSteeredDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<RearSteeredDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -433,24 +433,24 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RollingDisc<T> {
     ::core::cmp::PartialEq
 )]
 pub struct RollingDiscDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 11],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 8],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl RollingDiscDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 11] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 3).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 5).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 3, 7),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -482,7 +482,10 @@ impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -490,7 +493,7 @@ impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RollingDisc<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 3 additions, 7 multiplications, 1 division and 5 negations: 16 operations.
+    /// 3 additions, 7 multiplications, 1 division and 2 negations: 13 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -509,9 +512,6 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
         let t17 = self.m - t16;
         let t18 = -h_spin_D;
         let t19 = -t10;
-        let t20 = -self.m;
-        let t21 = -self.r;
-        let t22 = -t8;
         (
             RollingDiscMatrices {
                 m: [
@@ -535,13 +535,10 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
                     t14,
                     t17,
                     t16,
-                    t20,
+                    self.m,
                     t3,
                     self.r,
-                    t21,
                     t8,
-                    t22,
-                    ::carvallo::Number::like(self.r, 1.0),
                     ::carvallo::Number::like(self.r, 1.0),
                 ],
             },
@@ -559,8 +556,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RollingDisc<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 5];
         for position in 0..11 {
-            <RollingDiscDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<RollingDiscDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

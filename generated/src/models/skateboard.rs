@@ -728,34 +728,34 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Skateboard<T> {
     ::core::cmp::PartialEq
 )]
 pub struct SkateboardDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 21],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl SkateboardDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 21] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0, 1).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 3, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 3, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 4, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 4, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 4, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 5, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 6, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 7, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 7, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 7, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 7, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 8, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 9, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 9, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 13, 20),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -791,7 +791,10 @@ impl<T: ::carvallo::Scalar> SkateboardDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -799,7 +802,7 @@ impl<T: ::carvallo::Scalar> SkateboardDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Skateboard<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 10 additions, 44 multiplications, 3 divisions, 5 negations and 4 trigonometric functions: 66 operations.
+    /// 10 additions, 44 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 62 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -827,6 +830,8 @@ impl<T: ::carvallo::Number> Skateboard<T> {
         let t35 = (self.kF * t30) + (self.kR * t33);
         let t36 = P_gamma_lateral * t22;
         let t38 = t21 * (t15 * t15);
+        let t39 = t38 * t26;
+        let t40 = P_gamma_lateral * t38;
         let t42 = t19 * t30;
         let t45 = t15 * ((t18 * t17) + (t42 * t19));
         let t46 = t45 * t26;
@@ -846,10 +851,6 @@ impl<T: ::carvallo::Number> Skateboard<T> {
         let t71 = self.m * t67;
         let t72 = self.m * t22;
         let t73 = -P_gamma_lateral;
-        let t74 = -(t38 * t26);
-        let t75 = -(P_gamma_lateral * t38);
-        let t76 = -self.h;
-        let t77 = -self.m;
         (
             SkateboardMatrices {
                 m: [[t5]],
@@ -860,8 +861,8 @@ impl<T: ::carvallo::Number> Skateboard<T> {
             },
             SkateboardDerivatives {
                 values: [
-                    t74,
-                    t75,
+                    t39,
+                    t40,
                     t46,
                     t50,
                     t51,
@@ -872,12 +873,12 @@ impl<T: ::carvallo::Number> Skateboard<T> {
                     t33,
                     t3,
                     t68,
-                    t76,
+                    self.h,
                     t69,
                     t36,
                     t70,
                     t71,
-                    t77,
+                    self.m,
                     t72,
                     ::carvallo::Number::like(self.L, 1.0),
                     t22,
@@ -897,8 +898,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<1> for Skateboard<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1]; 6],
         ); 15];
         for position in 0..21 {
-            <SkateboardDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<SkateboardDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -1028,171 +1028,171 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for Whipple<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 158],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1226,7 +1226,10 @@ impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1234,7 +1237,7 @@ impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 207 additions, 337 multiplications, 4 divisions, 40 negations and 2 trigonometric functions: 590 operations.
+    /// 207 additions, 337 multiplications, 4 divisions, 3 negations and 2 trigonometric functions: 553 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1364,22 +1367,28 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t242,
             C122_xA,
             t247,
+            t248,
+            t249,
             t252,
             t253,
             t254,
             t258,
+            t259,
             t262,
             SA_c,
             t265,
+            t266,
             t267,
             t272,
             t275,
             t277,
             IAlz_lam,
             t291,
+            t293,
             t295,
             t299,
             t303,
+            t306,
             t310,
             t311,
             t313,
@@ -1391,25 +1400,37 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t319,
             t320,
             t321,
+            t322,
             t323,
             ITzz_xB,
             t325,
+            t326,
             SA_xB,
             t330,
+            t331,
             t332,
             t333,
             SA_mB,
+            t335,
             t337,
+            t338,
+            t339,
+            t340,
             t341,
+            t342,
             t345,
+            t346,
+            t347,
             t348,
             zA_zH,
             t353,
             ITzz_xH,
             t360,
+            t361,
             t363,
             SA_xH,
             t371,
+            t372,
             t373,
             t374,
             t375,
@@ -1429,10 +1450,13 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t404,
             M22_zA,
             t409,
+            t411,
             t413,
             t414,
             t416,
             t417,
+            t418,
+            t419,
             t420,
             t421,
             t423,
@@ -1446,10 +1470,13 @@ impl<T: ::carvallo::Number> Whipple<T> {
             IAlz_mH,
             t454,
             t458,
+            t461,
             t466,
             t467,
             SA_mH,
             t474,
+            t475,
+            t476,
             t477,
             t478,
             t481,
@@ -1466,34 +1493,10 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t503,
             SA_rF,
             t507,
+            t508,
             t510,
             t513,
             t514,
-            t515,
-            ITxz_mF,
-            t522,
-            xA_mF,
-            t528,
-            IAlz_mF,
-            t544,
-            t548,
-            t551,
-            SA_mF,
-            t564,
-            t566,
-            t567,
-            t568,
-            t569,
-            t570,
-            t571,
-            t572,
-            t573,
-            t574,
-            t575,
-            t576,
-            t577,
-            t578,
-            t579,
         );
         t5 = self.IHxx + self.IFxx;
         t9 = self.rR * self.rR;
@@ -1623,13 +1626,17 @@ impl<T: ::carvallo::Number> Whipple<T> {
         C122_xA = t83 * IAlz_xA;
         t247 = ((((mu * SA_w) - (t184 * t83)) + (ITzz_w * C122_ITzz)) - (t168 * t242))
             + (xA_w * C122_xA);
+        t248 = SA_w * t54;
+        t249 = t139 * t168;
         t252 = (t83 * SA_w) - (t168 * t158);
         t253 = t142 + t163;
         t254 = IAlz_uA * t28;
         t258 = (t83 * M22_mu) - (t190 + (t254 * t215));
+        t259 = ST * t83;
         t262 = t83 * SA_mu;
         SA_c = t262 - t229;
         t265 = (t83 * (C122_mu - t254)) + (mu * SA_c);
+        t266 = SA_c * t54;
         t267 = t83 * SA_c;
         t272 = (t28 * zA) + (t54 * t65);
         t275 = t82 * t54;
@@ -1637,9 +1644,11 @@ impl<T: ::carvallo::Number> Whipple<T> {
         IAlz_lam = (t53 - (IAzz * t54)) - (t272 * IAlz_uA);
         t291 = ((((IAlz_lam * t215) - (t187 * t118)) + (t28 * (t61 + t91)))
             - (t272 * M22_uA)) - (t275 * t201);
+        t293 = t157 + (t275 * t222);
         t295 = t157 + (t275 * t225);
         t299 = (mA * t272) + (t275 * t233);
         t303 = ((t83 * IAlz_lam) - (mu * t299)) - (t275 * t242);
+        t306 = t139 * t275;
         t310 = (t83 * (t131 - t299)) - (t275 * t158);
         t311 = t137 * ::carvallo::Number::like(self.w, 2.0);
         t313 = self.IRyy * (t133 * t133);
@@ -1651,26 +1660,38 @@ impl<T: ::carvallo::Number> Whipple<T> {
         t319 = self.rR * t83;
         t320 = mu * t133;
         t321 = t83 * t133;
+        t322 = t74 * mu;
         t323 = self.mB * ::carvallo::Number::like(self.w, 2.0);
         ITzz_xB = self.xB * t323;
         t325 = ITzz_xB * M22_ITzz;
+        t326 = t74 * t83;
         SA_xB = self.mB * mu;
         t330 = (mu * SA_xB) + (ITzz_xB * C122_ITzz);
+        t331 = SA_xB * t54;
         t332 = t83 * SA_xB;
         t333 = self.zB * t323;
         SA_mB = self.xB * mu;
+        t335 = self.mB * SA_mB;
         t337 = mu + (self.xB * t83);
+        t338 = self.mB * t337;
+        t339 = self.mB * t83;
+        t340 = self.zB * SA_mB;
         t341 = ITzz_mB * M22_ITzz;
+        t342 = self.zB * t337;
         t345 = (mu * SA_mB) + (ITzz_mB * C122_ITzz);
+        t346 = SA_mB * t54;
+        t347 = self.zB * t83;
         t348 = t83 * SA_mB;
         zA_zH = self.mH * t32;
         t353 = (zA_zH * M12_xA) - (t174 + (mu * t34));
         ITzz_xH = ::carvallo::Number::like(self.w, 2.0) * t39;
         t360 = ((t208 + (t213 * t215)) + (ITzz_xH * M22_ITzz)) + (zA_zH * M22_xA);
+        t361 = t83 * t34;
         t363 = self.mH * mu;
         SA_xH = t363 + (t229 * zA_zH);
         t371 = (((t83 * t213) + (mu * SA_xH)) + (ITzz_xH * C122_ITzz))
             + (zA_zH * C122_xA);
+        t372 = SA_xH * t54;
         t373 = t83 * SA_xH;
         t374 = t34 * ::carvallo::Number::like(self.w, 2.0);
         t375 = t28 * t205;
@@ -1690,10 +1711,13 @@ impl<T: ::carvallo::Number> Whipple<T> {
         t404 = t54 * (t383 - (t382 * ::carvallo::Number::like(self.w, 2.0)));
         M22_zA = (t404 - (M22_uA * t54)) - t392;
         t409 = (t392 + (IAlz_zH * t215)) + (zA_zH * M22_zA);
+        t411 = t363 + (t83 * t39);
         t413 = mA * t54;
         t414 = zA_zH * t413;
         t416 = (t83 * IAlz_zH) - (mu * t414);
         t417 = t414 * t54;
+        t418 = self.mH * t83;
+        t419 = t83 * t414;
         t420 = t28 * t45;
         t421 = t54 * t55;
         t423 = uA * zA;
@@ -1710,11 +1734,14 @@ impl<T: ::carvallo::Number> Whipple<T> {
             + (t54 * (t421 - (t420 * ::carvallo::Number::like(self.w, 2.0)))))
             + (ITzz_mH * M22_ITzz)) + (IAzz_mH * M22_IAzz);
         t458 = (t454 + (zA_mH * M22_zA)) + (xA_mH * M22_xA);
+        t461 = (self.zH * mu) + (t83 * t77);
         t466 = (uA + (self.xH * mu)) + (t229 * xA_mH);
         t467 = zA_mH * t413;
         SA_mH = t466 - t467;
         t474 = (((t83 * IAlz_mH) + (mu * SA_mH)) + (ITzz_mH * C122_ITzz))
             + (xA_mH * C122_xA);
+        t475 = SA_mH * t54;
+        t476 = self.zH * t83;
         t477 = t83 * SA_mH;
         t478 = t54 * t54;
         t481 = (M22_ITzz + M22_IAzz) + (t28 * t215);
@@ -1731,9 +1758,37 @@ impl<T: ::carvallo::Number> Whipple<T> {
         t503 = (t228 + (t83 * ITxz_rF)) - t502;
         SA_rF = xA_w * t413;
         t507 = (mu * SA_rF) - (t83 * t493);
+        t508 = SA_rF * t54;
         t510 = t83 * (self.mF - t501);
         t513 = (t83 * SA_rF) - (t501 * K222_SF);
         t514 = t28 * t50;
+        let (
+            t515,
+            ITxz_mF,
+            t522,
+            xA_mF,
+            t528,
+            IAlz_mF,
+            t544,
+            t548,
+            t551,
+            SA_mF,
+            t564,
+            t565,
+            t566,
+            t567,
+            t568,
+            t569,
+            t570,
+            t571,
+            t572,
+            t573,
+            t574,
+            t575,
+            t576,
+            t577,
+            t578,
+        );
         t515 = t54 * t58;
         ITxz_mF = self.w * self.rF;
         t522 = t428 + (self.rF * t32);
@@ -1749,99 +1804,25 @@ impl<T: ::carvallo::Number> Whipple<T> {
         SA_mF = ((uA + (self.w * mu)) + (t229 * xA_mF)) + (t522 * t413);
         t564 = (((t83 * IAlz_mF) + (mu * SA_mF)) + (ITzz_mF * C122_ITzz))
             + (xA_mF * C122_xA);
+        t565 = SA_mF * t54;
         t566 = self.rF * t83;
         t567 = t83 * SA_mF;
         t568 = t478 + t481;
         t569 = t129 * C112_SF;
         t570 = t83 * t129;
         t571 = t129 * K222_SF;
-        t572 = -(t131 + (mu * ST));
-        t573 = -SA;
-        t574 = -(SA * t54);
-        t575 = t234 - t232;
-        t576 = -(SA_w * t54);
-        t577 = -(t139 * t168);
-        t578 = -(ST * t83);
-        t579 = t229 - t262;
-        let (
-            t580,
-            t581,
-            t582,
-            t583,
-            t584,
-            t585,
-            t586,
-            t587,
-            t588,
-            t589,
-            t590,
-            t591,
-            t592,
-            t593,
-            t594,
-            t595,
-            t596,
-            t597,
-            t598,
-            t599,
-            t600,
-            t601,
-            t602,
-            t603,
-            t604,
-            t605,
-            t606,
-            t607,
-            t608,
-            t609,
-            t610,
-            t611,
-            t612,
-            t613,
-            t614,
-            t615,
-        );
-        t580 = -(SA_c * t54);
-        t581 = -(t157 + (t275 * t222));
-        t582 = (t54 * t299) - (SA * t28);
-        t583 = -(t139 * t275);
-        t584 = -self.mR;
-        t585 = -self.rR;
-        t586 = -t320;
-        t587 = -(t74 * mu);
-        t588 = -(t74 * t83);
-        t589 = -SA_xB;
-        t590 = -(SA_xB * t54);
-        t591 = -(self.mB * SA_mB);
-        t592 = -(self.mB * t337);
-        t593 = -(self.mB * t83);
-        t594 = -(self.zB * SA_mB);
-        t595 = -(self.zB * t337);
-        t596 = -SA_mB;
-        t597 = -(SA_mB * t54);
-        t598 = -(self.zB * t83);
-        t599 = -(t83 * t34);
-        t600 = -SA_xH;
-        t601 = -(SA_xH * t54);
-        t602 = -(t363 + (t83 * t39));
-        t603 = -(self.mH * t83);
-        t604 = -(t83 * t414);
-        t605 = -((self.zH * mu) + (t83 * t77));
-        t606 = t467 - t466;
-        t607 = -(SA_mH * t54);
-        t608 = -(self.zH * t83);
-        t609 = -self.mF;
-        t610 = -SA_rF;
-        t611 = -(SA_rF * t54);
-        t612 = -self.rF;
-        t613 = -SA_mF;
-        t614 = -(SA_mF * t54);
-        t615 = -t569;
+        t572 = (t54 * t299) - (SA * t28);
+        t573 = -(t131 + (mu * ST));
+        t574 = -SA;
+        t575 = -(SA * t54);
+        t576 = t234 - t232;
+        t577 = t229 - t262;
+        t578 = t467 - t466;
         (
             WhippleMatrices {
                 m: [[t26, t86], [t86, t126]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t143], [t572, t154]],
-                k0: [[t138, t573], [t573, t574]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t143], [t573, t154]],
+                k0: [[t138, t574], [t574, t575]],
                 k2: [
                     [::carvallo::Number::like(self.w, 0.0), t156],
                     [::carvallo::Number::like(self.w, 0.0), t159],
@@ -1850,161 +1831,126 @@ impl<T: ::carvallo::Number> Whipple<T> {
             WhippleDerivatives {
                 values: [
                     t177,
-                    t177,
                     t219,
                     t224,
                     t226,
                     t247,
-                    t575,
-                    t575,
                     t576,
-                    t577,
+                    t248,
+                    t249,
                     t252,
-                    t253,
                     t253,
                     t258,
                     t156,
-                    t578,
+                    t259,
                     t265,
-                    t579,
-                    t579,
-                    t580,
+                    t577,
+                    t266,
                     t267,
                     t277,
-                    t277,
                     t291,
-                    t581,
+                    t293,
                     t295,
                     t303,
                     t299,
-                    t299,
-                    t582,
-                    t583,
+                    t572,
+                    t306,
                     t310,
                     t311,
                     t315,
                     t316,
-                    t584,
+                    self.mR,
                     t317,
                     t9,
                     t318,
-                    t585,
+                    self.rR,
                     t319,
                     ::carvallo::Number::like(self.w, 1.0),
                     M22_ITzz,
                     C122_ITzz,
                     t320,
-                    t586,
                     t321,
-                    t587,
-                    t587,
+                    t322,
                     t325,
-                    t588,
+                    t326,
                     t330,
-                    t589,
-                    t589,
-                    t590,
+                    SA_xB,
+                    t331,
                     t332,
                     t333,
-                    t591,
-                    t591,
-                    t592,
+                    t335,
+                    t338,
                     self.mB,
-                    t593,
+                    t339,
                     t14,
-                    t594,
-                    t594,
+                    t340,
                     t341,
-                    t595,
+                    t342,
                     t345,
                     self.zB,
-                    t596,
-                    t596,
-                    t597,
-                    t598,
+                    SA_mB,
+                    t346,
+                    t347,
                     t348,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    M22_ITzz,
-                    C122_ITzz,
-                    mu,
                     mu,
                     t83,
                     t353,
-                    t353,
                     t360,
-                    t599,
+                    t361,
                     t371,
-                    t600,
-                    t600,
-                    t601,
+                    SA_xH,
+                    t372,
                     t373,
                     t374,
                     t389,
-                    t389,
                     t409,
-                    t602,
+                    t411,
                     t416,
                     self.mH,
                     t414,
-                    t414,
                     t417,
-                    t603,
-                    t604,
+                    t418,
+                    t419,
                     t19,
                     t437,
-                    t437,
                     t458,
-                    t605,
+                    t461,
                     t474,
                     self.zH,
-                    t606,
-                    t606,
-                    t607,
-                    t608,
+                    t578,
+                    t475,
+                    t476,
                     t477,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t54,
                     t54,
                     t478,
                     t481,
                     t483,
                     C112_SF,
-                    C112_SF,
                     t485,
-                    t83,
                     K222_SF,
                     t487,
-                    t491,
                     t491,
                     t497,
                     t503,
                     t502,
                     t507,
-                    t609,
-                    t610,
-                    t610,
-                    t611,
+                    self.mF,
+                    SA_rF,
+                    t508,
                     t510,
                     t513,
                     t24,
                     t528,
-                    t528,
                     t548,
                     t551,
                     t564,
-                    t612,
-                    t613,
-                    t613,
-                    t614,
+                    self.rF,
+                    SA_mF,
+                    t565,
                     t566,
                     t567,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t54,
-                    t54,
                     t568,
-                    t483,
                     t569,
-                    t615,
                     t570,
                     t571,
                 ],
@@ -2023,8 +1969,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for Whipple<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 26];
         for position in 0..158 {
-            <WhippleDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -1404,256 +1404,256 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 3> for WhippleLeaning<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleLeaningDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 243],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 165],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleLeaningDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 243] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 34),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 3).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 0, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 9).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 0, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 16).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 1, 18).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 20).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 25).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 2, 28).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 31).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 2, 33),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 42),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 46).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 49),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 51),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 52).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 52).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 55),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 57).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 61).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 61).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 63).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 67).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 69),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 72).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 72).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 76).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 76).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 82).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 83).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 92).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 95).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 95).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 96).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 97).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 104),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 106),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 112).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 113).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 113).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 122).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 123).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 123).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 124).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 125),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 126),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 127),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 128).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 129),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 130),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 26, 131),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 26, 132),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 26, 131),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 26, 132),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 26, 133).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 26, 134),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 26, 136),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 27, 137),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 27, 138).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 27, 139),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 27, 138).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 27, 140),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 27, 141).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 27, 139),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 27, 141).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 27, 142),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 27, 143).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 27, 144),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 27, 145).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27, 146),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27, 147).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27, 147).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27, 149).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 27, 150).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 27, 151),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 27, 152).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 28, 153).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 28, 153).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 28, 154),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 28, 155).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 28, 155).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 28, 156).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 28, 157),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 28, 18).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 28, 158).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 28, 158).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 28, 159).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 28, 160),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 29, 161),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 29, 162).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 29, 163),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 29, 162).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 29, 163),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 29, 133),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 29, 164).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 29, 134).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 29, 136).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 29, 136).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 32, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 32, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 33, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 33, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 34, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 35, 43),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1690,7 +1690,10 @@ impl<T: ::carvallo::Scalar> WhippleLeaningDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1698,7 +1701,7 @@ impl<T: ::carvallo::Scalar> WhippleLeaningDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 184 additions, 330 multiplications, 3 divisions, 71 negations and 2 trigonometric functions: 590 operations.
+    /// 184 additions, 330 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 523 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1781,11 +1784,13 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t172,
             K222_yaw_per_v_delta,
             t174,
+            t175,
             C112_h_spin_F,
             t177,
             t179,
             t181,
             M12_yaw_per_v_delta,
+            t184,
             t185,
             t186,
             t187,
@@ -1801,9 +1806,11 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             M22_yaw_per_v_delta,
             t208,
             M23_yaw_per_v_delta,
+            t210,
             t211,
             t213,
             C112_yaw_per_v_delta,
+            t217,
             t218,
             t219,
             C122_py_delta,
@@ -1820,6 +1827,9 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             C122_yaw_per_v_delta,
             t245,
             C132_yaw_per_v_delta,
+            t248,
+            t249,
+            t250,
             t253,
             t254,
             t259,
@@ -1829,8 +1839,10 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t269,
             t271,
             t274,
+            t275,
             P_delta_lateral_c,
             t289,
+            t290,
             t291,
             hx_delta_lam,
             t294,
@@ -1838,9 +1850,13 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             hz_delta_lam,
             t308,
             t312,
+            t313,
+            t315,
             t317,
             t320,
             t326,
+            t327,
+            t330,
             t334,
             t335,
             t336,
@@ -1855,21 +1871,32 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t346,
             t347,
             t348,
+            t349,
             P_delta_yaw_xB,
             t351,
+            t352,
             P_delta_lateral_xB,
             t356,
+            t357,
             t358,
             t359,
             P_delta_lateral_mB,
+            t361,
             t363,
+            t364,
+            t365,
+            t366,
             P_delta_yaw_mB,
             t368,
+            t369,
             t372,
+            t373,
+            t374,
             t375,
             P_delta_yaw_xH,
             t379,
             t383,
+            t384,
             t385,
             Jxx_delta_zH,
             t391,
@@ -1877,7 +1904,11 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             M22_Jxx_delta,
             t398,
             t400,
+            t402,
+            t407,
             t408,
+            t409,
+            t410,
             t412,
             t416,
             t418,
@@ -1885,8 +1916,11 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             hz_delta_mH,
             py_delta_mH,
             t431,
+            t434,
             P_delta_lateral_mH,
             t445,
+            t446,
+            t447,
             t448,
             t450,
             t451,
@@ -1901,6 +1935,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t465,
             P_delta_lateral_rF,
             t469,
+            t470,
             t472,
             t475,
             t476,
@@ -1910,6 +1945,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t486,
             P_delta_lateral_mF,
             t498,
+            t499,
             t500,
             t501,
             t502,
@@ -1925,39 +1961,6 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t513,
             t514,
             t518,
-            Sz_all_mU,
-            t520,
-            t523,
-            P_delta_yaw_mU,
-            t525,
-            t532,
-            t536,
-            P_delta_yaw_xU,
-            t540,
-            P_delta_lateral_xU,
-            t545,
-            t547,
-            t549,
-            t553,
-            t554,
-            t555,
-            t556,
-            t557,
-            t558,
-            t559,
-            t560,
-            t561,
-            t562,
-            t563,
-            t564,
-            t565,
-            t566,
-            t567,
-            t568,
-            t569,
-            t570,
-            t571,
-            t572,
         );
         t8 = self.zU - self.zP;
         Jxx_theta_mU = t8 * t8;
@@ -2038,11 +2041,13 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t172 = t47 * h_spin_F;
         K222_yaw_per_v_delta = P_delta_lateral + t172;
         t174 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        t175 = yaw_per_v_delta * Sz_theta;
         C112_h_spin_F = t61 + yaw_by_delta;
         t177 = t81 * C112_h_spin_F;
         t179 = (yaw_by_delta * Sz_delta) - t177;
         t181 = t61 * (t64 * t64);
         M12_yaw_per_v_delta = self.c * Jxz_all;
+        t184 = t179 + (t181 * M12_yaw_per_v_delta);
         t185 = self.mH * ::carvallo::Number::like(self.w, 2.0);
         t186 = t57 * t61;
         t187 = t185 * t186;
@@ -2058,9 +2063,11 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
         t208 = (t200 + (yaw_by_delta * P_delta_yaw_w)) - (t181 * M22_yaw_per_v_delta);
         M23_yaw_per_v_delta = self.c * Jxz_theta;
+        t210 = t181 * M23_yaw_per_v_delta;
         t211 = yaw_per_v_delta * t81;
         t213 = (yaw_per_v_delta * Sz_delta) - t211;
         C112_yaw_per_v_delta = Jxz_all + (self.c * t148);
+        t217 = t213 + (t181 * C112_yaw_per_v_delta);
         t218 = h_wheels_all * self.c;
         t219 = t181 * t218;
         C122_py_delta = t56 * yaw_per_v_delta;
@@ -2080,6 +2087,9 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t245 = ((t228 + (yaw_per_v_delta * P_delta_yaw_w))
             + (yaw_by_delta * P_delta_lateral_w)) - (t181 * C122_yaw_per_v_delta);
         C132_yaw_per_v_delta = Jxz_theta - (Sz_theta * self.c);
+        t248 = t181 * C132_yaw_per_v_delta;
+        t249 = P_delta_lateral_w * t47;
+        t250 = t148 * t181;
         t253 = (yaw_per_v_delta * P_delta_lateral_w) - (t181 * K222_yaw_per_v_delta);
         t254 = t181 * Sz_theta;
         t259 = ((t151 - t179) - (t61 * t50)) - (t50 * yaw_by_delta);
@@ -2090,11 +2100,13 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t271 = (((t200 - (M22_Jxz_delta * t50)) + (yaw_per_v_delta * M22_yaw_by_delta))
             + (hz_delta_c * M22_hz_delta)) - (t269 * M22_py_delta);
         t274 = (yaw_per_v_delta * (t148 - t50)) - t213;
+        t275 = h_wheels_all * yaw_per_v_delta;
         P_delta_lateral_c = ((t234 - t269) - (self.mF * yaw_by_delta))
             + (yaw_per_v_delta * Sx_all);
         t289 = (((t228 - (C122_Jxz_delta * t50))
             + (yaw_per_v_delta * (hz_delta_c + C122_yaw_by_delta)))
             + (yaw_by_delta * P_delta_lateral_c)) - (t269 * C122_py_delta);
+        t290 = P_delta_lateral_c * t47;
         t291 = yaw_per_v_delta * P_delta_lateral_c;
         hx_delta_lam = (Jxx_delta * t61) - t90;
         t294 = t64 * t47;
@@ -2104,10 +2116,14 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t312 = (((((t47 * hx_delta_lam) + (hx_delta * t61)) - (hz_delta * t47))
             + (hz_delta_lam * M22_hz_delta)) - (t308 * M22_py_delta))
             - (t294 * M22_yaw_per_v_delta);
+        t313 = t294 * M23_yaw_per_v_delta;
+        t315 = t172 + (t294 * C112_yaw_per_v_delta);
         t317 = t172 + (t294 * t218);
         t320 = t308 + (t294 * P_delta_lateral_yaw_per_v_delta);
         t326 = (((yaw_per_v_delta * hz_delta_lam) - (yaw_by_delta * t320))
             - (t308 * C122_py_delta)) - (t294 * C122_yaw_per_v_delta);
+        t327 = t294 * C132_yaw_per_v_delta;
+        t330 = t148 * t294;
         t334 = (yaw_per_v_delta * (t138 - t320)) - (t294 * K222_yaw_per_v_delta);
         t335 = t294 * Sz_theta;
         t336 = t146 * ::carvallo::Number::like(self.w, 2.0);
@@ -2122,21 +2138,32 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t346 = yaw_per_v_delta * yaw_by_delta;
         t347 = yaw_by_delta * t140;
         t348 = yaw_per_v_delta * t140;
+        t349 = t75 * yaw_by_delta;
         P_delta_yaw_xB = t157 * t188;
         t351 = yaw_by_delta * P_delta_yaw_xB;
+        t352 = t75 * yaw_per_v_delta;
         P_delta_lateral_xB = self.mB * yaw_by_delta;
         t356 = (yaw_per_v_delta * P_delta_yaw_xB) + (yaw_by_delta * P_delta_lateral_xB);
+        t357 = P_delta_lateral_xB * t47;
         t358 = yaw_per_v_delta * P_delta_lateral_xB;
         t359 = t75 * ::carvallo::Number::like(self.w, 2.0);
         P_delta_lateral_mB = self.xB * yaw_by_delta;
+        t361 = self.mB * P_delta_lateral_mB;
         t363 = yaw_by_delta + (self.xB * yaw_per_v_delta);
+        t364 = self.mB * t363;
+        t365 = self.mB * yaw_per_v_delta;
+        t366 = self.zB * P_delta_lateral_mB;
         P_delta_yaw_mB = yaw_by_delta * t115;
         t368 = yaw_by_delta * P_delta_yaw_mB;
+        t369 = self.zB * t363;
         t372 = (yaw_per_v_delta * P_delta_yaw_mB) + (yaw_by_delta * P_delta_lateral_mB);
+        t373 = P_delta_lateral_mB * t47;
+        t374 = self.zB * yaw_per_v_delta;
         t375 = yaw_per_v_delta * P_delta_lateral_mB;
         P_delta_yaw_xH = (self.xH * self.mH) * t188;
         t379 = t198 + (yaw_by_delta * P_delta_yaw_xH);
         t383 = (t226 + (yaw_per_v_delta * P_delta_yaw_xH)) + (yaw_by_delta * t232);
+        t384 = t232 * t47;
         t385 = yaw_per_v_delta * t232;
         Jxx_delta_zH = self.zH * t185;
         t391 = t58 + (self.mH * t56);
@@ -2145,7 +2172,11 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t398 = self.mH * t47;
         t400 = ((Jxx_delta_zH * M22_Jxx_delta) - (M22_Jxz_delta * t58))
             - (t398 * M22_py_delta);
+        t402 = t231 + (yaw_per_v_delta * t391);
+        t407 = ((C122_Jxz_delta * t58) + (yaw_by_delta * t398)) + (t398 * C122_py_delta);
         t408 = t398 * t47;
+        t409 = self.mH * yaw_per_v_delta;
+        t410 = yaw_per_v_delta * t398;
         t412 = t57 * self.zH;
         t416 = t412 + (t56 * self.zH);
         t418 = ((t47 * Jxx_delta_mH) - (t61 * t412)) - (yaw_by_delta * t416);
@@ -2155,10 +2186,13 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t431 = ((((yaw_by_delta * P_delta_yaw_mH) + (Jxx_delta_mH * M22_Jxx_delta))
             + (hz_delta_mH * M22_hz_delta)) + (py_delta_mH * M22_py_delta))
             - (t412 * M22_Jxz_delta);
+        t434 = (self.zH * yaw_by_delta) + (yaw_per_v_delta * t416);
         P_delta_lateral_mH = py_delta_mH + (yaw_by_delta * (t56 + t57));
         t445 = (((yaw_per_v_delta * (P_delta_yaw_mH + hz_delta_mH))
             + (yaw_by_delta * P_delta_lateral_mH)) + (py_delta_mH * C122_py_delta))
             - (t412 * C122_Jxz_delta);
+        t446 = P_delta_lateral_mH * t47;
+        t447 = self.zH * yaw_per_v_delta;
         t448 = yaw_per_v_delta * P_delta_lateral_mH;
         t450 = (t61 * M22_hz_delta) + t345;
         t451 = yaw_per_v_delta * C112_h_spin_F;
@@ -2173,6 +2207,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t465 = (t47 * C122_py_delta) - (C122_Jxz_delta * self.c);
         P_delta_lateral_rF = self.mF * t47;
         t469 = (self.mF * t465) + (yaw_by_delta * P_delta_lateral_rF);
+        t470 = P_delta_lateral_rF * t47;
         t472 = yaw_per_v_delta * (self.mF - t460);
         t475 = (yaw_per_v_delta * P_delta_lateral_rF) - (t460 * C122_Jxz_delta);
         t476 = t47 * Jxx_delta_mF;
@@ -2184,6 +2219,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         P_delta_lateral_mF = ((self.rF * t47) - t264) + (yaw_by_delta * t455);
         t498 = (((self.rF * t465) + (yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF)))
             + (yaw_by_delta * P_delta_lateral_mF)) - (t264 * C122_py_delta);
+        t499 = P_delta_lateral_mF * t47;
         t500 = self.rF * yaw_per_v_delta;
         t501 = yaw_per_v_delta * P_delta_lateral_mF;
         t502 = M22_Jxx_delta + t450;
@@ -2200,148 +2236,70 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t514 = self.mU * yaw_per_v_delta;
         t518 = Jxx_theta_mU
             + (self.zP * (self.zP + (t8 * ::carvallo::Number::like(self.w, 2.0))));
+        let (
+            Sz_all_mU,
+            t520,
+            t521,
+            t523,
+            P_delta_yaw_mU,
+            t525,
+            t526,
+            t529,
+            t532,
+            t533,
+            t534,
+            t535,
+            t536,
+            t537,
+            t538,
+            P_delta_yaw_xU,
+            t540,
+            t541,
+            P_delta_lateral_xU,
+            t545,
+            t546,
+            t547,
+            t549,
+            t550,
+            t552,
+            t553,
+            t554,
+            t555,
+            t556,
+            t557,
+            t558,
+        );
         Sz_all_mU = self.zP + t8;
         t520 = Sz_all_mU * self.xU;
+        t521 = yaw_by_delta * t520;
         t523 = Jxx_theta_mU + (self.zP * t8);
         P_delta_yaw_mU = yaw_by_delta * t124;
         t525 = yaw_by_delta * P_delta_yaw_mU;
+        t526 = t8 * P_delta_lateral_mU;
+        t529 = (Sz_all_mU * yaw_by_delta) + (yaw_per_v_delta * t520);
         t532 = (yaw_per_v_delta * P_delta_yaw_mU) + (yaw_by_delta * P_delta_lateral_mU);
+        t533 = t8 * t512;
+        t534 = P_delta_lateral_mU * t47;
+        t535 = Sz_all_mU * yaw_per_v_delta;
         t536 = yaw_per_v_delta * P_delta_lateral_mU;
+        t537 = t8 * yaw_per_v_delta;
+        t538 = yaw_by_delta * t143;
         P_delta_yaw_xU = Sx_theta * t188;
         t540 = yaw_by_delta * P_delta_yaw_xU;
+        t541 = yaw_per_v_delta * t143;
         P_delta_lateral_xU = self.mU * yaw_by_delta;
         t545 = (yaw_per_v_delta * P_delta_yaw_xU) + (yaw_by_delta * P_delta_lateral_xU);
+        t546 = P_delta_lateral_xU * t47;
         t547 = yaw_per_v_delta * P_delta_lateral_xU;
         t549 = t506 + (t30 * ::carvallo::Number::like(self.w, 2.0));
-        t553 = -(t138 + (yaw_by_delta * h_wheels_all));
-        t554 = -P_delta_lateral;
-        t555 = -(P_delta_lateral * t47);
-        t556 = -(yaw_per_v_delta * Sz_theta);
-        t557 = -(t179 + (t181 * M12_yaw_per_v_delta));
-        t558 = -(t181 * M23_yaw_per_v_delta);
-        t559 = -(t213 + (t181 * C112_yaw_per_v_delta));
-        t560 = -(t181 * C132_yaw_per_v_delta);
-        t561 = t236 - t234;
-        t562 = -(P_delta_lateral_w * t47);
-        t563 = -(t148 * t181);
-        t564 = -(h_wheels_all * yaw_per_v_delta);
-        t565 = -P_delta_lateral_c;
-        t566 = -(P_delta_lateral_c * t47);
-        t567 = -(t294 * M23_yaw_per_v_delta);
-        t568 = -(t172 + (t294 * C112_yaw_per_v_delta));
-        t569 = -(t294 * C132_yaw_per_v_delta);
-        t570 = (t47 * t320) - (P_delta_lateral * t61);
-        t571 = -(t148 * t294);
-        t572 = -self.mR;
-        let (
-            t573,
-            t574,
-            t575,
-            t576,
-            t577,
-            t578,
-            t579,
-            t580,
-            t581,
-            t582,
-            t583,
-            t584,
-            t585,
-            t586,
-            t587,
-            t588,
-            t589,
-            t590,
-            t591,
-            t592,
-            t593,
-            t594,
-            t595,
-            t596,
-            t597,
-            t598,
-            t599,
-            t600,
-            t601,
-            t602,
-            t603,
-            t604,
-            t605,
-            t606,
-            t607,
-            t608,
-            t609,
-            t610,
-            t611,
-            t612,
-            t613,
-            t614,
-            t615,
-            t616,
-            t617,
-            t618,
-            t619,
-            t620,
-            t621,
-            t622,
-            t623,
-            t624,
-            t625,
-        );
-        t573 = -self.rR;
-        t574 = -t347;
-        t575 = -(t75 * yaw_by_delta);
-        t576 = -(t75 * yaw_per_v_delta);
-        t577 = -P_delta_lateral_xB;
-        t578 = -(P_delta_lateral_xB * t47);
-        t579 = -(self.mB * P_delta_lateral_mB);
-        t580 = -(self.mB * t363);
-        t581 = -(self.mB * yaw_per_v_delta);
-        t582 = -(self.zB * P_delta_lateral_mB);
-        t583 = -(self.zB * t363);
-        t584 = -P_delta_lateral_mB;
-        t585 = -(P_delta_lateral_mB * t47);
-        t586 = -(self.zB * yaw_per_v_delta);
-        t587 = -t177;
-        t588 = -t211;
-        t589 = -t232;
-        t590 = -(t232 * t47);
-        t591 = -(t231 + (yaw_per_v_delta * t391));
-        t592 = -(((C122_Jxz_delta * t58) + (yaw_by_delta * t398))
-            + (t398 * C122_py_delta));
-        t593 = -(self.mH * yaw_per_v_delta);
-        t594 = -(yaw_per_v_delta * t398);
-        t595 = -((self.zH * yaw_by_delta) + (yaw_per_v_delta * t416));
-        t596 = -P_delta_lateral_mH;
-        t597 = -(P_delta_lateral_mH * t47);
-        t598 = -(self.zH * yaw_per_v_delta);
-        t599 = -self.mF;
-        t600 = -P_delta_lateral_rF;
-        t601 = -(P_delta_lateral_rF * t47);
-        t602 = -self.rF;
-        t603 = -P_delta_lateral_mF;
-        t604 = -(P_delta_lateral_mF * t47);
-        t605 = -t503;
-        t606 = -t506;
-        t607 = -self.mU;
-        t608 = -(yaw_by_delta * t520);
-        t609 = -(t8 * P_delta_lateral_mU);
-        t610 = -((Sz_all_mU * yaw_by_delta) + (yaw_per_v_delta * t520));
-        t611 = -(t8 * t512);
-        t612 = -P_delta_lateral_mU;
-        t613 = -(P_delta_lateral_mU * t47);
-        t614 = -(Sz_all_mU * yaw_per_v_delta);
-        t615 = -(t8 * yaw_per_v_delta);
-        t616 = -(yaw_by_delta * t143);
-        t617 = -t166;
-        t618 = -(yaw_per_v_delta * t143);
-        t619 = -P_delta_lateral_xU;
-        t620 = -(P_delta_lateral_xU * t47);
-        t621 = -(yaw_by_delta * Sx_theta);
-        t622 = -t510;
-        t623 = -(P_delta_lateral_xU + (yaw_per_v_delta * Sx_theta));
-        t624 = -t513;
-        t625 = -t514;
+        t550 = yaw_by_delta * Sx_theta;
+        t552 = P_delta_lateral_xU + (yaw_per_v_delta * Sx_theta);
+        t553 = (t47 * t320) - (P_delta_lateral * t61);
+        t554 = -(t138 + (yaw_by_delta * h_wheels_all));
+        t555 = -P_delta_lateral;
+        t556 = -(P_delta_lateral * t47);
+        t557 = -t175;
+        t558 = t236 - t234;
         (
             WhippleLeaningMatrices {
                 m: [
@@ -2372,7 +2330,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                         t152,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
-                    [t553, t165, ::carvallo::Number::like(self.w, 0.0)],
+                    [t554, t165, ::carvallo::Number::like(self.w, 0.0)],
                     [
                         ::carvallo::Number::like(self.w, 0.0),
                         t168,
@@ -2397,8 +2355,8 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                     ],
                 ],
                 k0: [
-                    [Sz_all, t554, Sz_theta],
-                    [t554, t555, ::carvallo::Number::like(self.w, 0.0)],
+                    [Sz_all, t555, Sz_theta],
+                    [t555, t556, ::carvallo::Number::like(self.w, 0.0)],
                     [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
                 ],
                 k2: [
@@ -2414,256 +2372,178 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                     ],
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t556,
+                        t557,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                 ],
             },
             WhippleLeaningDerivatives {
                 values: [
-                    t557,
-                    t557,
+                    t184,
                     t208,
-                    t558,
-                    t558,
-                    t559,
+                    t210,
+                    t217,
                     t219,
                     t245,
-                    t560,
-                    t561,
-                    t561,
-                    t562,
-                    t563,
+                    t248,
+                    t558,
+                    t249,
+                    t250,
                     t253,
                     t254,
                     t259,
-                    t259,
                     t271,
                     t167,
-                    t167,
                     t274,
-                    t564,
+                    t275,
                     t289,
-                    t556,
-                    t565,
-                    t565,
-                    t566,
+                    t175,
+                    P_delta_lateral_c,
+                    t290,
                     t291,
                     t296,
-                    t296,
                     t312,
-                    t567,
-                    t567,
-                    t568,
+                    t313,
+                    t315,
                     t317,
                     t326,
-                    t569,
+                    t327,
                     t320,
-                    t320,
-                    t570,
-                    t571,
+                    t553,
+                    t330,
                     t334,
                     t335,
                     t336,
                     t340,
                     t341,
-                    t572,
+                    self.mR,
                     t342,
                     t38,
                     t343,
-                    t573,
+                    self.rR,
                     t344,
                     ::carvallo::Number::like(self.w, 1.0),
                     t345,
                     t346,
                     t347,
-                    t574,
                     t348,
-                    t575,
-                    t575,
+                    t349,
                     t351,
-                    t576,
+                    t352,
                     t356,
-                    t577,
-                    t577,
-                    t578,
+                    P_delta_lateral_xB,
+                    t357,
                     t358,
                     t359,
-                    t579,
-                    t579,
-                    t580,
+                    t361,
+                    t364,
                     self.mB,
-                    t581,
+                    t365,
                     t43,
-                    t582,
-                    t582,
+                    t366,
                     t368,
-                    t583,
+                    t369,
                     t372,
                     self.zB,
-                    t584,
-                    t584,
-                    t585,
-                    t586,
+                    P_delta_lateral_mB,
+                    t373,
+                    t374,
                     t375,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t345,
-                    t346,
-                    yaw_by_delta,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t587,
-                    t587,
+                    t177,
                     t379,
-                    t588,
+                    t211,
                     t383,
-                    t589,
-                    t589,
-                    t590,
+                    t232,
+                    t384,
                     t385,
                     Jxx_delta_zH,
                     t393,
-                    t393,
                     t400,
-                    t591,
-                    t592,
+                    t402,
+                    t407,
                     self.mH,
                     t398,
-                    t398,
                     t408,
-                    t593,
-                    t594,
+                    t409,
+                    t410,
                     Jxx_delta_mH,
                     t418,
-                    t418,
                     t431,
-                    t595,
+                    t434,
                     t445,
                     self.zH,
-                    t596,
-                    t596,
-                    t597,
-                    t598,
+                    P_delta_lateral_mH,
+                    t446,
+                    t447,
                     t448,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t47,
                     t47,
                     M22_Jxx_delta,
                     t450,
                     t451,
                     C112_h_spin_F,
-                    C112_h_spin_F,
                     M22_Jxz_delta,
-                    yaw_per_v_delta,
                     C122_Jxz_delta,
                     Jxx_delta_rF,
-                    t453,
                     t453,
                     t454,
                     t462,
                     t461,
                     t469,
-                    t599,
-                    t600,
-                    t600,
-                    t601,
+                    self.mF,
+                    P_delta_lateral_rF,
+                    t470,
                     t472,
                     t475,
                     Jxx_delta_mF,
                     t476,
-                    t476,
                     t485,
                     t486,
                     t498,
-                    t602,
-                    t603,
-                    t603,
-                    t604,
+                    self.rF,
+                    P_delta_lateral_mF,
+                    t499,
                     t500,
                     t501,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t47,
-                    t47,
                     t502,
-                    t451,
                     t503,
-                    t605,
                     t504,
                     t505,
                     t508,
                     t510,
-                    t508,
-                    t510,
-                    t606,
+                    t506,
                     t513,
-                    t607,
-                    t607,
-                    t607,
+                    self.mU,
                     t514,
                     t518,
-                    t608,
+                    t521,
                     t523,
-                    t608,
                     t525,
-                    t609,
-                    t523,
-                    t609,
+                    t526,
                     Jxx_theta_mU,
-                    t610,
+                    t529,
                     t532,
-                    t611,
+                    t533,
                     Sz_all_mU,
-                    t612,
+                    P_delta_lateral_mU,
                     t8,
-                    t612,
-                    t613,
-                    t8,
-                    t8,
-                    t614,
+                    t534,
+                    t535,
                     t536,
-                    t615,
-                    t616,
-                    t616,
+                    t537,
+                    t538,
                     t540,
-                    t617,
-                    t617,
-                    t618,
+                    t166,
+                    t541,
                     t545,
-                    t556,
-                    t619,
-                    t619,
-                    t620,
+                    P_delta_lateral_xU,
+                    t546,
                     t547,
                     t549,
-                    t621,
+                    t550,
                     t507,
-                    t621,
-                    t622,
-                    t507,
-                    t622,
-                    t506,
-                    t623,
-                    t624,
-                    self.mU,
-                    self.mU,
-                    self.mU,
-                    self.mU,
-                    t625,
-                    t625,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t345,
-                    t346,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_per_v_delta,
-                    yaw_per_v_delta,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
+                    t552,
                 ],
             },
         )
@@ -2680,8 +2560,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<3> for WhippleLeaning<T> 
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 3]; 3]; 6],
         ); 36];
         for position in 0..243 {
-            <WhippleLeaningDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleLeaningDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -1161,171 +1161,171 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleMechanism<T> 
     ::core::cmp::PartialEq
 )]
 pub struct WhippleMechanismDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 158],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleMechanismDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1359,7 +1359,10 @@ impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1367,7 +1370,7 @@ impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 151 additions, 261 multiplications, 3 divisions, 48 negations and 2 trigonometric functions: 465 operations.
+    /// 151 additions, 261 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 420 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1441,6 +1444,7 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t138 = (mu * Sz_delta) - t136;
         let t140 = t43 * (t46 * t46);
         let M12_yaw_per_v_delta = self.c * Jxz_all;
+        let t143 = t138 + (t140 * M12_yaw_per_v_delta);
         let t144 = mu * ::carvallo::Number::like(self.w, 2.0);
         let P_delta_yaw_Sx_delta = t38 * t144;
         let M22_Sx_delta = (t43 * P_delta_yaw_Sx_delta) + (mu * P_delta_yaw_Sx_delta);
@@ -1463,6 +1467,7 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t175 = self.mH * t174;
         let t177 = (yaw_per_v_delta * Sz_delta) - t175;
         let C112_yaw_per_v_delta = Jxz_all + (self.c * t114);
+        let t181 = t177 + (t140 * C112_yaw_per_v_delta);
         let t182 = ST * self.c;
         let t183 = t140 * t182;
         let C122_py_delta = t38 * yaw_per_v_delta;
@@ -1481,6 +1486,8 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let C122_mu = P_delta_lateral + (yaw_per_v_delta * P_delta_yaw_mu);
         let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_mu);
         let t211 = (t197 + (mu * P_delta_lateral_w)) - (t140 * C122_yaw_per_v_delta);
+        let t212 = P_delta_lateral_w * t28;
+        let t213 = t114 * t140;
         let t216 = (yaw_per_v_delta * P_delta_lateral_w) - (t140 * K222_yaw_per_v_delta);
         let t219 = (t117 - t138) - (M12_Jxz_delta * t32);
         let t226 = self.mF * ::carvallo::Number::like(self.w, 2.0);
@@ -1488,11 +1495,13 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t229 = (((t169 - (M22_Sx_delta * self.mF)) - (M22_Jxz_delta * t32))
             + (yaw_per_v_delta * M22_mu)) + (Jzz_delta_c * M22_Jzz_delta);
         let t232 = (yaw_per_v_delta * (t114 - t32)) - t177;
+        let t233 = ST * yaw_per_v_delta;
         let P_delta_lateral_c = (t200 - (M12_Jxz_delta * self.mF))
             + (yaw_per_v_delta * Sx_all);
         let t247 = ((((t197 - (C122_Sx_delta * self.mF)) - (C122_Jxz_delta * t32))
             + (yaw_per_v_delta * C122_mu)) + (mu * P_delta_lateral_c))
             + (Jzz_delta_c * C122_Jzz_delta);
+        let t248 = P_delta_lateral_c * t28;
         let t249 = yaw_per_v_delta * P_delta_lateral_c;
         let hx_delta_lam = (Jxx_delta * t43) - t62;
         let t252 = t46 * t28;
@@ -1502,10 +1511,12 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t270 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
             - (t262 * P_delta_yaw_Sx_delta)) + (hz_delta_lam * M22_hz_delta))
             - (t252 * M22_yaw_per_v_delta);
+        let t272 = t131 + (t252 * C112_yaw_per_v_delta);
         let t274 = t131 + (t252 * t182);
         let t277 = t262 + (t252 * P_delta_lateral_yaw_per_v_delta);
         let t283 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t277))
             - (t262 * C122_py_delta)) - (t252 * C122_yaw_per_v_delta);
+        let t286 = t114 * t252;
         let t290 = (yaw_per_v_delta * (t106 - t277)) - (t252 * K222_yaw_per_v_delta);
         let t291 = t112 * ::carvallo::Number::like(self.w, 2.0);
         let t293 = self.IRyy * (t108 * t108);
@@ -1518,19 +1529,30 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t300 = yaw_per_v_delta * mu;
         let t301 = mu * t108;
         let t302 = yaw_per_v_delta * t108;
+        let t303 = t52 * mu;
         let P_delta_yaw_xB = t123 * t144;
         let t305 = mu * P_delta_yaw_xB;
+        let t306 = t52 * yaw_per_v_delta;
         let P_delta_lateral_xB = self.mB * mu;
         let t310 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * P_delta_lateral_xB);
+        let t311 = P_delta_lateral_xB * t28;
         let t312 = yaw_per_v_delta * P_delta_lateral_xB;
         let t313 = ::carvallo::Number::like(self.w, 2.0) * t52;
         let P_delta_lateral_mB = self.xB * mu;
+        let t315 = self.mB * P_delta_lateral_mB;
         let t317 = mu + (self.xB * yaw_per_v_delta);
+        let t318 = self.mB * t317;
+        let t319 = self.mB * yaw_per_v_delta;
+        let t320 = self.zB * P_delta_lateral_mB;
         let P_delta_yaw_mB = mu * t94;
         let t322 = mu * P_delta_yaw_mB;
+        let t323 = self.zB * t317;
         let t326 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * P_delta_lateral_mB);
+        let t327 = P_delta_lateral_mB * t28;
+        let t328 = self.zB * yaw_per_v_delta;
         let t329 = yaw_per_v_delta * P_delta_lateral_mB;
         let t331 = t194 + (mu * t199);
+        let t332 = t199 * t28;
         let t333 = yaw_per_v_delta * t199;
         let Jxx_delta_zH = self.zH * t155;
         let t339 = (t28 * Jxx_delta_zH)
@@ -1540,20 +1562,26 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t346 = (Jxx_delta_zH * M22_Jxx_delta)
             - ((M22_Jxz_delta * t40) + (self.mH * t341));
         let t348 = mu + C122_py_delta;
+        let t350 = (t40 * yaw_per_v_delta) + (self.mH * t348);
         let t352 = C122_py_delta * t28;
         let t355 = self.mH * t28;
+        let t357 = ((C122_Jxz_delta * t40) + (self.mH * t352)) + (mu * t355);
         let t358 = t355 * t28;
+        let t359 = self.mH * yaw_per_v_delta;
+        let t360 = yaw_per_v_delta * t355;
         let t365 = ((t28 * Jxx_delta_mH) - (self.zH * P_delta_lateral_mA))
             - (t39 * t135);
         let P_delta_yaw_mA = t38 * P_delta_lateral_mA;
         let M22_mA = mu * P_delta_yaw_mA;
         let t375 = (((M22_mA - (self.zH * t341)) + (t39 * t153))
             + (Jxx_delta_mH * M22_Jxx_delta)) + (Jzz_delta_mH * M22_Jzz_delta);
+        let t378 = (self.zH * t348) + (t39 * t174);
         let C122_mA = yaw_per_v_delta * P_delta_yaw_mA;
         let P_delta_lateral_mH = (P_delta_lateral_mA - (self.zH * t28))
             + (t39 * M12_Jxz_delta);
         let t391 = (((C122_mA - (self.zH * t352)) + (t39 * t190))
             + (mu * P_delta_lateral_mH)) + (Jzz_delta_mH * C122_Jzz_delta);
+        let t392 = P_delta_lateral_mH * t28;
         let t393 = yaw_per_v_delta * P_delta_lateral_mH;
         let Jxx_delta_rF = self.rF * t226;
         let t395 = t28 * Jxx_delta_rF;
@@ -1561,79 +1589,38 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t397 = mu - t348;
         let t400 = self.IFyy * (t104 * t104);
         let t401 = t400 * M12_Jxz_delta;
+        let t402 = (self.mF * t397) + t401;
         let t404 = (self.c * C122_Jxz_delta) - t352;
         let P_delta_lateral_rF = self.mF * t28;
         let t408 = (mu * P_delta_lateral_rF) - (self.mF * t404);
+        let t409 = t28 * P_delta_lateral_rF;
         let t411 = yaw_per_v_delta * (self.mF - t400);
         let t414 = (yaw_per_v_delta * P_delta_lateral_rF) - (t400 * C122_Jxz_delta);
         let t415 = t28 * Jxx_delta_mF;
         let t421 = ((M22_mA - (M22_Sx_delta * self.c)) + (Jxx_delta_mF * M22_Jxx_delta))
             + (Jzz_delta_mF * M22_Jzz_delta);
+        let t422 = self.rF * t397;
         let P_delta_lateral_mF = (P_delta_lateral_mA - (M12_Jxz_delta * self.c))
             + (self.rF * t28);
         let t434 = (((C122_mA - (C122_Sx_delta * self.c)) - (self.rF * t404))
             + (mu * P_delta_lateral_mF)) + (Jzz_delta_mF * C122_Jzz_delta);
+        let t435 = t28 * P_delta_lateral_mF;
         let t436 = self.rF * yaw_per_v_delta;
         let t437 = yaw_per_v_delta * P_delta_lateral_mF;
         let t438 = M22_Jxx_delta + M22_Jzz_delta;
         let t439 = t104 * M12_Jxz_delta;
         let t440 = yaw_per_v_delta * t104;
         let t441 = t104 * C122_Jxz_delta;
-        let t442 = -(t106 + (mu * ST));
-        let t443 = -P_delta_lateral;
-        let t444 = -(P_delta_lateral * t28);
-        let t445 = -(t138 + (t140 * M12_yaw_per_v_delta));
-        let t446 = -(t177 + (t140 * C112_yaw_per_v_delta));
-        let t447 = t202 - t200;
-        let t448 = -(P_delta_lateral_w * t28);
-        let t449 = -(t114 * t140);
-        let t450 = -(ST * yaw_per_v_delta);
-        let t451 = -P_delta_lateral_c;
-        let t452 = -(P_delta_lateral_c * t28);
-        let t453 = -(t131 + (t252 * C112_yaw_per_v_delta));
-        let t454 = (t28 * t277) - (P_delta_lateral * t43);
-        let t455 = -(t114 * t252);
-        let t456 = -self.mR;
-        let t457 = -self.rR;
-        let t458 = -t301;
-        let t459 = -(t52 * mu);
-        let t460 = -(t52 * yaw_per_v_delta);
-        let t461 = -P_delta_lateral_xB;
-        let t462 = -(P_delta_lateral_xB * t28);
-        let t463 = -(self.mB * P_delta_lateral_mB);
-        let t464 = -(self.mB * t317);
-        let t465 = -(self.mB * yaw_per_v_delta);
-        let t466 = -(self.zB * P_delta_lateral_mB);
-        let t467 = -(self.zB * t317);
-        let t468 = -P_delta_lateral_mB;
-        let t469 = -(P_delta_lateral_mB * t28);
-        let t470 = -(self.zB * yaw_per_v_delta);
-        let t471 = -t136;
-        let t472 = -t175;
-        let t473 = -t199;
-        let t474 = -(t199 * t28);
-        let t475 = -((t40 * yaw_per_v_delta) + (self.mH * t348));
-        let t476 = -(((C122_Jxz_delta * t40) + (self.mH * t352)) + (mu * t355));
-        let t477 = -(self.mH * yaw_per_v_delta);
-        let t478 = -(yaw_per_v_delta * t355);
-        let t479 = -((self.zH * t348) + (t39 * t174));
-        let t480 = -P_delta_lateral_mH;
-        let t481 = -(P_delta_lateral_mH * t28);
-        let t482 = -t174;
-        let t483 = -((self.mF * t397) + t401);
-        let t484 = -self.mF;
-        let t485 = -P_delta_lateral_rF;
-        let t486 = -(t28 * P_delta_lateral_rF);
-        let t487 = -(self.rF * t397);
-        let t488 = -self.rF;
-        let t489 = -P_delta_lateral_mF;
-        let t490 = -(t28 * P_delta_lateral_mF);
-        let t491 = -t439;
+        let t442 = (t28 * t277) - (P_delta_lateral * t43);
+        let t443 = -(t106 + (mu * ST));
+        let t444 = -P_delta_lateral;
+        let t445 = -(P_delta_lateral * t28);
+        let t446 = t202 - t200;
         (
             WhippleMechanismMatrices {
                 m: [[t26, t60], [t60, t101]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t118], [t442, t128]],
-                k0: [[Sz_all, t443], [t443, t444]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t118], [t443, t128]],
+                k0: [[Sz_all, t444], [t444, t445]],
                 k2: [
                     [::carvallo::Number::like(self.w, 0.0), t130],
                     [::carvallo::Number::like(self.w, 0.0), t133],
@@ -1641,162 +1628,127 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
             },
             WhippleMechanismDerivatives {
                 values: [
-                    t445,
-                    t445,
+                    t143,
                     t173,
-                    t446,
+                    t181,
                     t183,
                     t211,
-                    t447,
-                    t447,
-                    t448,
-                    t449,
+                    t446,
+                    t212,
+                    t213,
                     t216,
-                    t219,
                     t219,
                     t229,
                     t232,
-                    t450,
+                    t233,
                     t247,
-                    t451,
-                    t451,
-                    t452,
+                    P_delta_lateral_c,
+                    t248,
                     t249,
                     t254,
-                    t254,
                     t270,
-                    t453,
+                    t272,
                     t274,
                     t283,
                     t277,
-                    t277,
-                    t454,
-                    t455,
+                    t442,
+                    t286,
                     t290,
                     t291,
                     t295,
                     t296,
-                    t456,
+                    self.mR,
                     t297,
                     t19,
                     t298,
-                    t457,
+                    self.rR,
                     t299,
                     ::carvallo::Number::like(self.w, 1.0),
                     t158,
                     t300,
                     t301,
-                    t458,
                     t302,
-                    t459,
-                    t459,
+                    t303,
                     t305,
-                    t460,
+                    t306,
                     t310,
-                    t461,
-                    t461,
-                    t462,
+                    P_delta_lateral_xB,
+                    t311,
                     t312,
                     t313,
-                    t463,
-                    t463,
-                    t464,
+                    t315,
+                    t318,
                     self.mB,
-                    t465,
+                    t319,
                     t24,
-                    t466,
-                    t466,
+                    t320,
                     t322,
-                    t467,
+                    t323,
                     t326,
                     self.zB,
-                    t468,
-                    t468,
-                    t469,
-                    t470,
+                    P_delta_lateral_mB,
+                    t327,
+                    t328,
                     t329,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t158,
-                    t300,
-                    mu,
                     mu,
                     yaw_per_v_delta,
-                    t471,
-                    t471,
+                    t136,
                     t161,
-                    t472,
+                    t175,
                     t331,
-                    t473,
-                    t473,
-                    t474,
+                    t199,
+                    t332,
                     t333,
                     Jxx_delta_zH,
                     t339,
-                    t339,
                     t346,
-                    t475,
-                    t476,
+                    t350,
+                    t357,
                     self.mH,
                     t355,
-                    t355,
                     t358,
-                    t477,
-                    t478,
+                    t359,
+                    t360,
                     Jxx_delta_mH,
                     t365,
-                    t365,
                     t375,
-                    t479,
+                    t378,
                     t391,
                     self.zH,
-                    t480,
-                    t480,
-                    t481,
-                    t482,
+                    P_delta_lateral_mH,
+                    t392,
+                    t174,
                     t393,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
                     t28,
                     M22_Jxx_delta,
                     M22_Jzz_delta,
                     C122_Jzz_delta,
                     M12_Jxz_delta,
-                    M12_Jxz_delta,
                     M22_Jxz_delta,
-                    yaw_per_v_delta,
                     C122_Jxz_delta,
                     Jxx_delta_rF,
                     t395,
-                    t395,
                     t396,
-                    t483,
+                    t402,
                     t401,
                     t408,
-                    t484,
-                    t485,
-                    t485,
-                    t486,
+                    self.mF,
+                    P_delta_lateral_rF,
+                    t409,
                     t411,
                     t414,
                     Jxx_delta_mF,
                     t415,
-                    t415,
                     t421,
-                    t487,
+                    t422,
                     t434,
-                    t488,
-                    t489,
-                    t489,
-                    t490,
+                    self.rF,
+                    P_delta_lateral_mF,
+                    t435,
                     t436,
                     t437,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
-                    t28,
                     t438,
-                    C122_Jzz_delta,
                     t439,
-                    t491,
                     t440,
                     t441,
                 ],
@@ -1815,8 +1767,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleMechanism<T
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 26];
         for position in 0..158 {
-            <WhippleMechanismDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleMechanismDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -1161,173 +1161,173 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleSprung<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleSprungDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 160],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleSprungDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 160] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 26, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 27, 35),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1364,7 +1364,10 @@ impl<T: ::carvallo::Scalar> WhippleSprungDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1372,7 +1375,7 @@ impl<T: ::carvallo::Scalar> WhippleSprungDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 162 additions, 278 multiplications, 3 divisions, 46 negations and 2 trigonometric functions: 491 operations.
+    /// 162 additions, 278 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 448 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1446,6 +1449,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t139 = (yaw_by_delta * Sz_delta) - t137;
         let t141 = t43 * (t46 * t46);
         let t142 = self.c * Jxz_all;
+        let t144 = t139 + (t141 * t142);
         let t146 = self.mH * t43;
         let t148 = yaw_by_delta * ::carvallo::Number::like(self.w, 2.0);
         let M22_py_delta = t38 * t148;
@@ -1463,6 +1467,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t170 = yaw_per_v_delta * t55;
         let t172 = (yaw_per_v_delta * Sz_delta) - t170;
         let C112_yaw_per_v_delta = Jxz_all + (self.c * t112);
+        let t176 = t172 + (t141 * C112_yaw_per_v_delta);
         let t177 = h_wheels_all * self.c;
         let t178 = t141 * t177;
         let C122_py_delta = t38 * yaw_per_v_delta;
@@ -1479,6 +1484,8 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
         let t201 = ((t184 + (yaw_per_v_delta * P_delta_yaw_w))
             + (yaw_by_delta * P_delta_lateral_w)) - (t141 * C122_yaw_per_v_delta);
+        let t202 = P_delta_lateral_w * t28;
+        let t203 = t112 * t141;
         let t206 = (yaw_per_v_delta * P_delta_lateral_w) - (t141 * K222_yaw_per_v_delta);
         let t207 = t31 * t43;
         let t211 = (t115 - (t207 + t139)) - (t31 * yaw_by_delta);
@@ -1489,10 +1496,12 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t225 = (((t161 - (t28 * t207)) + (yaw_per_v_delta * M22_yaw_by_delta))
             - (t216 * M22_py_delta)) + (hz_delta_c * M22_hz_delta);
         let t228 = (yaw_per_v_delta * (t112 - t31)) - t172;
+        let t229 = h_wheels_all * yaw_per_v_delta;
         let P_delta_lateral_c = ((t190 - t216) - (self.mF * yaw_by_delta))
             + (yaw_per_v_delta * Sx_all);
         let t241 = ((t184 + (yaw_per_v_delta * (hz_delta_c + C122_yaw_by_delta)))
             + (yaw_by_delta * P_delta_lateral_c)) - (t216 * C122_py_delta);
+        let t242 = P_delta_lateral_c * t28;
         let t243 = yaw_per_v_delta * P_delta_lateral_c;
         let hx_delta_lam = (Jxx_delta * t43) - t62;
         let t246 = t46 * t28;
@@ -1502,10 +1511,12 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t264 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
             - (t256 * M22_py_delta)) + (hz_delta_lam * M22_hz_delta))
             - (t246 * M22_yaw_per_v_delta);
+        let t266 = t132 + (t246 * C112_yaw_per_v_delta);
         let t268 = t132 + (t246 * t177);
         let t271 = t256 + (t246 * P_delta_lateral_yaw_per_v_delta);
         let t277 = (((yaw_per_v_delta * hz_delta_lam) - (yaw_by_delta * t271))
             - (t256 * C122_py_delta)) - (t246 * C122_yaw_per_v_delta);
+        let t280 = t112 * t246;
         let t284 = (yaw_per_v_delta * (t104 - t271)) - (t246 * K222_yaw_per_v_delta);
         let t285 = t110 * ::carvallo::Number::like(self.w, 2.0);
         let t287 = self.IRyy * (t106 * t106);
@@ -1519,23 +1530,34 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t295 = yaw_per_v_delta * yaw_by_delta;
         let t296 = yaw_by_delta * t106;
         let t297 = yaw_per_v_delta * t106;
+        let t298 = t52 * yaw_by_delta;
         let P_delta_yaw_xB = t120 * t148;
         let t300 = yaw_by_delta * P_delta_yaw_xB;
+        let t301 = t52 * yaw_per_v_delta;
         let P_delta_lateral_xB = self.mB * yaw_by_delta;
         let t305 = (yaw_per_v_delta * P_delta_yaw_xB)
             + (yaw_by_delta * P_delta_lateral_xB);
+        let t306 = P_delta_lateral_xB * t28;
         let t307 = yaw_per_v_delta * P_delta_lateral_xB;
         let t308 = ::carvallo::Number::like(self.w, 2.0) * t52;
         let P_delta_lateral_mB = self.xB * yaw_by_delta;
+        let t310 = self.mB * P_delta_lateral_mB;
         let t312 = yaw_by_delta + (self.xB * yaw_per_v_delta);
+        let t313 = self.mB * t312;
+        let t314 = self.mB * yaw_per_v_delta;
+        let t315 = self.zB * P_delta_lateral_mB;
         let P_delta_yaw_mB = yaw_by_delta * t85;
         let t317 = yaw_by_delta * P_delta_yaw_mB;
+        let t318 = self.zB * t312;
         let t321 = (yaw_per_v_delta * P_delta_yaw_mB)
             + (yaw_by_delta * P_delta_lateral_mB);
+        let t322 = P_delta_lateral_mB * t28;
+        let t323 = self.zB * yaw_per_v_delta;
         let t324 = yaw_per_v_delta * P_delta_lateral_mB;
         let P_delta_yaw_xH = (self.xH * self.mH) * t148;
         let t328 = t159 + (yaw_by_delta * P_delta_yaw_xH);
         let t332 = (t182 + (yaw_per_v_delta * P_delta_yaw_xH)) + (yaw_by_delta * t189);
+        let t333 = t189 * t28;
         let t334 = yaw_per_v_delta * t189;
         let Jxx_delta_zH = self.zH * t152;
         let hx_delta_zH = (t28 * Jxx_delta_zH) - (t40 * t43);
@@ -1544,7 +1566,12 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t344 = self.mH * t28;
         let t347 = t40 * t28;
         let t349 = ((t28 * hx_delta_zH) - (t344 * M22_py_delta)) - (t347 * M22_hz_delta);
+        let t351 = t188 + (yaw_per_v_delta * t340);
+        let t356 = ((yaw_per_v_delta * t347) + (yaw_by_delta * t344))
+            + (t344 * C122_py_delta);
         let t357 = t344 * t28;
+        let t358 = self.mH * yaw_per_v_delta;
+        let t359 = yaw_per_v_delta * t344;
         let t361 = t39 * self.zH;
         let hx_delta_mH = (t28 * Jxx_delta_mH) - (t43 * t361);
         let t365 = t361 + (t38 * self.zH);
@@ -1554,9 +1581,12 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let hz_delta_mH = (t43 * t65) - (t28 * t361);
         let t380 = (((t28 * hx_delta_mH) + (yaw_by_delta * P_delta_yaw_mH))
             + (py_delta_mH * M22_py_delta)) + (hz_delta_mH * M22_hz_delta);
+        let t383 = (self.zH * yaw_by_delta) + (yaw_per_v_delta * t365);
         let P_delta_lateral_mH = py_delta_mH + (yaw_by_delta * (t38 + t39));
         let t392 = ((yaw_per_v_delta * (P_delta_yaw_mH + hz_delta_mH))
             + (yaw_by_delta * P_delta_lateral_mH)) + (py_delta_mH * C122_py_delta);
+        let t393 = P_delta_lateral_mH * t28;
+        let t394 = self.zH * yaw_per_v_delta;
         let t395 = yaw_per_v_delta * P_delta_lateral_mH;
         let t396 = t28 * t28;
         let t398 = (t43 * M22_hz_delta) + t294;
@@ -1580,6 +1610,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t426 = (self.mF * t421) - t425;
         let t431 = ((yaw_by_delta * py_delta_rF) - (yaw_per_v_delta * t417))
             + (py_delta_rF * C122_py_delta);
+        let t432 = py_delta_rF * t28;
         let t434 = yaw_per_v_delta * (self.mF - t424);
         let t437 = (yaw_per_v_delta * py_delta_rF) - (t424 * K222_h_spin_F);
         let hx_delta_mF = (t28 * Jxx_delta_mF) - (self.rF * t220);
@@ -1593,61 +1624,18 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let P_delta_lateral_mF = py_delta_mF + t409;
         let t463 = ((yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF))
             + (yaw_by_delta * P_delta_lateral_mF)) + (py_delta_mF * C122_py_delta);
+        let t464 = P_delta_lateral_mF * t28;
         let t465 = self.rF * yaw_per_v_delta;
         let t466 = yaw_per_v_delta * P_delta_lateral_mF;
         let t467 = t398 + t396;
         let t468 = t102 * C112_h_spin_F;
         let t469 = yaw_per_v_delta * t102;
         let t470 = t102 * K222_h_spin_F;
-        let t471 = -(t104 + (yaw_by_delta * h_wheels_all));
-        let t472 = -P_delta_lateral;
-        let t473 = -(P_delta_lateral * t28);
-        let t474 = -(t139 + (t141 * t142));
-        let t475 = -(t172 + (t141 * C112_yaw_per_v_delta));
-        let t476 = t192 - t190;
-        let t477 = -(P_delta_lateral_w * t28);
-        let t478 = -(t112 * t141);
-        let t479 = -(h_wheels_all * yaw_per_v_delta);
-        let t480 = -P_delta_lateral_c;
-        let t481 = -(P_delta_lateral_c * t28);
-        let t482 = -(t132 + (t246 * C112_yaw_per_v_delta));
-        let t483 = (t28 * t271) - (P_delta_lateral * t43);
-        let t484 = -(t112 * t246);
-        let t485 = -self.mR;
-        let t486 = -self.rR;
-        let t487 = -t296;
-        let t488 = -(t52 * yaw_by_delta);
-        let t489 = -(t52 * yaw_per_v_delta);
-        let t490 = -P_delta_lateral_xB;
-        let t491 = -(P_delta_lateral_xB * t28);
-        let t492 = -(self.mB * P_delta_lateral_mB);
-        let t493 = -(self.mB * t312);
-        let t494 = -(self.mB * yaw_per_v_delta);
-        let t495 = -(self.zB * P_delta_lateral_mB);
-        let t496 = -(self.zB * t312);
-        let t497 = -P_delta_lateral_mB;
-        let t498 = -(P_delta_lateral_mB * t28);
-        let t499 = -(self.zB * yaw_per_v_delta);
-        let t500 = -t137;
-        let t501 = -t170;
-        let t502 = -t189;
-        let t503 = -(t189 * t28);
-        let t504 = -(t188 + (yaw_per_v_delta * t340));
-        let t505 = -(((yaw_per_v_delta * t347) + (yaw_by_delta * t344))
-            + (t344 * C122_py_delta));
-        let t506 = -(self.mH * yaw_per_v_delta);
-        let t507 = -(yaw_per_v_delta * t344);
-        let t508 = -((self.zH * yaw_by_delta) + (yaw_per_v_delta * t365));
-        let t509 = -P_delta_lateral_mH;
-        let t510 = -(P_delta_lateral_mH * t28);
-        let t511 = -(self.zH * yaw_per_v_delta);
-        let t512 = -self.mF;
-        let t513 = -py_delta_rF;
-        let t514 = -(py_delta_rF * t28);
-        let t515 = -self.rF;
-        let t516 = -P_delta_lateral_mF;
-        let t517 = -(P_delta_lateral_mF * t28);
-        let t518 = -t468;
+        let t471 = (t28 * t271) - (P_delta_lateral * t43);
+        let t472 = -(t104 + (yaw_by_delta * h_wheels_all));
+        let t473 = -P_delta_lateral;
+        let t474 = -(P_delta_lateral * t28);
+        let t475 = t192 - t190;
         (
             WhippleSprungMatrices {
                 m: [[t26, t60], [t60, t98]],
@@ -1658,7 +1646,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     ],
                     [::carvallo::Number::like(self.w, 0.0), self.d],
                 ],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t116], [t471, t128]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t116], [t472, t128]],
                 kc: [
                     [
                         ::carvallo::Number::like(self.w, 0.0),
@@ -1666,7 +1654,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     ],
                     [::carvallo::Number::like(self.w, 0.0), self.k],
                 ],
-                k0: [[Sz_all, t472], [t472, t473]],
+                k0: [[Sz_all, t473], [t473, t474]],
                 k2: [
                     [::carvallo::Number::like(self.w, 0.0), t131],
                     [::carvallo::Number::like(self.w, 0.0), t134],
@@ -1674,166 +1662,129 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
             },
             WhippleSprungDerivatives {
                 values: [
-                    t474,
-                    t474,
+                    t144,
                     t169,
-                    t475,
+                    t176,
                     t178,
                     t201,
-                    t476,
-                    t476,
-                    t477,
-                    t478,
+                    t475,
+                    t202,
+                    t203,
                     t206,
-                    t211,
                     t211,
                     t225,
                     t228,
-                    t479,
+                    t229,
                     t241,
-                    t480,
-                    t480,
-                    t481,
+                    P_delta_lateral_c,
+                    t242,
                     t243,
                     t248,
-                    t248,
                     t264,
-                    t482,
+                    t266,
                     t268,
                     t277,
                     t271,
-                    t271,
-                    t483,
-                    t484,
+                    t471,
+                    t280,
                     t284,
                     t285,
                     t289,
                     t290,
-                    t485,
+                    self.mR,
                     t291,
                     t19,
                     t292,
-                    t486,
+                    self.rR,
                     t293,
                     ::carvallo::Number::like(self.w, 1.0),
                     t294,
                     t295,
                     t296,
-                    t487,
                     t297,
-                    t488,
-                    t488,
+                    t298,
                     t300,
-                    t489,
+                    t301,
                     t305,
-                    t490,
-                    t490,
-                    t491,
+                    P_delta_lateral_xB,
+                    t306,
                     t307,
                     t308,
-                    t492,
-                    t492,
-                    t493,
+                    t310,
+                    t313,
                     self.mB,
-                    t494,
+                    t314,
                     t24,
-                    t495,
-                    t495,
+                    t315,
                     t317,
-                    t496,
+                    t318,
                     t321,
                     self.zB,
-                    t497,
-                    t497,
-                    t498,
-                    t499,
+                    P_delta_lateral_mB,
+                    t322,
+                    t323,
                     t324,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t294,
-                    t295,
-                    yaw_by_delta,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t500,
-                    t500,
+                    t137,
                     t328,
-                    t501,
+                    t170,
                     t332,
-                    t502,
-                    t502,
-                    t503,
+                    t189,
+                    t333,
                     t334,
                     Jxx_delta_zH,
                     t342,
-                    t342,
                     t349,
-                    t504,
-                    t505,
+                    t351,
+                    t356,
                     self.mH,
                     t344,
-                    t344,
                     t357,
-                    t506,
-                    t507,
+                    t358,
+                    t359,
                     Jxx_delta_mH,
                     t367,
-                    t367,
                     t380,
-                    t508,
+                    t383,
                     t392,
                     self.zH,
-                    t509,
-                    t509,
-                    t510,
-                    t511,
+                    P_delta_lateral_mH,
+                    t393,
+                    t394,
                     t395,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
                     t28,
                     t396,
                     t398,
                     t400,
                     C112_h_spin_F,
-                    C112_h_spin_F,
                     t402,
-                    yaw_per_v_delta,
                     K222_h_spin_F,
                     Jxx_delta_rF,
-                    t411,
                     t411,
                     t419,
                     t426,
                     t425,
                     t431,
-                    t512,
-                    t513,
-                    t513,
-                    t514,
+                    self.mF,
+                    py_delta_rF,
+                    t432,
                     t434,
                     t437,
                     Jxx_delta_mF,
                     t442,
-                    t442,
                     t455,
                     t456,
                     t463,
-                    t515,
-                    t516,
-                    t516,
-                    t517,
+                    self.rF,
+                    P_delta_lateral_mF,
+                    t464,
                     t465,
                     t466,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
-                    t28,
                     t467,
-                    t400,
                     t468,
-                    t518,
                     t469,
                     t470,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
                 ],
             },
         )
@@ -1850,8 +1801,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleSprung<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 28];
         for position in 0..160 {
-            <WhippleSprungDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleSprungDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -1149,179 +1149,179 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleTyres<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleTyresDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 166],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 130],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleTyresDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 166] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 13).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 20).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 25).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 30).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 33),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 39).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 42),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 43).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 8, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 49),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 57).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 59),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 69),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 74),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 78).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 82).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 83).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 88),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 92).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 104),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 106),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 107).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 108).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 108).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 109).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 114),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 122),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 123),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 123).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 124),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 125),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 26, 126),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27, 127),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27, 129),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1355,7 +1355,10 @@ impl<T: ::carvallo::Scalar> WhippleTyresDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1363,7 +1366,7 @@ impl<T: ::carvallo::Scalar> WhippleTyresDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 191 additions, 306 multiplications, 3 divisions, 28 negations and 2 trigonometric functions: 530 operations.
+    /// 191 additions, 306 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 503 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1461,6 +1464,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t181,
             t182,
             C112_yaw_per_v_delta,
+            t186,
             t187,
             t188,
             C122_Sx_all,
@@ -1484,6 +1488,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t225,
             t227,
             t229,
+            t230,
             K222_Sx_all,
             t234,
             t236,
@@ -1497,6 +1502,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t257,
             t259,
             t262,
+            t263,
             t270,
             t274,
             t275,
@@ -1508,11 +1514,13 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             hz_delta_lam,
             t301,
             t303,
+            t305,
             t307,
             t312,
             t313,
             t317,
             t320,
+            t321,
             t325,
             t326,
             t328,
@@ -1525,24 +1533,34 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t335,
             t336,
             t337,
+            t338,
             P_delta_yaw_xB,
             t340,
+            t341,
             t344,
             t345,
             t346,
             t347,
             t348,
             t349,
+            t350,
+            t353,
+            t354,
             t355,
+            t356,
             P_delta_yaw_mB,
             t358,
+            t361,
             t364,
             t367,
             t368,
             t369,
+            t370,
             t371,
+            t373,
             P_delta_yaw_xH,
             t377,
+            t378,
             t380,
             Jxx_delta_zH,
             hx_delta_zH,
@@ -1551,7 +1569,11 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t390,
             t393,
             t395,
+            t398,
+            t401,
             t402,
+            t403,
+            t404,
             t406,
             hx_delta_mH,
             t410,
@@ -1560,11 +1582,13 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             hz_delta_mH,
             py_delta_mH,
             t425,
+            t428,
             Sx_all_mH,
             t435,
             t438,
             t440,
             t441,
+            t442,
             t445,
             t446,
             t448,
@@ -1585,6 +1609,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t476,
             t477,
             t480,
+            t481,
             t482,
             t485,
             hx_delta_mF,
@@ -1601,28 +1626,6 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t519,
             t520,
             t523,
-            t524,
-            t525,
-            t526,
-            t527,
-            t528,
-            t529,
-            t530,
-            t531,
-            t532,
-            t533,
-            t534,
-            t535,
-            t536,
-            t537,
-            t538,
-            t539,
-            t540,
-            t541,
-            t542,
-            t543,
-            t544,
-            t545,
         );
         Jxx_delta_mH = self.zH * self.zH;
         Jxx_delta_mF = self.rF * self.rF;
@@ -1715,6 +1718,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t181 = (t173 + (yaw_by_delta * P_delta_yaw_w)) - (t153 * M22_yaw_per_v_delta);
         t182 = yaw_per_v_delta * t149;
         C112_yaw_per_v_delta = Jxz_all + (self.c * t111);
+        t186 = t182 + (t153 * C112_yaw_per_v_delta);
         t187 = h_wheels_all * self.c;
         t188 = t153 * t187;
         C122_Sx_all = yaw_by_delta * yaw_by_delta;
@@ -1741,6 +1745,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t225 = t28 * t222;
         t227 = (t28 * t220) - t225;
         t229 = t227 - (t28 * t218);
+        t230 = t111 * t153;
         K222_Sx_all = yaw_per_v_delta * yaw_by_delta;
         t234 = (self.mH * K222_Sx_all) + (yaw_per_v_delta * t168);
         t236 = (m_delta * K222_Sx_all) - t234;
@@ -1755,6 +1760,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t259 = (((t173 - (t28 * t242)) + (yaw_per_v_delta * M22_yaw_by_delta))
             + (hz_delta_c * M22_hz_delta)) - (t257 * M22_py_delta);
         t262 = (yaw_per_v_delta * (t111 - t31)) - t182;
+        t263 = h_wheels_all * yaw_per_v_delta;
         t270 = ((t200 - (C122_Sx_all * self.mF))
             + (yaw_per_v_delta * (hz_delta_c + C122_yaw_by_delta)))
             - (t257 * C122_py_delta);
@@ -1771,12 +1777,14 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t303 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
             + (hz_delta_lam * M22_hz_delta)) - (t285 * M22_yaw_per_v_delta))
             - (t301 * M22_py_delta);
+        t305 = t145 + (t285 * C112_yaw_per_v_delta);
         t307 = t145 + (t285 * t187);
         t312 = ((yaw_per_v_delta * hz_delta_lam) - (t285 * C122_yaw_per_v_delta))
             - (t301 * C122_py_delta);
         t313 = t28 * self.c;
         t317 = (t131 * (t313 + (self.rhoF * t43))) + t301;
         t320 = (t43 * t142) + (t28 * t317);
+        t321 = t111 * t285;
         t325 = (yaw_per_v_delta * (t103 - t301)) - (t285 * K222_yaw_per_v_delta);
         t326 = t109 * ::carvallo::Number::like(self.w, 2.0);
         t328 = self.IRyy * (t105 * t105);
@@ -1789,24 +1797,34 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t335 = self.rR * yaw_per_v_delta;
         t336 = yaw_by_delta * t105;
         t337 = yaw_per_v_delta * t105;
+        t338 = t51 * yaw_by_delta;
         P_delta_yaw_xB = t119 * t164;
         t340 = yaw_by_delta * P_delta_yaw_xB;
+        t341 = t51 * yaw_per_v_delta;
         t344 = (self.mB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_xB);
         t345 = self.mB * K011_Sx_all;
         t346 = self.mB * t219;
         t347 = t28 * t346;
         t348 = self.mB * K222_Sx_all;
         t349 = ::carvallo::Number::like(self.w, 2.0) * t51;
+        t350 = yaw_by_delta * t119;
+        t353 = (self.mB * yaw_by_delta) + (yaw_per_v_delta * t119);
+        t354 = self.mB * yaw_per_v_delta;
         t355 = self.zB * self.xB;
+        t356 = yaw_by_delta * t355;
         P_delta_yaw_mB = yaw_by_delta * t85;
         t358 = yaw_by_delta * P_delta_yaw_mB;
+        t361 = (self.zB * yaw_by_delta) + (yaw_per_v_delta * t355);
         t364 = (self.xB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_mB);
         t367 = (self.zB + self.rhoR) + (self.xB * K011_Sx_all);
         t368 = self.xB * t219;
         t369 = t28 * t368;
+        t370 = self.zB * yaw_per_v_delta;
         t371 = self.xB * K222_Sx_all;
+        t373 = t148 + (yaw_by_delta * t55);
         P_delta_yaw_xH = (self.xH * self.mH) * t164;
         t377 = t171 + (yaw_by_delta * P_delta_yaw_xH);
+        t378 = yaw_per_v_delta * t55;
         t380 = t196 + (yaw_per_v_delta * P_delta_yaw_xH);
         Jxx_delta_zH = self.zH * t159;
         hx_delta_zH = (t28 * Jxx_delta_zH) - (t40 * t43);
@@ -1815,7 +1833,11 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t390 = t40 * t28;
         t393 = self.mH * t28;
         t395 = ((t28 * hx_delta_zH) - (t390 * M22_hz_delta)) - (t393 * M22_py_delta);
+        t398 = (self.mH * yaw_by_delta) + (yaw_per_v_delta * t386);
+        t401 = (yaw_per_v_delta * t390) + (t393 * C122_py_delta);
         t402 = t28 * t393;
+        t403 = self.mH * yaw_per_v_delta;
+        t404 = yaw_per_v_delta * t393;
         t406 = t39 * self.zH;
         hx_delta_mH = (t28 * Jxx_delta_mH) - (t43 * t406);
         t410 = t406 + (t38 * self.zH);
@@ -1825,12 +1847,14 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         py_delta_mH = t160 - (self.zH * t28);
         t425 = (((t28 * hx_delta_mH) + (yaw_by_delta * P_delta_yaw_mH))
             + (hz_delta_mH * M22_hz_delta)) + (py_delta_mH * M22_py_delta);
+        t428 = (self.zH * yaw_by_delta) + (yaw_per_v_delta * t410);
         Sx_all_mH = t38 + t39;
         t435 = ((yaw_per_v_delta * (P_delta_yaw_mH + hz_delta_mH))
             + (Sx_all_mH * C122_Sx_all)) + (py_delta_mH * C122_py_delta);
         t438 = (self.zH + self.rhoR) + (Sx_all_mH * K011_Sx_all);
         t440 = (Sx_all_mH * t219) - py_delta_mH;
         t441 = t28 * t440;
+        t442 = self.zH * yaw_per_v_delta;
         t445 = (yaw_per_v_delta * py_delta_mH) + (Sx_all_mH * K222_Sx_all);
         t446 = t28 * t28;
         t448 = C122_Sx_all + (t43 * M22_hz_delta);
@@ -1852,6 +1876,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t476 = ((yaw_per_v_delta * Jxz_all_rF) - (t43 * t470)) + (yaw_by_delta * t474);
         t477 = t470 * t449;
         t480 = (py_delta_rF * C122_py_delta) - (yaw_per_v_delta * t463);
+        t481 = t28 * py_delta_rF;
         t482 = yaw_per_v_delta * t474;
         t485 = (yaw_per_v_delta * py_delta_rF) - (t470 * K222_h_spin_F);
         hx_delta_mF = (t28 * Jxx_delta_mF) - (self.rF * t139);
@@ -1870,6 +1895,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t519 = t28 * t518;
         t520 = self.rF * yaw_per_v_delta;
         t523 = (yaw_per_v_delta * py_delta_mF) + (Sx_all_mF * K222_Sx_all);
+        let (t524, t525, t526, t527, t528, t529, t530);
         t524 = t448 + t446;
         t525 = t101 * t449;
         t526 = yaw_per_v_delta * t101;
@@ -1877,34 +1903,6 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t528 = t28 * t131;
         t529 = t28 * t528;
         t530 = -(t103 + (yaw_by_delta * h_wheels_all));
-        t531 = -(t182 + (t153 * C112_yaw_per_v_delta));
-        t532 = -(t111 * t153);
-        t533 = -(h_wheels_all * yaw_per_v_delta);
-        t534 = -(t145 + (t285 * C112_yaw_per_v_delta));
-        t535 = -(t111 * t285);
-        t536 = -self.mR;
-        t537 = -t336;
-        t538 = -(t51 * yaw_by_delta);
-        t539 = -(t51 * yaw_per_v_delta);
-        t540 = -(yaw_by_delta * t119);
-        t541 = -((self.mB * yaw_by_delta) + (yaw_per_v_delta * t119));
-        t542 = -(self.mB * yaw_per_v_delta);
-        t543 = -(yaw_by_delta * t355);
-        t544 = -((self.zB * yaw_by_delta) + (yaw_per_v_delta * t355));
-        t545 = -(self.zB * yaw_per_v_delta);
-        let (t546, t547, t548, t549, t550, t551, t552, t553, t554, t555, t556, t557);
-        t546 = -(t148 + (yaw_by_delta * t55));
-        t547 = -(yaw_per_v_delta * t55);
-        t548 = -((self.mH * yaw_by_delta) + (yaw_per_v_delta * t386));
-        t549 = -((yaw_per_v_delta * t390) + (t393 * C122_py_delta));
-        t550 = -(self.mH * yaw_per_v_delta);
-        t551 = -(yaw_per_v_delta * t393);
-        t552 = -((self.zH * yaw_by_delta) + (yaw_per_v_delta * t410));
-        t553 = -(self.zH * yaw_per_v_delta);
-        t554 = -self.mF;
-        t555 = -py_delta_rF;
-        t556 = -(t28 * py_delta_rF);
-        t557 = -t525;
         (
             WhippleTyresMatrices {
                 m: [[t26, t60], [t60, t98]],
@@ -1918,42 +1916,36 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             WhippleTyresDerivatives {
                 values: [
                     t156,
-                    t156,
                     t181,
-                    t531,
+                    t186,
                     t188,
                     t209,
                     t217,
                     t224,
-                    t224,
                     t229,
-                    t532,
+                    t230,
                     t241,
-                    t246,
                     t246,
                     t259,
                     t262,
-                    t533,
+                    t263,
                     t270,
-                    t275,
                     t275,
                     t277,
                     t282,
                     t287,
-                    t287,
                     t303,
-                    t534,
+                    t305,
                     t307,
                     t312,
                     t317,
-                    t317,
                     t320,
-                    t535,
+                    t321,
                     t325,
                     t326,
                     t330,
                     t331,
-                    t536,
+                    self.mR,
                     t332,
                     t19,
                     t333,
@@ -1963,124 +1955,94 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
                     C122_Sx_all,
                     K222_Sx_all,
                     t336,
-                    t537,
                     t337,
-                    t538,
-                    t538,
+                    t338,
                     t340,
-                    t539,
+                    t341,
                     t344,
                     t345,
-                    t346,
                     t346,
                     t347,
                     t348,
                     t349,
-                    t540,
-                    t540,
-                    t541,
+                    t350,
+                    t353,
                     self.mB,
-                    t542,
+                    t354,
                     t24,
-                    t543,
-                    t543,
+                    t356,
                     t358,
-                    t544,
+                    t361,
                     t364,
                     t367,
                     t368,
-                    t368,
                     t369,
-                    t545,
+                    t370,
                     t371,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    C122_Sx_all,
-                    K222_Sx_all,
-                    yaw_by_delta,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t546,
-                    t546,
+                    t373,
                     t377,
-                    t547,
+                    t378,
                     t380,
                     t212,
-                    t222,
                     t222,
                     t225,
                     t234,
                     Jxx_delta_zH,
                     t388,
-                    t388,
                     t395,
-                    t548,
-                    t549,
+                    t398,
+                    t401,
                     self.mH,
                     t393,
-                    t393,
                     t402,
-                    t550,
-                    t551,
+                    t403,
+                    t404,
                     Jxx_delta_mH,
                     t412,
-                    t412,
                     t425,
-                    t552,
+                    t428,
                     t435,
                     t438,
                     t440,
-                    t440,
                     t441,
-                    t553,
+                    t442,
                     t445,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
                     t28,
                     t446,
                     t448,
                     t450,
                     t449,
-                    t449,
                     t452,
-                    yaw_per_v_delta,
                     K222_h_spin_F,
                     Jxx_delta_rF,
-                    t461,
                     t461,
                     t468,
                     t476,
                     t477,
                     t480,
-                    t554,
-                    t555,
-                    t555,
-                    t556,
+                    self.mF,
+                    py_delta_rF,
+                    t481,
                     t482,
                     t485,
                     Jxx_delta_mF,
-                    t491,
                     t491,
                     t504,
                     t507,
                     t513,
                     t516,
                     t518,
-                    t518,
                     t519,
                     t520,
                     t523,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
-                    t28,
                     t524,
-                    t450,
                     t525,
-                    t557,
                     t526,
                     t527,
                     t132,
                     t131,
-                    t528,
                     t528,
                     t529,
                 ],
@@ -2099,8 +2061,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleTyres<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 28];
         for position in 0..166 {
-            <WhippleTyresDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleTyresDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([
