@@ -8,28 +8,30 @@ use carvallo_tests::real::Real;
 use carvallo_tests::{bicycles, designs};
 use proptest::prelude::*;
 
-/// The largest error of a derivative with respect to one parameter, in units of the largest entry of the derivative of
-/// the same matrix with respect to it.
-fn check<T: Scalar>(design: &Whipple<T>, computed: &[Coefficients<T, 2>], bound: f64) -> Result<(), TestCaseError> {
+/// The largest error of a derivative with respect to a parameter, in units of the largest entry of the derivative of the
+/// same matrix with respect to it, and which one it is.
+fn worst<T: Scalar>(design: &Whipple<T>, computed: &[Coefficients<T, 2>]) -> (f64, String) {
+    let mut worst = (0.0, "none".to_string());
     for (parameter, computed) in computed.iter().enumerate() {
         let exact: Matrices<Real> = derivatives(design, parameter);
         let matrices = [computed.m, computed.c1, computed.k0, computed.k2];
         for (name, (matrix, exact)) in ["M", "C1", "K0", "K2"].into_iter().zip(matrices.into_iter().zip(exact)) {
-            let largest = exact.into_iter().flatten().map(|entry| entry.abs().to_f64()).fold(0.0, f64::max);
+            let largest =
+                exact.into_iter().flatten().map(|entry| entry.abs().to_f64()).fold(f64::MIN_POSITIVE, f64::max);
             for (row, exact) in exact.into_iter().enumerate() {
                 for (column, exact) in exact.into_iter().enumerate() {
                     let value = matrix[(row, column)].to_f64();
-                    let error = (Real::from(value) - exact).abs().to_f64();
+                    let error = (Real::from(value) - exact).abs().to_f64() / largest;
                     let parameter = Whipple::<f64>::INFO.parameters[parameter].name;
-                    prop_assert!(
-                        error <= bound * largest,
-                        "{name}[{row}, {column}] by {parameter} is {value}, off by {error:e} of {largest:e}"
-                    );
+                    // Also true of what is not a number.
+                    if !(error <= worst.0) {
+                        worst = (error, format!("{name}[{row}, {column}] by {parameter} is {value}, off by {error:e}"));
+                    }
                 }
             }
         }
     }
-    Ok(())
+    worst
 }
 
 /// The same parameters, for the model from bodies.
@@ -43,7 +45,8 @@ fn those_of_every_bicycle_agree_with_exact_differences() {
         let from_formulas = bicycle.coefficients_and_derivatives().1;
         let from_bodies = mechanism(&bicycle).coefficients_and_derivatives().1;
         for computed in [from_formulas, from_bodies] {
-            check(&bicycle, &computed, 1e-12).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let (error, which) = worst(&bicycle, &computed);
+            assert!(error < 1e-14, "{name}: {which}");
         }
     }
 }
@@ -53,15 +56,25 @@ proptest! {
 
     #[test]
     fn those_of_random_designs_agree_with_exact_differences(design in designs::any()) {
-        check(&design, &design.coefficients_and_derivatives().1, 1e-12)?;
-        check(&design, &mechanism(&design).coefficients_and_derivatives().1, 1e-12)?;
+        for computed in [
+            design.coefficients_and_derivatives().1,
+            mechanism(&design).coefficients_and_derivatives().1,
+        ] {
+            let (error, which) = worst(&design, &computed);
+            prop_assert!(error < 1e-12, "{which}");
+        }
     }
 
     #[test]
     fn those_in_single_precision_agree_with_exact_differences(design in designs::regular()) {
         let design = designs::narrowed(&design);
-        check(&design, &design.coefficients_and_derivatives().1, 1e-4)?;
-        check(&design, &mechanism(&design).coefficients_and_derivatives().1, 1e-4)?;
+        for computed in [
+            design.coefficients_and_derivatives().1,
+            mechanism(&design).coefficients_and_derivatives().1,
+        ] {
+            let (error, which) = worst(&design, &computed);
+            prop_assert!(error < 1e-4, "{which}");
+        }
     }
 }
 
@@ -177,8 +190,8 @@ fn those_of_every_model_agree_with_differences_of_its_values() {
 
 /// The operations of values and derivatives together that must never become more.
 const MOST: [(&str, &str, usize); 2] = [
-    ("whipple", include_str!("../../../generated/src/models/whipple.rs"), 590),
-    ("whipple_mechanism", include_str!("../../../generated/src/models/whipple_mechanism.rs"), 465),
+    ("whipple", include_str!("../../../generated/src/models/whipple.rs"), 553),
+    ("whipple_mechanism", include_str!("../../../generated/src/models/whipple_mechanism.rs"), 420),
 ];
 
 #[test]
