@@ -12,6 +12,8 @@
 //! compiled with its derivatives gives those as well ([`Differentiable`]).
 //!
 //! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
+//! Many designs at once run in the lanes of the processor ([`batch`]).
+//!
 //! Along speed, models with two coordinates have their critical speeds and stable ranges ([`Stability`]) and eigenvalues
 //! that are followed mode by mode ([`Modes`]); for any other number of coordinates there are the eigenvalues at a speed.
 //!
@@ -30,12 +32,16 @@ mod eigenvalues;
 mod error;
 mod evaluator;
 mod info;
+// Without lanes only part of it has a use.
+#[cfg_attr(not(feature = "batch"), allow(dead_code))]
 mod lane;
 mod model;
 mod number;
 mod numeric;
 mod rate;
 mod scalar;
+#[cfg(feature = "std")]
+mod sensitivity;
 #[cfg(feature = "std")]
 mod stability;
 mod system;
@@ -51,6 +57,11 @@ pub use nalgebra::Complex;
 pub use number::Number;
 pub use rate::Rate;
 pub use scalar::Scalar;
+#[cfg(feature = "std")]
+pub use sensitivity::{
+    CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable, Sensitivity,
+    standard_deviation,
+};
 #[cfg(feature = "std")]
 pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};
 pub use system::{StateSpace, System};

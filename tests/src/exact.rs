@@ -119,19 +119,20 @@ fn moments<R: Number>(bodies: &[Body<R>], x: R, z: R) -> (R, R, R) {
 
 /// The matrices of a design, whose floating-point parameters are taken as exact.
 pub fn matrices<R: Number>(design: &Whipple<impl carvallo::Scalar>) -> Matrices<R> {
-    matrices_at(&widen(design).to_array().map(R::from))
+    let values = values(design);
+    matrices_of(|name| R::from(values[position(name)]))
 }
 
 /// The derivatives of the matrices with respect to the parameter at a position, by central differences.
 ///
 /// With the step below, the rest of the series is of the order of 1e-60, and so are rounding errors in 320 bits.
 pub fn derivatives(design: &Whipple<impl carvallo::Scalar>, parameter: usize) -> Matrices<Real> {
-    let step = Real::parse("1e-30");
-    let exact = widen(design).to_array().map(Real::from);
+    let (values, step) = (values(design), Real::parse("1e-30"));
     let at = |shift: Real| {
-        let mut values = exact;
-        values[parameter] = values[parameter] + shift;
-        matrices_at(&values)
+        matrices_of(|name| {
+            let value = Real::from(values[position(name)]);
+            if position(name) == parameter { value + shift } else { value }
+        })
     };
     let (above, below) = (at(step), at(-step));
     std::array::from_fn(|matrix| {
@@ -141,20 +142,23 @@ pub fn derivatives(design: &Whipple<impl carvallo::Scalar>, parameter: usize) ->
     })
 }
 
-/// The matrices at values of all parameters, in declared order.
-fn matrices_at<R: Number>(values: &[R; 26]) -> Matrices<R> {
-    let at = |name: &str| {
-        let position = Whipple::<f64>::INFO.position(name);
-        values[position.unwrap_or_else(|| panic!("no parameter is called {name}"))]
-    };
-    let [w, c, r_rear, r_front] = ["w", "c", "rR", "rF"].map(at);
-    let (sin, cos) = at("lam").sin_cos();
+/// The matrices at parameters that are given by their names.
+pub fn matrices_of<R: Number>(value: impl Fn(&str) -> R) -> Matrices<R> {
     let zero = R::from(0.0);
-    let body = |[mass, x, z, xx, xz, zz]: [R; 6]| Body { mass, x, z, xx, xz, zz };
-    let rear_wheel = body([at("mR"), zero, -r_rear, at("IRxx"), zero, at("IRxx")]);
-    let rear_frame = body(["mB", "xB", "zB", "IBxx", "IBxz", "IBzz"].map(at));
-    let front_frame = body(["mH", "xH", "zH", "IHxx", "IHxz", "IHzz"].map(at));
-    let front_wheel = body([at("mF"), w, -r_front, at("IFxx"), zero, at("IFxx")]);
+    let [w, c, r_rear, r_front] = ["w", "c", "rR", "rF"].map(&value);
+    let (sin, cos) = value("lam").sin_cos();
+    let frame = |names: [&str; 6]| {
+        let [mass, x, z, xx, xz, zz] = names.map(&value);
+        Body { mass, x, z, xx, xz, zz }
+    };
+    let wheel = |mass, x, radius: R, radial| {
+        let radial = value(radial);
+        Body { mass: value(mass), x, z: -radius, xx: radial, xz: zero, zz: radial }
+    };
+    let rear_wheel = wheel("mR", zero, r_rear, "IRxx");
+    let rear_frame = frame(["mB", "xB", "zB", "IBxx", "IBxz", "IBzz"]);
+    let front_frame = frame(["mH", "xH", "zH", "IHxx", "IHxz", "IHzz"]);
+    let front_wheel = wheel("mF", w, r_front, "IFxx");
 
     let all = [rear_wheel, rear_frame, front_frame, front_wheel];
     let (mass, x, z) = centre(&all);
@@ -171,7 +175,7 @@ fn matrices_at<R: Number>(values: &[R; 26]) -> Matrices<R> {
     let (l_x, l_z) = (l_x - front_mass * u * front_z, l_z + front_mass * u * front_x);
 
     let mu = c * cos / w;
-    let (gyro_rear, gyro_front) = (at("IRyy") / r_rear, at("IFyy") / r_front);
+    let (gyro_rear, gyro_front) = (value("IRyy") / r_rear, value("IFyy") / r_front);
     let gyro = gyro_rear + gyro_front;
     let gyro_steer = mu * gyro + gyro_front * cos;
     let static_steer = front_mass * u + mu * mass * x;
@@ -188,10 +192,13 @@ fn matrices_at<R: Number>(values: &[R; 26]) -> Matrices<R> {
     ]
 }
 
-/// The same parameters as `f64`, exactly.
-fn widen<T: carvallo::Scalar>(design: &Whipple<T>) -> Whipple<f64> {
+/// The parameters as `f64`, exactly, in declared order.
+pub fn values<T: carvallo::Scalar>(design: &Whipple<T>) -> Vec<f64> {
     let mut values = vec![T::from_f64(0.0); Whipple::<T>::INFO.parameters.len()];
     design.write_to(&mut values).expect("room for every parameter");
-    let values: Vec<f64> = values.into_iter().map(T::to_f64).collect();
-    Whipple::from_slice(&values).expect("as many parameters")
+    values.into_iter().map(T::to_f64).collect()
+}
+
+fn position(name: &str) -> usize {
+    Whipple::<f64>::INFO.position(name).unwrap_or_else(|| panic!("no parameter is called {name}"))
 }

@@ -116,7 +116,7 @@ impl<T: ::carvallo::Number> Pendulum<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Pendulum<T> {
     type Scalar = T;
-    type Parameters = [T; 4];
+    type Array<U: ::core::marker::Copy> = [U; 4];
     type Over<U: ::carvallo::Number> = Pendulum<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Pendulum",
@@ -234,7 +234,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Pendulum<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {

@@ -440,7 +440,7 @@ impl<T: ::carvallo::Scalar> RearSteered<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RearSteered<T> {
     type Scalar = T;
-    type Parameters = [T; 26];
+    type Array<U: ::core::marker::Copy> = [U; 26];
     type Over<U: ::carvallo::Number> = RearSteered<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "RearSteered",
@@ -901,7 +901,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RearSteered<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {

@@ -345,7 +345,7 @@ impl<T: ::carvallo::Scalar> Skateboard<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
     type Scalar = T;
-    type Parameters = [T; 15];
+    type Array<U: ::core::marker::Copy> = [U; 15];
     type Over<U: ::carvallo::Number> = Skateboard<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Skateboard",
@@ -628,7 +628,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {

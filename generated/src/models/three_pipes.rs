@@ -199,7 +199,7 @@ impl<T: ::carvallo::Number> ThreePipes<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for ThreePipes<T> {
     type Scalar = T;
-    type Parameters = [T; 6];
+    type Array<U: ::core::marker::Copy> = [U; 6];
     type Over<U: ::carvallo::Number> = ThreePipes<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "ThreePipes",
@@ -400,7 +400,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for ThreePipes<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {

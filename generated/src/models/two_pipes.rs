@@ -165,7 +165,7 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for TwoPipes<T> {
     type Scalar = T;
-    type Parameters = [T; 6];
+    type Array<U: ::core::marker::Copy> = [U; 6];
     type Over<U: ::carvallo::Number> = TwoPipes<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "TwoPipes",
@@ -351,7 +351,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for TwoPipes<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {

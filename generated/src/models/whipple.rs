@@ -384,7 +384,7 @@ impl<T: ::carvallo::Number> Whipple<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
     type Scalar = T;
-    type Parameters = [T; 26];
+    type Array<U: ::core::marker::Copy> = [U; 26];
     type Over<U: ::carvallo::Number> = Whipple<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Whipple",
@@ -878,7 +878,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {

@@ -624,7 +624,7 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
     type Scalar = T;
-    type Parameters = [T; 36];
+    type Array<U: ::core::marker::Copy> = [U; 36];
     type Over<U: ::carvallo::Number> = WhippleLeaning<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleLeaning",
@@ -1255,7 +1255,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {

@@ -504,7 +504,7 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleSprung<T> {
     type Scalar = T;
-    type Parameters = [T; 28];
+    type Array<U: ::core::marker::Copy> = [U; 28];
     type Over<U: ::carvallo::Number> = WhippleSprung<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleSprung",
@@ -1034,7 +1034,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleSprung<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
