@@ -469,42 +469,42 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for DoublePendulum<T> {
     ::core::cmp::PartialEq
 )]
 pub struct DoublePendulumDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 29],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 15],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl DoublePendulumDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 29] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 4).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 4, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 4, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 4, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 4, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 4, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 4, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 5, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 5, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 5, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 13).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 5, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 5, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 5, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 6, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 6, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 7),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -534,7 +534,10 @@ impl<T: ::carvallo::Scalar> DoublePendulumDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -542,7 +545,7 @@ impl<T: ::carvallo::Scalar> DoublePendulumDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> DoublePendulum<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 11 additions, 11 multiplications and 7 negations: 29 operations.
+    /// 11 additions, 11 multiplications and 2 negations: 24 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -567,11 +570,6 @@ impl<T: ::carvallo::Number> DoublePendulum<T> {
         let t29 = self.a2 * self.a2;
         let t30 = -(t9 + t14);
         let t31 = -t4;
-        let t32 = -self.m2;
-        let t33 = -self.m1;
-        let t34 = -self.a1;
-        let t35 = -t8;
-        let t36 = -self.a2;
         (
             DoublePendulumMatrices {
                 m: [[Jxx_theta1, M_theta1_theta2], [M_theta1_theta2, Jxx_theta2]],
@@ -581,33 +579,19 @@ impl<T: ::carvallo::Number> DoublePendulum<T> {
                 values: [
                     t22,
                     t4,
-                    t4,
-                    t32,
+                    self.m2,
                     t23,
-                    t33,
+                    self.m1,
                     t24,
-                    t34,
+                    self.a1,
                     ::carvallo::Number::like(self.l1, 1.0),
-                    t22,
-                    t10,
                     t10,
                     t26,
-                    t32,
-                    t32,
-                    t32,
-                    t32,
                     t27,
                     t28,
-                    t28,
                     t29,
-                    t35,
-                    t36,
-                    t36,
-                    t36,
-                    ::carvallo::Number::like(self.l1, 1.0),
-                    ::carvallo::Number::like(self.l1, 1.0),
-                    ::carvallo::Number::like(self.l1, 1.0),
-                    ::carvallo::Number::like(self.l1, 1.0),
+                    t8,
+                    self.a2,
                 ],
             },
         )
@@ -624,8 +608,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for DoublePendulum<T> 
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 8];
         for position in 0..29 {
-            <DoublePendulumDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<DoublePendulumDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -312,18 +312,18 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Pendulum<T> {
     ::core::cmp::PartialEq
 )]
 pub struct PendulumDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 5],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl PendulumDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 5] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 2, 4),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -355,7 +355,10 @@ impl<T: ::carvallo::Scalar> PendulumDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -398,8 +401,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<1> for Pendulum<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1]; 6],
         ); 4];
         for position in 0..5 {
-            <PendulumDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<PendulumDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -1038,171 +1038,171 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RearSteered<T> {
     ::core::cmp::PartialEq
 )]
 pub struct RearSteeredDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 158],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl RearSteeredDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1236,7 +1236,10 @@ impl<T: ::carvallo::Scalar> RearSteeredDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1244,7 +1247,7 @@ impl<T: ::carvallo::Scalar> RearSteeredDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 167 additions, 262 multiplications, 3 divisions, 41 negations and 2 trigonometric functions: 475 operations.
+    /// 167 additions, 262 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 435 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1346,6 +1349,8 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t190 = ((t175 + (yaw_by_delta * P_delta_lateral_w)) - (t45 * P_delta_yaw_w))
             - (t127 * t186);
         let t191 = t28 * P_delta_lateral_w;
+        let t192 = t105 * t127;
+        let t195 = (t45 * P_delta_lateral_w) + (t121 * t127);
         let t198 = (t98 + t126) + (t10 * C112_h_spin_R);
         let t201 = self.c * t41;
         let hz_delta_c = (self.mF * t201) + (t41 * Jxz_delta_rF);
@@ -1353,13 +1358,16 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t211 = (((t147 + (t45 * M22_yaw_by_delta)) + (M22_hz_delta * hz_delta_c))
             - (t10 * t142)) - (t139 * py_delta_c);
         let t214 = t160 - (t45 * (t10 + t105));
+        let t215 = t45 * h_wheels_all;
         let t221 = ((t45 * t113) - t138) - py_delta_c;
         let t227 = (((t175 + (t10 * K222_h_spin_R))
             + (t45 * (C122_yaw_by_delta - hz_delta_c))) + (C122_py_delta * py_delta_c))
             - (yaw_by_delta * t221);
+        let t228 = t28 * t221;
         let t229 = t45 * t221;
         let t231 = t58 + (Jxx_delta * t41);
         let t232 = t28 * t44;
+        let t234 = t231 + (t128 * t232);
         let t240 = t42 + (t28 * t65);
         let py_delta_lam = (t41 * Sz_delta) - (t28 * t70);
         let t250 = (((((t28 * t231) - (t41 * hx_delta)) - (t28 * hz_delta))
@@ -1370,36 +1378,50 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t263 = (((t45 * t240) + (yaw_by_delta * P_delta_lateral_lam))
             + (C122_py_delta * py_delta_lam)) - (t186 * t232);
         let t266 = (t28 * P_delta_lateral_lam) + (t41 * P_delta_lateral);
+        let t267 = t105 * t232;
         let t271 = (t45 * (t97 - P_delta_lateral_lam)) - (t121 * t232);
         let t272 = t17 + t17;
         let t273 = t102 * t103;
         let t274 = self.mR - t273;
         let t275 = yaw_by_delta * t274;
         let t276 = yaw_by_delta * t273;
+        let t277 = t45 * t274;
         let t278 = self.rR * self.rR;
         let t279 = self.rR * yaw_by_delta;
+        let t280 = self.rR * t45;
         let t282 = yaw_by_delta * yaw_by_delta;
+        let t283 = t45 * yaw_by_delta;
         let t284 = yaw_by_delta * t102;
+        let t285 = t45 * t102;
         let t286 = t21 * yaw_by_delta;
         let t287 = yaw_by_delta * self.xB;
         let t288 = self.mB * t287;
         let P_delta_yaw_xB = t288 + (yaw_by_delta * t78);
         let t291 = yaw_by_delta * P_delta_yaw_xB;
+        let t292 = t21 * t45;
         let t294 = self.mB * yaw_by_delta;
+        let t296 = (t45 * P_delta_yaw_xB) + (yaw_by_delta * t294);
+        let t297 = t28 * t294;
         let t298 = t45 * t294;
         let t299 = t21 + t21;
         let t301 = yaw_by_delta + (t45 * self.xB);
+        let t302 = self.mB * t301;
         let t303 = self.mB * t45;
         let t304 = self.zB * self.zB;
         let t305 = self.zB * t287;
         let P_delta_yaw_mB = self.xB * t287;
         let t307 = yaw_by_delta * P_delta_yaw_mB;
+        let t308 = self.zB * t301;
+        let t311 = (t45 * P_delta_yaw_mB) + (yaw_by_delta * t287);
+        let t312 = t28 * t287;
         let t313 = self.zB * t45;
         let t314 = t45 * t287;
         let t315 = self.xH * yaw_by_delta;
         let P_delta_yaw_xH = (self.mH * t315) + (yaw_by_delta * t80);
         let t320 = (yaw_by_delta * P_delta_yaw_xH) - t145;
         let t323 = t138 + (self.mH * yaw_by_delta);
+        let t326 = (t173 + (t45 * P_delta_yaw_xH)) + (yaw_by_delta * t323);
+        let t327 = t28 * t323;
         let t328 = t45 * t323;
         let Jxx_delta_zH = t6 + t6;
         let M12_Sz_delta = t32 * yaw_by_delta;
@@ -1414,6 +1436,7 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t349 = (py_delta_zH * t343) - (t35 * K222_h_spin_R);
         let t350 = t28 * py_delta_zH;
         let t351 = self.mH * t45;
+        let t352 = t45 * py_delta_zH;
         let Jxx_delta_mH = self.zH * self.zH;
         let t356 = self.zH * t34;
         let t359 = ((self.zH * M12_Sz_delta) - (t28 * Jxx_delta_mH))
@@ -1428,9 +1451,11 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t384 = (((C122_py_delta * py_delta_mH)
             - (t45 * (P_delta_yaw_mH + hz_delta_mH))) - (yaw_by_delta * t378))
             - (K222_h_spin_R * t356);
+        let t385 = t28 * t378;
         let t386 = self.zH * t45;
         let t387 = t45 * t378;
         let t389 = t282 + (t41 * M22_hz_delta);
+        let t390 = t45 * C112_h_spin_R;
         let Jxx_delta_rF = t10 + t10;
         let t396 = ((Jxz_delta_rF * C112_h_spin_R) - (self.mF * M12_Sz_delta))
             - (t28 * Jxx_delta_rF);
@@ -1441,6 +1466,8 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t406 = C112_h_spin_R * t405;
         let t408 = ((self.mF * t343) - (t45 * Jxz_delta_rF)) - t406;
         let t411 = (Jxz_delta_rF * K222_h_spin_R) - (t343 * t398);
+        let t412 = t28 * t398;
+        let t414 = t45 * (self.mF - t405);
         let t417 = (t45 * t398) - (K222_h_spin_R * t405);
         let Jxx_delta_mF = self.rF * self.rF;
         let Jxz_delta_mF = self.rF * self.c;
@@ -1456,53 +1483,16 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t443 = t148 - py_delta_mF;
         let t449 = (((C122_py_delta * py_delta_mF) + (K222_h_spin_R * Jxz_delta_mF))
             - (t45 * (P_delta_yaw_mF + hz_delta_mF))) - (yaw_by_delta * t443);
+        let t450 = t28 * t443;
+        let t451 = self.rF * t45;
         let t452 = t45 * t443;
         let t453 = M22_Jxx_delta + t389;
         let t454 = t95 * C112_h_spin_R;
+        let t455 = t45 * t95;
         let t456 = t95 * K222_h_spin_R;
         let t457 = -(t97 + (yaw_by_delta * h_wheels_all));
         let t458 = t114 - py_delta;
         let t459 = t180 - t138;
-        let t460 = -(t105 * t127);
-        let t461 = -((t45 * P_delta_lateral_w) + (t121 * t127));
-        let t462 = -(t45 * h_wheels_all);
-        let t463 = -(t28 * t221);
-        let t464 = -(t231 + (t128 * t232));
-        let t465 = -P_delta_lateral_lam;
-        let t466 = -(t105 * t232);
-        let t467 = -self.mR;
-        let t468 = -(t45 * t274);
-        let t469 = -self.rR;
-        let t470 = -(self.rR * t45);
-        let t471 = -(t45 * yaw_by_delta);
-        let t472 = -t284;
-        let t473 = -(t45 * t102);
-        let t474 = -(t21 * t45);
-        let t475 = -((t45 * P_delta_yaw_xB) + (yaw_by_delta * t294));
-        let t476 = -(t28 * t294);
-        let t477 = -(self.mB * t301);
-        let t478 = -(self.zB * t301);
-        let t479 = -((t45 * P_delta_yaw_mB) + (yaw_by_delta * t287));
-        let t480 = -(t28 * t287);
-        let t481 = -yaw_by_delta;
-        let t482 = -t158;
-        let t483 = -((t173 + (t45 * P_delta_yaw_xH)) + (yaw_by_delta * t323));
-        let t484 = -(t28 * t323);
-        let t485 = -py_delta_zH;
-        let t486 = -(t45 * py_delta_zH);
-        let t487 = -(t28 * t378);
-        let t488 = -t28;
-        let t489 = -(t45 * C112_h_spin_R);
-        let t490 = -C112_h_spin_R;
-        let t491 = -K222_h_spin_R;
-        let t492 = -self.mF;
-        let t493 = -(t28 * t398);
-        let t494 = -(t45 * (self.mF - t405));
-        let t495 = -self.rF;
-        let t496 = -(t28 * t443);
-        let t497 = -(self.rF * t45);
-        let t498 = -t454;
-        let t499 = -(t45 * t95);
         (
             RearSteeredMatrices {
                 m: [[t26, t56], [t56, t92]],
@@ -1516,162 +1506,127 @@ impl<T: ::carvallo::Number> RearSteered<T> {
             RearSteeredDerivatives {
                 values: [
                     t130,
-                    t130,
                     t157,
                     t164,
                     t166,
                     t190,
                     t459,
-                    t459,
                     t191,
-                    t460,
-                    t461,
-                    t198,
+                    t192,
+                    t195,
                     t198,
                     t211,
                     t214,
-                    t462,
+                    t215,
                     t227,
                     t221,
-                    t221,
-                    t463,
+                    t228,
                     t229,
-                    t464,
-                    t464,
+                    t234,
                     t250,
                     t252,
                     t254,
                     t263,
-                    t465,
-                    t465,
+                    P_delta_lateral_lam,
                     t266,
-                    t466,
+                    t267,
                     t271,
                     t272,
                     t275,
                     t276,
-                    t467,
-                    t468,
+                    self.mR,
+                    t277,
                     t278,
                     t279,
-                    t469,
-                    t470,
+                    self.rR,
+                    t280,
                     ::carvallo::Number::like(self.w, 1.0),
                     t282,
-                    t471,
+                    t283,
                     t284,
-                    t472,
-                    t473,
-                    t286,
+                    t285,
                     t286,
                     t291,
-                    t474,
-                    t475,
+                    t292,
+                    t296,
                     t294,
-                    t294,
-                    t476,
+                    t297,
                     t298,
                     t299,
                     t288,
-                    t288,
-                    t477,
+                    t302,
                     self.mB,
                     t303,
                     t304,
                     t305,
-                    t305,
                     t307,
-                    t478,
-                    t479,
+                    t308,
+                    t311,
                     self.zB,
                     t287,
-                    t287,
-                    t480,
+                    t312,
                     t313,
                     t314,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t282,
-                    t471,
-                    t481,
-                    t481,
+                    yaw_by_delta,
                     t45,
                     t124,
-                    t124,
                     t320,
-                    t482,
-                    t483,
+                    t158,
+                    t326,
                     t323,
-                    t323,
-                    t484,
+                    t327,
                     t328,
                     Jxx_delta_zH,
-                    t335,
                     t335,
                     t342,
                     t346,
                     t349,
                     self.mH,
-                    t485,
-                    t485,
+                    py_delta_zH,
                     t350,
                     t351,
-                    t486,
+                    t352,
                     Jxx_delta_mH,
-                    t359,
                     t359,
                     t372,
                     t375,
                     t384,
                     self.zH,
                     t378,
-                    t378,
-                    t487,
+                    t385,
                     t386,
                     t387,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t488,
-                    t488,
+                    t28,
                     M22_Jxx_delta,
                     t389,
-                    t489,
-                    t490,
-                    t490,
+                    t390,
+                    C112_h_spin_R,
                     t142,
-                    t45,
-                    t491,
+                    K222_h_spin_R,
                     Jxx_delta_rF,
-                    t396,
                     t396,
                     t402,
                     t408,
                     t406,
                     t411,
-                    t492,
+                    self.mF,
                     t398,
-                    t398,
-                    t493,
-                    t494,
+                    t412,
+                    t414,
                     t417,
                     Jxx_delta_mF,
-                    t424,
                     t424,
                     t437,
                     t440,
                     t449,
-                    t495,
+                    self.rF,
                     t443,
-                    t443,
-                    t496,
-                    t497,
+                    t450,
+                    t451,
                     t452,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t488,
-                    t488,
                     t453,
-                    t489,
                     t454,
-                    t498,
-                    t499,
+                    t455,
                     t456,
                 ],
             },
@@ -1689,8 +1644,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RearSteered<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 26];
         for position in 0..158 {
-            <RearSteeredDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<RearSteeredDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -439,24 +439,24 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RollingDisc<T> {
     ::core::cmp::PartialEq
 )]
 pub struct RollingDiscDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 11],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 8],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl RollingDiscDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 11] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 3).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 5).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 3, 7),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -488,7 +488,10 @@ impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -496,7 +499,7 @@ impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RollingDisc<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 4 additions, 5 multiplications, 1 division and 5 negations: 15 operations.
+    /// 4 additions, 5 multiplications, 1 division and 2 negations: 12 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -515,9 +518,6 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
         let t14 = self.r * self.r;
         let t16 = -h_spin_D;
         let t17 = -t3;
-        let t18 = -self.m;
-        let t19 = -self.r;
-        let t20 = -t8;
         (
             RollingDiscMatrices {
                 m: [
@@ -541,13 +541,10 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
                     t11,
                     t13,
                     t12,
-                    t18,
+                    self.m,
                     t14,
                     self.r,
-                    t19,
                     t8,
-                    t20,
-                    ::carvallo::Number::like(self.r, 1.0),
                     ::carvallo::Number::like(self.r, 1.0),
                 ],
             },
@@ -565,8 +562,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RollingDisc<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 5];
         for position in 0..11 {
-            <RollingDiscDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<RollingDiscDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

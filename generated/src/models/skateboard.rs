@@ -734,34 +734,34 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Skateboard<T> {
     ::core::cmp::PartialEq
 )]
 pub struct SkateboardDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 21],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl SkateboardDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 21] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0, 1).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 3, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 3, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 4, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 4, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 4, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 5, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 6, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 7, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 7, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 7, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 7, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 8, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 9, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 9, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 13, 20),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -797,7 +797,10 @@ impl<T: ::carvallo::Scalar> SkateboardDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -805,7 +808,7 @@ impl<T: ::carvallo::Scalar> SkateboardDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Skateboard<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 12 additions, 36 multiplications, 3 divisions, 5 negations and 4 trigonometric functions: 60 operations.
+    /// 12 additions, 36 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 56 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -831,6 +834,8 @@ impl<T: ::carvallo::Number> Skateboard<T> {
         let t33 = t29 + (self.kR * t31);
         let t34 = P_gamma_lateral * t24;
         let t35 = t17 * t24;
+        let t36 = P_gamma_yaw * t35;
+        let t37 = P_gamma_lateral * t35;
         let t41 = (t17 * t20) * (t19 + (t21 * t22));
         let t42 = P_gamma_yaw * t41;
         let t43 = t22 * t29;
@@ -851,10 +856,6 @@ impl<T: ::carvallo::Number> Skateboard<T> {
         let t64 = self.m * C111_P_gamma_lateral;
         let t65 = self.m * t24;
         let t66 = -P_gamma_lateral;
-        let t67 = -(P_gamma_yaw * t35);
-        let t68 = -(P_gamma_lateral * t35);
-        let t69 = -self.h;
-        let t70 = -self.m;
         (
             SkateboardMatrices {
                 m: [[t5]],
@@ -865,8 +866,8 @@ impl<T: ::carvallo::Number> Skateboard<T> {
             },
             SkateboardDerivatives {
                 values: [
-                    t67,
-                    t68,
+                    t36,
+                    t37,
                     t42,
                     t44,
                     t45,
@@ -877,12 +878,12 @@ impl<T: ::carvallo::Number> Skateboard<T> {
                     t31,
                     t58,
                     t61,
-                    t69,
+                    self.h,
                     t62,
                     t34,
                     t63,
                     t64,
-                    t70,
+                    self.m,
                     t65,
                     ::carvallo::Number::like(self.L, 1.0),
                     t24,
@@ -902,8 +903,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<1> for Skateboard<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1]; 6],
         ); 15];
         for position in 0..21 {
-            <SkateboardDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<SkateboardDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -441,49 +441,49 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for TwoPipes<T> {
     ::core::cmp::PartialEq
 )]
 pub struct TwoPipesDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 36],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 19],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl TwoPipesDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 36] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 1, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 2, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 2, 15).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 1, 3, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 0, 3, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 3, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 4, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 1, 4, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 0, 4, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 4, 18),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -520,7 +520,10 @@ impl<T: ::carvallo::Scalar> TwoPipesDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -528,7 +531,7 @@ impl<T: ::carvallo::Scalar> TwoPipesDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> TwoPipes<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 5 additions, 22 multiplications and 5 negations: 32 operations.
+    /// 5 additions, 22 multiplications and 3 negations: 30 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -566,8 +569,6 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
         let t41 = -self.c;
         let t42 = -self.k;
         let t43 = -t25;
-        let t44 = -self.f;
-        let t45 = -self.l;
         (
             TwoPipesMatrices {
                 m: [[t8, t10], [t10, t12]],
@@ -590,38 +591,21 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
                 values: [
                     t27,
                     t29,
-                    t29,
                     weight,
                     t30,
                     t31,
-                    t30,
                     t33,
                     t32,
-                    t44,
                     self.f,
                     t34,
                     t35,
-                    t35,
                     t36,
                     t37,
                     t38,
-                    t34,
-                    t35,
-                    t35,
-                    t36,
                     weight_m,
                     t16,
-                    weight_m,
-                    t37,
-                    t38,
-                    t45,
                     self.l,
                     ::carvallo::Number::like(self.l, 2.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, 1.0),
-                    ::carvallo::Number::like(self.l, 2.0),
-                    ::carvallo::Number::like(self.l, -1.0),
                     ::carvallo::Number::like(self.l, -1.0),
                     ::carvallo::Number::like(self.l, 1.0),
                 ],
@@ -640,8 +624,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for TwoPipes<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 6];
         for position in 0..36 {
-            <TwoPipesDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<TwoPipesDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -1410,256 +1410,256 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 3> for WhippleLeaning<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleLeaningDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 243],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 164],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleLeaningDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 243] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 34),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 0, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 9).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 10).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 0, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 16).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 1, 18).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 20).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 25).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 2, 28).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 31).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 2, 33),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 42),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 46).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 49),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 51),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 52).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 52).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 55),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 57).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 61).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 61).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 63).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 67).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 69),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 72).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 72).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 76).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 76).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 97).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 98).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 104),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 106),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 112).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 113).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 113).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 122).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 123),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 123),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 124).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 125),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 126),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 127),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 128).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 129),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 130),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 26, 131),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 26, 132),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 26, 131),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 26, 132),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 26, 133).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 26, 134),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 26, 136),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 27, 137),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 27, 138).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 27, 139),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 27, 138).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 27, 140),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 27, 141).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 27, 139),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 27, 141).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 27, 142),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 27, 143).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 27, 144),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 27, 145).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27, 146),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27, 147).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27, 147).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27, 149).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 27, 150).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 27, 151),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 27, 152).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 28, 153).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 28, 153).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 28, 154),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 28, 155).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 28, 155).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 28, 156).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 28, 157),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 28, 158).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 28, 159).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 28, 159).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 28, 160).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 28, 161),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 29, 162),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 29, 163),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 29, 163),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 29, 133),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 29, 134).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 29, 134).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 29, 136).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 29, 136).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 32, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 32, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 33, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 33, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 34, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 35, 43),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1696,7 +1696,10 @@ impl<T: ::carvallo::Scalar> WhippleLeaningDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1704,7 +1707,7 @@ impl<T: ::carvallo::Scalar> WhippleLeaningDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 196 additions, 315 multiplications, 3 divisions, 60 negations and 2 trigonometric functions: 576 operations.
+    /// 195 additions, 315 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 519 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1779,6 +1782,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t156,
             K222_yaw_per_v_delta,
             t158,
+            t159,
             C112_h_spin_F,
             t161,
             t163,
@@ -1800,6 +1804,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             M22_yaw_per_v_delta,
             t194,
             P_delta_theta_yaw_per_v_delta,
+            t196,
             t197,
             t199,
             C112_yaw_per_v_delta,
@@ -1816,7 +1821,10 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             C122_yaw_per_v_delta,
             t229,
             C132_yaw_per_v_delta,
+            t232,
             t233,
+            t234,
+            t237,
             t238,
             t241,
             t244,
@@ -1824,10 +1832,12 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             hz_delta_c,
             t254,
             t257,
+            t258,
             t262,
             t263,
             P_delta_lateral_c,
             t270,
+            t271,
             t272,
             hx_delta_lam,
             t275,
@@ -1835,10 +1845,14 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t283,
             hz_delta_lam,
             t293,
+            t294,
+            t296,
             t298,
             t301,
             t307,
+            t308,
             t311,
+            t312,
             t316,
             t317,
             t318,
@@ -1854,19 +1868,28 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t329,
             t330,
             t331,
+            t332,
             t333,
             t334,
             P_delta_yaw_xB,
             t337,
+            t338,
             t340,
             t342,
+            t343,
             t344,
             t345,
             t347,
+            t348,
+            t349,
             t350,
+            t351,
             P_delta_yaw_mB,
             t353,
+            t354,
             t357,
+            t358,
+            t359,
             t360,
             t361,
             t362,
@@ -1875,6 +1898,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t368,
             P_delta_lateral_xH,
             t376,
+            t377,
             t378,
             t379,
             t380,
@@ -1893,6 +1917,8 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t405,
             t407,
             t408,
+            t409,
+            t410,
             t411,
             t412,
             hz_delta_mH,
@@ -1901,6 +1927,8 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t426,
             t432,
             t433,
+            t434,
+            t435,
             t437,
             t438,
             t439,
@@ -1916,6 +1944,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t460,
             P_delta_lateral_rF,
             t464,
+            t465,
             t467,
             t470,
             t471,
@@ -1924,11 +1953,9 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             hz_delta_mF,
             t481,
             t482,
-            t486,
-            P_delta_lateral_mF,
+            t487,
             t492,
             t494,
-            t495,
             t496,
             t497,
             t498,
@@ -1940,30 +1967,6 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t505,
             t506,
             t507,
-            Jxx_theta_mU,
-            t509,
-            t512,
-            t513,
-            t516,
-            P_delta_yaw_Sx_theta,
-            P_delta_yaw_mU,
-            t519,
-            t520,
-            t527,
-            t528,
-            t533,
-            t534,
-            P_delta_yaw_xU,
-            t538,
-            t543,
-            t546,
-            t547,
-            t548,
-            t549,
-            t550,
-            t551,
-            t552,
-            t553,
         );
         t5 = self.zU - self.zP;
         Sz_theta = t5 * self.mU;
@@ -2033,6 +2036,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t156 = t42 * h_spin_F;
         K222_yaw_per_v_delta = t156 - t147;
         t158 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        t159 = Sz_theta * yaw_per_v_delta;
         C112_h_spin_F = t54 + yaw_by_delta;
         t161 = t14 * C112_h_spin_F;
         t163 = t161 - (yaw_by_delta * Sz_delta);
@@ -2054,6 +2058,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
         t194 = (t184 + (yaw_by_delta * P_delta_yaw_w)) - (t164 * M22_yaw_per_v_delta);
         P_delta_theta_yaw_per_v_delta = self.c * Jxz_theta;
+        t196 = t164 * P_delta_theta_yaw_per_v_delta;
         t197 = t14 * yaw_per_v_delta;
         t199 = t197 - (yaw_per_v_delta * Sz_delta);
         C112_yaw_per_v_delta = Jxz_all + (self.c * t135);
@@ -2071,7 +2076,10 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t229 = ((t214 + (yaw_per_v_delta * P_delta_yaw_w)) - (yaw_by_delta * t220))
             - (t164 * C122_yaw_per_v_delta);
         C132_yaw_per_v_delta = Jxz_theta - (Sz_theta * self.c);
+        t232 = t164 * C132_yaw_per_v_delta;
         t233 = t42 * t220;
+        t234 = t135 * t164;
+        t237 = (yaw_per_v_delta * t220) + (K222_yaw_per_v_delta * t164);
         t238 = Sz_theta * t164;
         t241 = (t137 + t163) - (t18 * C112_h_spin_F);
         t244 = self.mF * t54;
@@ -2080,12 +2088,14 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t254 = (((t184 + (yaw_per_v_delta * M22_yaw_by_delta))
             + (M22_hz_delta * hz_delta_c)) - (t18 * M22_Jxz_delta)) - (t174 * t244);
         t257 = t199 + (yaw_per_v_delta * (t135 - t18));
+        t258 = yaw_per_v_delta * h_wheels_all;
         t262 = yaw_per_v_delta * Sx_all;
         t263 = t173 + t244;
         P_delta_lateral_c = t262 - t263;
         t270 = (((t214 + (yaw_per_v_delta * (C122_yaw_by_delta + hz_delta_c)))
             + (yaw_by_delta * P_delta_lateral_c)) - (t18 * K222_h_spin_F))
             - (t209 * t244);
+        t271 = t42 * P_delta_lateral_c;
         t272 = yaw_per_v_delta * P_delta_lateral_c;
         hx_delta_lam = (Jxx_delta * t54) - t81;
         t275 = t42 * t57;
@@ -2095,11 +2105,15 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t293 = (((((t42 * hx_delta_lam) + (t54 * hx_delta))
             + (M22_hz_delta * hz_delta_lam)) - (t42 * hz_delta)) - (t174 * t283))
             - (M22_yaw_per_v_delta * t275);
+        t294 = P_delta_theta_yaw_per_v_delta * t275;
+        t296 = t156 + (C112_yaw_per_v_delta * t275);
         t298 = t156 + (t204 * t275);
         t301 = t283 + (t217 * t275);
         t307 = (((yaw_per_v_delta * hz_delta_lam) - (yaw_by_delta * t301))
             - (t209 * t283)) - (C122_yaw_per_v_delta * t275);
+        t308 = C132_yaw_per_v_delta * t275;
         t311 = (t42 * t301) + (t54 * t147);
+        t312 = t135 * t275;
         t316 = (yaw_per_v_delta * (t127 - t301)) - (K222_yaw_per_v_delta * t275);
         t317 = Sz_theta * t275;
         t318 = t25 + t25;
@@ -2115,19 +2129,28 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t329 = yaw_per_v_delta * yaw_by_delta;
         t330 = yaw_by_delta * t129;
         t331 = yaw_per_v_delta * t129;
+        t332 = t29 * yaw_by_delta;
         t333 = yaw_by_delta * self.xB;
         t334 = self.mB * t333;
         P_delta_yaw_xB = t334 + (yaw_by_delta * t103);
         t337 = yaw_by_delta * P_delta_yaw_xB;
+        t338 = t29 * yaw_per_v_delta;
         t340 = self.mB * yaw_by_delta;
         t342 = (yaw_per_v_delta * P_delta_yaw_xB) + (yaw_by_delta * t340);
+        t343 = t42 * t340;
         t344 = yaw_per_v_delta * t340;
         t345 = t29 + t29;
         t347 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        t348 = self.mB * t347;
+        t349 = self.mB * yaw_per_v_delta;
         t350 = self.zB * self.zB;
+        t351 = self.zB * t333;
         P_delta_yaw_mB = self.xB * t333;
         t353 = yaw_by_delta * P_delta_yaw_mB;
+        t354 = self.zB * t347;
         t357 = (yaw_per_v_delta * P_delta_yaw_mB) + (yaw_by_delta * t333);
+        t358 = t42 * t333;
+        t359 = self.zB * yaw_per_v_delta;
         t360 = yaw_per_v_delta * t333;
         t361 = self.xH * yaw_by_delta;
         t362 = yaw_by_delta * t361;
@@ -2137,6 +2160,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         P_delta_lateral_xH = t173 + (self.mH * yaw_by_delta);
         t376 = (((self.mH * t368) + (yaw_per_v_delta * P_delta_yaw_xH))
             + (yaw_by_delta * P_delta_lateral_xH)) - t212;
+        t377 = t42 * P_delta_lateral_xH;
         t378 = yaw_per_v_delta * P_delta_lateral_xH;
         t379 = t14 + t14;
         t380 = t48 * yaw_by_delta;
@@ -2155,6 +2179,8 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t405 = self.mH * t42;
         t407 = (self.mH * t403) - (yaw_by_delta * t405);
         t408 = t42 * t405;
+        t409 = self.mH * yaw_per_v_delta;
+        t410 = yaw_per_v_delta * t405;
         t411 = self.zH * self.zH;
         t412 = self.zH * t384;
         hz_delta_mH = t50 * t176;
@@ -2165,6 +2191,8 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t432 = ((((self.xH * t368) + (self.zH * t403)) + (yaw_per_v_delta * hz_delta_mH))
             - (yaw_by_delta * t426)) - (t176 * t209);
         t433 = t42 * t426;
+        t434 = self.zH * yaw_per_v_delta;
+        t435 = yaw_per_v_delta * t426;
         t437 = t328 + (t54 * M22_hz_delta);
         t438 = yaw_per_v_delta * C112_h_spin_F;
         t439 = t18 + t18;
@@ -2180,6 +2208,7 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t460 = (self.c * K222_h_spin_F) - t401;
         P_delta_lateral_rF = self.mF * t42;
         t464 = (yaw_by_delta * P_delta_lateral_rF) - (self.mF * t460);
+        t465 = t42 * P_delta_lateral_rF;
         t467 = yaw_per_v_delta * (self.mF - t456);
         t470 = (yaw_per_v_delta * P_delta_lateral_rF) - (K222_h_spin_F * t456);
         t471 = self.rF * self.rF;
@@ -2189,12 +2218,10 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t481 = (((self.rF * t450) + (yaw_by_delta * P_delta_yaw_mF))
             + (M22_hz_delta * hz_delta_mF)) - (t174 * t246);
         t482 = self.rF * t454;
-        t486 = t185 + t441;
-        P_delta_lateral_mF = t486 - t246;
-        t492 = (((yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF))
-            + (yaw_by_delta * P_delta_lateral_mF)) - (self.rF * t460)) - (t209 * t246);
+        t487 = (t246 - t185) - t441;
+        t492 = (((yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF)) - (self.rF * t460))
+            - (yaw_by_delta * t487)) - (t209 * t246);
         t494 = self.rF * yaw_per_v_delta;
-        t495 = yaw_per_v_delta * P_delta_lateral_mF;
         t496 = M22_Jxx_delta + t437;
         t497 = t125 * C112_h_spin_F;
         t498 = yaw_per_v_delta * t125;
@@ -2206,145 +2233,77 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t505 = self.mU * yaw_by_delta;
         t506 = (yaw_per_v_delta * Sx_theta) + t505;
         t507 = self.mU * yaw_per_v_delta;
+        let (
+            Jxx_theta_mU,
+            t509,
+            t512,
+            t513,
+            t514,
+            t516,
+            P_delta_yaw_Sx_theta,
+            P_delta_yaw_mU,
+            t519,
+            t520,
+            t521,
+            t524,
+            t527,
+            t528,
+            t530,
+            t531,
+            t532,
+            t533,
+            t534,
+            t535,
+            P_delta_yaw_xU,
+            t538,
+            t539,
+            t540,
+            t543,
+            t544,
+            t545,
+            t546,
+            t547,
+            t548,
+            t549,
+            t550,
+            t551,
+            t552,
+        );
         Jxx_theta_mU = t5 * t5;
         t509 = self.zP + t5;
         t512 = Jxx_theta_mU + (self.zP * (t5 + t509));
         t513 = self.xU * t509;
+        t514 = yaw_by_delta * t513;
         t516 = Jxx_theta_mU + (self.zP * t5);
         P_delta_yaw_Sx_theta = yaw_by_delta * self.xU;
         P_delta_yaw_mU = self.xU * P_delta_yaw_Sx_theta;
         t519 = yaw_by_delta * P_delta_yaw_mU;
         t520 = t5 * yaw_by_delta;
+        t521 = self.xU * t520;
+        t524 = (yaw_by_delta * t509) + (yaw_per_v_delta * t513);
         t527 = (yaw_per_v_delta * P_delta_yaw_mU)
             + (yaw_by_delta * P_delta_yaw_Sx_theta);
         t528 = t5 * yaw_per_v_delta;
+        t530 = t520 + (self.xU * t528);
+        t531 = t42 * P_delta_yaw_Sx_theta;
+        t532 = yaw_per_v_delta * t509;
         t533 = yaw_per_v_delta * P_delta_yaw_Sx_theta;
         t534 = self.mU * t509;
+        t535 = yaw_by_delta * t534;
         P_delta_yaw_xU = t503 + (self.mU * P_delta_yaw_Sx_theta);
         t538 = yaw_by_delta * P_delta_yaw_xU;
+        t539 = self.mU * t520;
+        t540 = yaw_per_v_delta * t534;
         t543 = (yaw_per_v_delta * P_delta_yaw_xU) + (yaw_by_delta * t505);
+        t544 = self.mU * t528;
+        t545 = t42 * t505;
         t546 = yaw_per_v_delta * t505;
         t547 = t31 + t501;
         t548 = -(t127 + (yaw_by_delta * h_wheels_all));
-        t549 = -(Sz_theta * yaw_per_v_delta);
-        t550 = -(t164 * P_delta_theta_yaw_per_v_delta);
-        t551 = -(t164 * C132_yaw_per_v_delta);
-        t552 = -(t135 * t164);
-        t553 = -((yaw_per_v_delta * t220) + (K222_yaw_per_v_delta * t164));
-        let (
-            t554,
-            t555,
-            t556,
-            t557,
-            t558,
-            t559,
-            t560,
-            t561,
-            t562,
-            t563,
-            t564,
-            t565,
-            t566,
-            t567,
-            t568,
-            t569,
-            t570,
-            t571,
-            t572,
-            t573,
-            t574,
-            t575,
-            t576,
-            t577,
-            t578,
-            t579,
-            t580,
-            t581,
-            t582,
-            t583,
-            t584,
-            t585,
-            t586,
-            t587,
-            t588,
-            t589,
-            t590,
-            t591,
-            t592,
-            t593,
-            t594,
-            t595,
-            t596,
-            t597,
-            t598,
-            t599,
-            t600,
-            t601,
-            t602,
-            t603,
-            t604,
-            t605,
-            t606,
-            t607,
-            t608,
-            t609,
-        );
-        t554 = -(yaw_per_v_delta * h_wheels_all);
-        t555 = t263 - t262;
-        t556 = -(t42 * P_delta_lateral_c);
-        t557 = -(P_delta_theta_yaw_per_v_delta * t275);
-        t558 = -(t156 + (C112_yaw_per_v_delta * t275));
-        t559 = -(C132_yaw_per_v_delta * t275);
-        t560 = -(t135 * t275);
-        t561 = -self.mR;
-        t562 = -self.rR;
-        t563 = -t330;
-        t564 = -(t29 * yaw_by_delta);
-        t565 = -(t29 * yaw_per_v_delta);
-        t566 = -t340;
-        t567 = -(t42 * t340);
-        t568 = -t334;
-        t569 = -(self.mB * t347);
-        t570 = -(self.mB * yaw_per_v_delta);
-        t571 = -(self.zB * t333);
-        t572 = -(self.zB * t347);
-        t573 = -t333;
-        t574 = -(t42 * t333);
-        t575 = -(self.zB * yaw_per_v_delta);
-        t576 = -t161;
-        t577 = -t197;
-        t578 = -P_delta_lateral_xH;
-        t579 = -(t42 * P_delta_lateral_xH);
-        t580 = -(self.mH * yaw_per_v_delta);
-        t581 = -(yaw_per_v_delta * t405);
-        t582 = -(self.zH * yaw_per_v_delta);
-        t583 = -(yaw_per_v_delta * t426);
-        t584 = -self.mF;
-        t585 = -P_delta_lateral_rF;
-        t586 = -(t42 * P_delta_lateral_rF);
-        t587 = -self.rF;
-        t588 = t246 - t486;
-        t589 = -(t42 * P_delta_lateral_mF);
-        t590 = -t497;
-        t591 = -t500;
-        t592 = -self.mU;
-        t593 = -(yaw_by_delta * t513);
-        t594 = -(self.xU * t520);
-        t595 = -((yaw_by_delta * t509) + (yaw_per_v_delta * t513));
-        t596 = -(t520 + (self.xU * t528));
-        t597 = -P_delta_yaw_Sx_theta;
-        t598 = -(t42 * P_delta_yaw_Sx_theta);
-        t599 = -(yaw_per_v_delta * t509);
-        t600 = -t528;
-        t601 = -(yaw_by_delta * t534);
-        t602 = -(self.mU * t520);
-        t603 = -(yaw_per_v_delta * t534);
-        t604 = -(self.mU * t528);
-        t605 = -t505;
-        t606 = -(t42 * t505);
-        t607 = -t503;
-        t608 = -t506;
-        t609 = -t507;
+        t549 = -t159;
+        t550 = t263 - t262;
+        t551 = -(t42 * t487);
+        t552 = -(yaw_per_v_delta * t487);
         (
             WhippleLeaningMatrices {
                 m: [
@@ -2425,248 +2384,169 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             WhippleLeaningDerivatives {
                 values: [
                     t167,
-                    t167,
                     t194,
-                    t550,
-                    t550,
+                    t196,
                     t203,
                     t205,
                     t229,
-                    t551,
-                    t220,
+                    t232,
                     t220,
                     t233,
-                    t552,
-                    t553,
+                    t234,
+                    t237,
                     t238,
-                    t241,
                     t241,
                     t254,
                     t151,
-                    t151,
                     t257,
-                    t554,
+                    t258,
                     t270,
-                    t549,
-                    t555,
-                    t555,
-                    t556,
+                    t159,
+                    t550,
+                    t271,
                     t272,
                     t277,
-                    t277,
                     t293,
-                    t557,
-                    t557,
-                    t558,
+                    t294,
+                    t296,
                     t298,
                     t307,
-                    t559,
-                    t301,
+                    t308,
                     t301,
                     t311,
-                    t560,
+                    t312,
                     t316,
                     t317,
                     t318,
                     t321,
                     t322,
-                    t561,
+                    self.mR,
                     t323,
                     t324,
                     t325,
-                    t562,
+                    self.rR,
                     t326,
                     ::carvallo::Number::like(self.w, 1.0),
                     t328,
                     t329,
                     t330,
-                    t563,
                     t331,
-                    t564,
-                    t564,
+                    t332,
                     t337,
-                    t565,
+                    t338,
                     t342,
-                    t566,
-                    t566,
-                    t567,
+                    t340,
+                    t343,
                     t344,
                     t345,
-                    t568,
-                    t568,
-                    t569,
+                    t334,
+                    t348,
                     self.mB,
-                    t570,
+                    t349,
                     t350,
-                    t571,
-                    t571,
+                    t351,
                     t353,
-                    t572,
+                    t354,
                     t357,
                     self.zB,
-                    t573,
-                    t573,
-                    t574,
-                    t575,
+                    t333,
+                    t358,
+                    t359,
                     t360,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t328,
-                    t329,
-                    yaw_by_delta,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t576,
-                    t576,
+                    t161,
                     t367,
-                    t577,
+                    t197,
                     t376,
-                    t578,
-                    t578,
-                    t579,
+                    P_delta_lateral_xH,
+                    t377,
                     t378,
                     t379,
-                    t387,
                     t387,
                     t396,
                     t400,
                     t407,
                     self.mH,
                     t405,
-                    t405,
                     t408,
-                    t580,
-                    t581,
+                    t409,
+                    t410,
                     t411,
-                    t412,
                     t412,
                     t420,
                     t421,
                     t432,
                     self.zH,
                     t426,
-                    t426,
                     t433,
-                    t582,
-                    t583,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t42,
+                    t434,
+                    t435,
                     t42,
                     M22_Jxx_delta,
                     t437,
                     t438,
                     C112_h_spin_F,
-                    C112_h_spin_F,
                     M22_Jxz_delta,
-                    yaw_per_v_delta,
                     K222_h_spin_F,
                     t439,
-                    t446,
                     t446,
                     t453,
                     t458,
                     t457,
                     t464,
-                    t584,
-                    t585,
-                    t585,
-                    t586,
+                    self.mF,
+                    P_delta_lateral_rF,
+                    t465,
                     t467,
                     t470,
                     t471,
                     t472,
-                    t472,
                     t481,
                     t482,
                     t492,
-                    t587,
-                    t588,
-                    t588,
-                    t589,
+                    self.rF,
+                    t487,
+                    t551,
                     t494,
-                    t495,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t42,
-                    t42,
+                    t552,
                     t496,
-                    t438,
                     t497,
-                    t590,
                     t498,
                     t499,
                     t502,
                     t503,
-                    t502,
-                    t503,
-                    t591,
+                    t500,
                     t506,
-                    t592,
-                    t592,
-                    t592,
+                    self.mU,
                     t507,
                     t512,
-                    t593,
+                    t514,
                     t516,
-                    t593,
                     t519,
-                    t594,
-                    t516,
-                    t594,
+                    t521,
                     Jxx_theta_mU,
-                    t595,
+                    t524,
                     t527,
-                    t596,
+                    t530,
                     t509,
-                    t597,
+                    P_delta_yaw_Sx_theta,
                     t5,
-                    t597,
-                    t598,
-                    t5,
-                    t5,
-                    t599,
+                    t531,
+                    t532,
                     t533,
-                    t600,
-                    t601,
-                    t601,
+                    t528,
+                    t535,
                     t538,
-                    t602,
-                    t602,
-                    t603,
+                    t539,
+                    t540,
                     t543,
-                    t604,
-                    t605,
-                    t605,
-                    t606,
+                    t544,
+                    t505,
+                    t545,
                     t546,
                     t547,
-                    t607,
                     t501,
-                    t607,
-                    t607,
-                    t501,
-                    t607,
-                    t500,
-                    t608,
-                    t608,
-                    self.mU,
-                    self.mU,
-                    self.mU,
-                    self.mU,
-                    t609,
-                    t609,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t328,
-                    t329,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_per_v_delta,
-                    yaw_per_v_delta,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
                 ],
             },
         )
@@ -2683,8 +2563,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<3> for WhippleLeaning<T> 
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 3]; 3]; 6],
         ); 36];
         for position in 0..243 {
-            <WhippleLeaningDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleLeaningDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

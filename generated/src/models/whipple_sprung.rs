@@ -1172,173 +1172,173 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleSprung<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleSprungDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 160],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleSprungDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 160] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 26, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 27, 35),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1375,7 +1375,10 @@ impl<T: ::carvallo::Scalar> WhippleSprungDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1383,7 +1386,7 @@ impl<T: ::carvallo::Scalar> WhippleSprungDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 164 additions, 255 multiplications, 3 divisions, 44 negations and 2 trigonometric functions: 468 operations.
+    /// 164 additions, 255 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 427 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1451,6 +1454,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t130 = (yaw_by_delta * Sz_delta) - t128;
         let t131 = t44 * yaw_per_v_delta;
         let M12_yaw_per_v_delta = self.c * Jxz_all;
+        let t134 = t130 + (t131 * M12_yaw_per_v_delta);
         let py_delta_mH = (t36 * t41) - (self.zH * t28);
         let t140 = t37 * t41;
         let t141 = (self.mH * py_delta_mH) + t140;
@@ -1469,6 +1473,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t161 = t6 * yaw_per_v_delta;
         let t163 = (yaw_per_v_delta * Sz_delta) - t161;
         let C112_yaw_per_v_delta = Jxz_all + (self.c * t105);
+        let t167 = t163 + (t131 * C112_yaw_per_v_delta);
         let t168 = self.c * h_wheels_all;
         let t169 = t131 * t168;
         let t170 = yaw_per_v_delta * t147;
@@ -1481,6 +1486,8 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t185 = ((t170 + (yaw_per_v_delta * P_delta_yaw_w)) - (yaw_by_delta * t176))
             - (t131 * C122_yaw_per_v_delta);
         let t186 = t28 * t176;
+        let t187 = t105 * t131;
+        let t190 = (yaw_per_v_delta * t176) + (K222_yaw_per_v_delta * t131);
         let t191 = t10 * t41;
         let t195 = ((t107 - t130) - t191) - (t10 * yaw_by_delta);
         let hx_delta_rF = t10 * t28;
@@ -1491,10 +1498,12 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t212 = (((t150 + (t148 * M_yaw_delta_c)) + (t41 * hz_delta_c))
             + (yaw_per_v_delta * M22_yaw_by_delta)) - (t28 * t191);
         let t215 = (yaw_per_v_delta * (t105 - t10)) - t163;
+        let t216 = yaw_per_v_delta * h_wheels_all;
         let t221 = (t144 + t202) - (yaw_per_v_delta * Sx_all);
         let t224 = (t170 + (yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c)))
             - (yaw_by_delta * t221);
         let t225 = t28 * t221;
+        let t226 = yaw_per_v_delta * t221;
         let hx_delta_lam = (Jxx_delta * t41) - t58;
         let t229 = t28 * t44;
         let t231 = hx_delta_lam - (M12_yaw_per_v_delta * t229);
@@ -1504,11 +1513,13 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t249 = (((((t148 * M_yaw_delta_lam) + (t28 * hx_delta_lam))
             + (t41 * hz_delta_lam)) + (t41 * hx_delta)) - (t28 * hz_delta))
             - (M22_yaw_per_v_delta * t229);
+        let t251 = t122 + (C112_yaw_per_v_delta * t229);
         let t253 = t122 + (t168 * t229);
         let t256 = t236 + (P_delta_lateral_yaw_per_v_delta * t229);
         let t260 = ((yaw_per_v_delta * M_yaw_delta_lam) - (yaw_by_delta * t256))
             - (C122_yaw_per_v_delta * t229);
         let t263 = (t28 * t256) - (t41 * P_delta_lateral);
+        let t264 = t105 * t229;
         let t268 = (yaw_per_v_delta * (t98 - t256)) - (K222_yaw_per_v_delta * t229);
         let t269 = t17 + t17;
         let t270 = t100 * t101;
@@ -1523,21 +1534,30 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t280 = yaw_per_v_delta * yaw_by_delta;
         let t281 = yaw_by_delta * t100;
         let t282 = yaw_per_v_delta * t100;
+        let t283 = t21 * yaw_by_delta;
         let P_delta_lateral_mB = yaw_by_delta * self.xB;
         let t285 = self.mB * P_delta_lateral_mB;
         let P_delta_yaw_xB = t285 + (yaw_by_delta * t78);
         let t288 = yaw_by_delta * P_delta_yaw_xB;
+        let t289 = t21 * yaw_per_v_delta;
         let P_delta_lateral_xB = self.mB * yaw_by_delta;
         let t293 = (yaw_per_v_delta * P_delta_yaw_xB)
             + (yaw_by_delta * P_delta_lateral_xB);
+        let t294 = t28 * P_delta_lateral_xB;
         let t295 = yaw_per_v_delta * P_delta_lateral_xB;
         let t296 = t21 + t21;
         let t298 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        let t299 = self.mB * t298;
+        let t300 = self.mB * yaw_per_v_delta;
         let t301 = self.zB * self.zB;
+        let t302 = self.zB * P_delta_lateral_mB;
         let P_delta_yaw_mB = self.xB * P_delta_lateral_mB;
         let t304 = yaw_by_delta * P_delta_yaw_mB;
+        let t305 = self.zB * t298;
         let t308 = (yaw_per_v_delta * P_delta_yaw_mB)
             + (yaw_by_delta * P_delta_lateral_mB);
+        let t309 = t28 * P_delta_lateral_mB;
+        let t310 = self.zB * yaw_per_v_delta;
         let t311 = yaw_per_v_delta * P_delta_lateral_mB;
         let t312 = self.xH * yaw_by_delta;
         let t316 = (t146 + (self.mH * t312)) + (yaw_by_delta * t80);
@@ -1545,6 +1565,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t321 = self.mH * yaw_by_delta;
         let P_delta_lateral_xH = t144 + t321;
         let t324 = (yaw_per_v_delta * t316) + (yaw_by_delta * P_delta_lateral_xH);
+        let t325 = t28 * P_delta_lateral_xH;
         let t326 = yaw_per_v_delta * P_delta_lateral_xH;
         let Jxx_delta_zH = t6 + t6;
         let hx_delta_zH = (t28 * Jxx_delta_zH) - t140;
@@ -1554,7 +1575,11 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t335 = self.mH * t28;
         let t337 = t334 + (t35 * t335);
         let t342 = ((t28 * hx_delta_zH) - (t148 * t337)) - (t41 * t334);
+        let t344 = t321 + (yaw_per_v_delta * t331);
+        let t347 = (yaw_per_v_delta * t337) + (yaw_by_delta * t335);
         let t348 = t28 * t335;
+        let t349 = self.mH * yaw_per_v_delta;
+        let t350 = yaw_per_v_delta * t335;
         let Jxx_delta_mH = self.zH * self.zH;
         let hx_delta_mH = (t28 * Jxx_delta_mH) - (t36 * t125);
         let t356 = self.zH * (t35 + t36);
@@ -1565,8 +1590,11 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t365 = M_yaw_delta_mH + P_delta_yaw_mH;
         let t369 = ((t28 * hx_delta_mH) + (t41 * hz_delta_mH))
             + (yaw_by_delta * (M_yaw_delta_mH + t365));
+        let t372 = (self.zH * yaw_by_delta) + (yaw_per_v_delta * t356);
         let P_delta_lateral_mH = py_delta_mH + t312;
         let t376 = (yaw_per_v_delta * t365) + (yaw_by_delta * P_delta_lateral_mH);
+        let t377 = t28 * P_delta_lateral_mH;
+        let t378 = self.zH * yaw_per_v_delta;
         let t379 = yaw_per_v_delta * P_delta_lateral_mH;
         let t380 = t28 * t28;
         let C112_h_spin_F = t41 + yaw_by_delta;
@@ -1590,6 +1618,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t412 = yaw_per_v_delta * t397;
         let P_delta_lateral_rF = self.mF * t28;
         let t416 = (self.mF * t412) + (yaw_by_delta * P_delta_lateral_rF);
+        let t417 = t28 * P_delta_lateral_rF;
         let t419 = yaw_per_v_delta * (self.mF - t409);
         let t422 = (yaw_per_v_delta * P_delta_lateral_rF) - (K222_h_spin_F * t409);
         let t423 = self.rF * self.rF;
@@ -1604,6 +1633,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let P_delta_lateral_mF = t151 - t389;
         let t442 = ((self.rF * t412) + (yaw_per_v_delta * t431))
             + (yaw_by_delta * P_delta_lateral_mF);
+        let t443 = t28 * P_delta_lateral_mF;
         let t444 = self.rF * yaw_per_v_delta;
         let t445 = yaw_per_v_delta * P_delta_lateral_mF;
         let t446 = t380 + t382;
@@ -1613,48 +1643,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t450 = -(t98 + (yaw_by_delta * h_wheels_all));
         let t451 = -P_delta_lateral;
         let t452 = -(t28 * P_delta_lateral);
-        let t453 = -(t130 + (t131 * M12_yaw_per_v_delta));
-        let t454 = -(t163 + (t131 * C112_yaw_per_v_delta));
-        let t455 = -(t105 * t131);
-        let t456 = -((yaw_per_v_delta * t176) + (K222_yaw_per_v_delta * t131));
-        let t457 = -(yaw_per_v_delta * h_wheels_all);
-        let t458 = -(yaw_per_v_delta * t221);
-        let t459 = -(t122 + (C112_yaw_per_v_delta * t229));
-        let t460 = -(t105 * t229);
-        let t461 = -self.mR;
-        let t462 = -self.rR;
-        let t463 = -t281;
-        let t464 = -(t21 * yaw_by_delta);
-        let t465 = -(t21 * yaw_per_v_delta);
-        let t466 = -P_delta_lateral_xB;
-        let t467 = -(t28 * P_delta_lateral_xB);
-        let t468 = -t285;
-        let t469 = -(self.mB * t298);
-        let t470 = -(self.mB * yaw_per_v_delta);
-        let t471 = -(self.zB * P_delta_lateral_mB);
-        let t472 = -(self.zB * t298);
-        let t473 = -P_delta_lateral_mB;
-        let t474 = -(t28 * P_delta_lateral_mB);
-        let t475 = -(self.zB * yaw_per_v_delta);
-        let t476 = -t128;
-        let t477 = -t161;
-        let t478 = -P_delta_lateral_xH;
-        let t479 = -(t28 * P_delta_lateral_xH);
-        let t480 = -(t321 + (yaw_per_v_delta * t331));
-        let t481 = -((yaw_per_v_delta * t337) + (yaw_by_delta * t335));
-        let t482 = -(self.mH * yaw_per_v_delta);
-        let t483 = -(yaw_per_v_delta * t335);
-        let t484 = -((self.zH * yaw_by_delta) + (yaw_per_v_delta * t356));
-        let t485 = -P_delta_lateral_mH;
-        let t486 = -(t28 * P_delta_lateral_mH);
-        let t487 = -(self.zH * yaw_per_v_delta);
-        let t488 = -self.mF;
-        let t489 = -P_delta_lateral_rF;
-        let t490 = -(t28 * P_delta_lateral_rF);
-        let t491 = -self.rF;
-        let t492 = t389 - t151;
-        let t493 = -(t28 * P_delta_lateral_mF);
-        let t494 = -t447;
+        let t453 = t389 - t151;
         (
             WhippleSprungMatrices {
                 m: [[t26, t56], [t56, t92]],
@@ -1681,166 +1670,129 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
             },
             WhippleSprungDerivatives {
                 values: [
-                    t453,
-                    t453,
+                    t134,
                     t160,
-                    t454,
+                    t167,
                     t169,
                     t185,
                     t176,
-                    t176,
                     t186,
-                    t455,
-                    t456,
-                    t195,
+                    t187,
+                    t190,
                     t195,
                     t212,
                     t215,
-                    t457,
+                    t216,
                     t224,
                     t221,
-                    t221,
                     t225,
-                    t458,
-                    t231,
+                    t226,
                     t231,
                     t249,
-                    t459,
+                    t251,
                     t253,
                     t260,
                     t256,
-                    t256,
                     t263,
-                    t460,
+                    t264,
                     t268,
                     t269,
                     t272,
                     t273,
-                    t461,
+                    self.mR,
                     t274,
                     t275,
                     t276,
-                    t462,
+                    self.rR,
                     t277,
                     ::carvallo::Number::like(self.w, 1.0),
                     t279,
                     t280,
                     t281,
-                    t463,
                     t282,
-                    t464,
-                    t464,
+                    t283,
                     t288,
-                    t465,
+                    t289,
                     t293,
-                    t466,
-                    t466,
-                    t467,
+                    P_delta_lateral_xB,
+                    t294,
                     t295,
                     t296,
-                    t468,
-                    t468,
-                    t469,
+                    t285,
+                    t299,
                     self.mB,
-                    t470,
+                    t300,
                     t301,
-                    t471,
-                    t471,
+                    t302,
                     t304,
-                    t472,
+                    t305,
                     t308,
                     self.zB,
-                    t473,
-                    t473,
-                    t474,
-                    t475,
+                    P_delta_lateral_mB,
+                    t309,
+                    t310,
                     t311,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t279,
-                    t280,
-                    yaw_by_delta,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t476,
-                    t476,
+                    t128,
                     t319,
-                    t477,
+                    t161,
                     t324,
-                    t478,
-                    t478,
-                    t479,
+                    P_delta_lateral_xH,
+                    t325,
                     t326,
                     Jxx_delta_zH,
                     t333,
-                    t333,
                     t342,
-                    t480,
-                    t481,
+                    t344,
+                    t347,
                     self.mH,
                     t335,
-                    t335,
                     t348,
-                    t482,
-                    t483,
+                    t349,
+                    t350,
                     Jxx_delta_mH,
                     t358,
-                    t358,
                     t369,
-                    t484,
+                    t372,
                     t376,
                     self.zH,
-                    t485,
-                    t485,
-                    t486,
-                    t487,
+                    P_delta_lateral_mH,
+                    t377,
+                    t378,
                     t379,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
                     t28,
                     t380,
                     t382,
                     t383,
                     C112_h_spin_F,
-                    C112_h_spin_F,
                     t385,
-                    yaw_per_v_delta,
                     K222_h_spin_F,
                     t387,
-                    t394,
                     t394,
                     t405,
                     t411,
                     t410,
                     t416,
-                    t488,
-                    t489,
-                    t489,
-                    t490,
+                    self.mF,
+                    P_delta_lateral_rF,
+                    t417,
                     t419,
                     t422,
                     t423,
                     t424,
-                    t424,
                     t435,
                     t436,
                     t442,
-                    t491,
-                    t492,
-                    t492,
-                    t493,
+                    self.rF,
+                    t453,
+                    t443,
                     t444,
                     t445,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
-                    t28,
                     t446,
-                    t383,
                     t447,
-                    t494,
                     t448,
                     t449,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
                 ],
             },
         )
@@ -1857,8 +1809,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleSprung<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 28];
         for position in 0..160 {
-            <WhippleSprungDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleSprungDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

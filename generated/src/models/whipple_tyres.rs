@@ -1157,179 +1157,179 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleTyres<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleTyresDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 166],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 130],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleTyresDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 166] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 13).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 20).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 25).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 30).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 33),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 39).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 42),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 43).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 8, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 49),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 57).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 59),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 69),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 71).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 71).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 72).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 74),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 82).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 83).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 88),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 92).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 107).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 108).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 108).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 109).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 114),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 122),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 123),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 123).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 124),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 125),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 26, 126),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27, 127),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27, 129),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1363,7 +1363,10 @@ impl<T: ::carvallo::Scalar> WhippleTyresDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1371,7 +1374,7 @@ impl<T: ::carvallo::Scalar> WhippleTyresDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 185 additions, 280 multiplications, 3 divisions, 29 negations and 2 trigonometric functions: 499 operations.
+    /// 185 additions, 280 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 471 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1490,6 +1493,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t221,
             K_phi_delta_w,
             t224,
+            t225,
             K222_Sx_all,
             t228,
             t229,
@@ -1502,6 +1506,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             hz_delta_c,
             t250,
             t253,
+            t254,
             t257,
             t263,
             K_phi_delta_c,
@@ -1513,10 +1518,12 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t283,
             hz_delta_lam,
             t293,
+            t295,
             t297,
             t302,
             K_phi_delta_lam,
             t310,
+            t311,
             t315,
             t316,
             t317,
@@ -1530,10 +1537,12 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t325,
             t327,
             t328,
+            t329,
             t330,
             t331,
             P_delta_yaw_xB,
             t334,
+            t335,
             t338,
             t339,
             K_phi_delta_xB,
@@ -1541,17 +1550,23 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t342,
             t343,
             t345,
+            t346,
+            t347,
             t348,
+            t349,
             P_delta_yaw_mB,
             t351,
+            t352,
             t355,
             t358,
             K_phi_delta_mB,
             t360,
+            t361,
             t362,
             P_delta_yaw_xH,
             t366,
             t368,
+            t369,
             t370,
             t371,
             t373,
@@ -1568,6 +1583,8 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t394,
             K_phi_delta_zH,
             t396,
+            t397,
+            t398,
             t399,
             t400,
             P_delta_yaw_mH,
@@ -1580,6 +1597,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             K_phi_delta_m_delta,
             K_phi_delta_mH,
             t424,
+            t425,
             K222_m_delta,
             t430,
             t432,
@@ -1593,14 +1611,18 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t449,
             t451,
             t452,
+            t453,
             t455,
+            t456,
             t457,
+            t458,
             t460,
             t463,
             t464,
             t465,
             P_delta_yaw_mF,
             t471,
+            t472,
             t478,
             t481,
             K_phi_delta_mF,
@@ -1612,25 +1634,6 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t493,
             t494,
             K_phi_delta_rhoF,
-            t496,
-            t497,
-            t498,
-            t499,
-            t500,
-            t501,
-            t502,
-            t503,
-            t504,
-            t505,
-            t506,
-            t507,
-            t508,
-            t509,
-            t510,
-            t511,
-            t512,
-            t513,
-            t514,
         );
         t6 = self.zH * self.mH;
         t10 = self.rF * self.mF;
@@ -1745,6 +1748,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t221 = t219 + (m_delta * K_phi_delta_Sx_all);
         K_phi_delta_w = t221 - (t132 * t213);
         t224 = t28 * K_phi_delta_w;
+        t225 = t104 * t145;
         K222_Sx_all = yaw_per_v_delta * yaw_by_delta;
         t228 = K222_Sx_all + (t40 * yaw_per_v_delta);
         t229 = self.mH * t228;
@@ -1758,6 +1762,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t250 = (((t165 + (self.mF * t242)) + (yaw_per_v_delta * M22_yaw_by_delta))
             + (M22_hz_delta * hz_delta_c)) - (t10 * M22_Jxz_delta);
         t253 = t176 + (yaw_per_v_delta * (t104 - t10));
+        t254 = yaw_per_v_delta * h_wheels_all;
         t257 = (yaw_per_v_delta * t130) - t187;
         t263 = ((t199 + (self.mF * t257))
             + (yaw_per_v_delta * (C122_yaw_by_delta + hz_delta_c)))
@@ -1773,11 +1778,13 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t293 = (((((t28 * hx_delta_lam) + (t40 * hx_delta))
             + (M22_hz_delta * hz_delta_lam)) - (t28 * hz_delta)) - (t150 * t283))
             - (M22_yaw_per_v_delta * t275);
+        t295 = t137 + (C112_yaw_per_v_delta * t275);
         t297 = t137 + (t181 * t275);
         t302 = ((yaw_per_v_delta * hz_delta_lam) - (t185 * t283))
             - (C122_yaw_per_v_delta * t275);
         K_phi_delta_lam = t283 + (t121 * ((t28 * self.c) + (t40 * self.rhoF)));
         t310 = (t28 * K_phi_delta_lam) + (t40 * K_phi_delta);
+        t311 = t104 * t275;
         t315 = (yaw_per_v_delta * (t97 - t283)) - (K222_yaw_per_v_delta * t275);
         t316 = t17 + t17;
         t317 = t99 * t100;
@@ -1791,10 +1798,12 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t325 = self.rR * yaw_per_v_delta;
         t327 = yaw_by_delta * t99;
         t328 = yaw_per_v_delta * t99;
+        t329 = t21 * yaw_by_delta;
         t330 = yaw_by_delta * self.xB;
         t331 = self.mB * t330;
         P_delta_yaw_xB = t331 + (yaw_by_delta * t76);
         t334 = yaw_by_delta * P_delta_yaw_xB;
+        t335 = t21 * yaw_per_v_delta;
         t338 = (self.mB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_xB);
         t339 = self.mB * K011_Sx_all;
         K_phi_delta_xB = self.mB * K_phi_delta_Sx_all;
@@ -1802,17 +1811,23 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t342 = self.mB * K222_Sx_all;
         t343 = t21 + t21;
         t345 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        t346 = self.mB * t345;
+        t347 = self.mB * yaw_per_v_delta;
         t348 = self.zB * self.zB;
+        t349 = self.zB * t330;
         P_delta_yaw_mB = self.xB * t330;
         t351 = yaw_by_delta * P_delta_yaw_mB;
+        t352 = self.zB * t345;
         t355 = (self.xB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_mB);
         t358 = (self.zB + self.rhoR) + (self.xB * K011_Sx_all);
         K_phi_delta_mB = self.xB * K_phi_delta_Sx_all;
         t360 = t28 * K_phi_delta_mB;
+        t361 = self.zB * yaw_per_v_delta;
         t362 = self.xB * K222_Sx_all;
         P_delta_yaw_xH = (self.mH * self.xH) * t149;
         t366 = (yaw_by_delta * P_delta_yaw_xH) - t163;
         t368 = (yaw_per_v_delta * P_delta_yaw_xH) - t195;
+        t369 = t28 * t219;
         t370 = t6 + t6;
         t371 = t34 * yaw_by_delta;
         t373 = self.zH * t28;
@@ -1829,6 +1844,8 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t394 = self.mH * t393;
         K_phi_delta_zH = self.mH * t28;
         t396 = t28 * K_phi_delta_zH;
+        t397 = self.mH * yaw_per_v_delta;
+        t398 = self.mH * K222_h_spin_F;
         t399 = self.zH * self.zH;
         t400 = self.zH * t375;
         P_delta_yaw_mH = yaw_by_delta * t78;
@@ -1842,6 +1859,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         K_phi_delta_m_delta = t34 * K_phi_delta_Sx_all;
         K_phi_delta_mH = (t373 + K_phi_delta_m_delta) + (t36 * t218);
         t424 = t28 * K_phi_delta_mH;
+        t425 = self.zH * yaw_per_v_delta;
         K222_m_delta = t34 * K222_Sx_all;
         t430 = (K222_m_delta - (self.zH * K222_h_spin_F)) - (t36 * t228);
         t432 = C122_Sx_all + (t40 * M22_hz_delta);
@@ -1855,14 +1873,18 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t449 = yaw_by_delta - t185;
         t451 = t95 * h_spin_F;
         t452 = C112_h_spin_F * t451;
+        t453 = (self.mF * t449) + t452;
         t455 = (self.c * K222_h_spin_F) - t391;
+        t456 = self.mF * t455;
         t457 = self.mF * t28;
+        t458 = t28 * t457;
         t460 = yaw_per_v_delta * (self.mF - t451);
         t463 = (self.mF * K222_h_spin_F) - (K222_h_spin_F * t451);
         t464 = self.rF * self.rF;
         t465 = self.rF * t438;
         P_delta_yaw_mF = yaw_by_delta * t80;
         t471 = ((self.c * t242) + (self.rF * t445)) + (yaw_by_delta * P_delta_yaw_mF);
+        t472 = self.rF * t449;
         t478 = ((C122_m_delta + (self.c * t257)) + (yaw_per_v_delta * P_delta_yaw_mF))
             - (self.rF * t455);
         t481 = (K011_m_delta - self.rF) - (self.c * K011_Sx_all);
@@ -1875,37 +1897,9 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t493 = yaw_per_v_delta * t95;
         t494 = t95 * K222_h_spin_F;
         K_phi_delta_rhoF = t28 * t121;
+        let (t496, t497);
         t496 = t28 * K_phi_delta_rhoF;
         t497 = -(t97 + (yaw_by_delta * h_wheels_all));
-        t498 = -(t104 * t145);
-        t499 = -(yaw_per_v_delta * h_wheels_all);
-        t500 = -(t137 + (C112_yaw_per_v_delta * t275));
-        t501 = -(t104 * t275);
-        t502 = -self.mR;
-        t503 = -t327;
-        t504 = -(t21 * yaw_by_delta);
-        t505 = -(t21 * yaw_per_v_delta);
-        t506 = -t331;
-        t507 = -(self.mB * t345);
-        t508 = -(self.mB * yaw_per_v_delta);
-        t509 = -(self.zB * t330);
-        t510 = -(self.zB * t345);
-        t511 = -(self.zB * yaw_per_v_delta);
-        t512 = -t141;
-        t513 = -t174;
-        t514 = -t219;
-        let (t515, t516, t517, t518, t519, t520, t521, t522, t523, t524, t525);
-        t515 = -(t28 * t219);
-        t516 = -(self.mH * yaw_per_v_delta);
-        t517 = -(self.mH * K222_h_spin_F);
-        t518 = -(self.zH * yaw_per_v_delta);
-        t519 = -((self.mF * t449) + t452);
-        t520 = -(self.mF * t455);
-        t521 = -self.mF;
-        t522 = -t457;
-        t523 = -(t28 * t457);
-        t524 = -(self.rF * t449);
-        t525 = -t492;
         (
             WhippleTyresMatrices {
                 m: [[t26, t55], [t55, t92]],
@@ -1919,42 +1913,36 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             WhippleTyresDerivatives {
                 values: [
                     t148,
-                    t148,
                     t173,
                     t180,
                     t182,
                     t208,
                     t216,
                     K_phi_delta_w,
-                    K_phi_delta_w,
                     t224,
-                    t498,
+                    t225,
                     t236,
-                    t239,
                     t239,
                     t250,
                     t253,
-                    t499,
+                    t254,
                     t263,
-                    K_phi_delta_c,
                     K_phi_delta_c,
                     t268,
                     t272,
                     t277,
-                    t277,
                     t293,
-                    t500,
+                    t295,
                     t297,
                     t302,
                     K_phi_delta_lam,
-                    K_phi_delta_lam,
                     t310,
-                    t501,
+                    t311,
                     t315,
                     t316,
                     t319,
                     t320,
-                    t502,
+                    self.mR,
                     t321,
                     t322,
                     t323,
@@ -1964,124 +1952,94 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
                     C122_Sx_all,
                     K222_Sx_all,
                     t327,
-                    t503,
                     t328,
-                    t504,
-                    t504,
+                    t329,
                     t334,
-                    t505,
+                    t335,
                     t338,
                     t339,
-                    K_phi_delta_xB,
                     K_phi_delta_xB,
                     t341,
                     t342,
                     t343,
-                    t506,
-                    t506,
-                    t507,
+                    t331,
+                    t346,
                     self.mB,
-                    t508,
+                    t347,
                     t348,
-                    t509,
-                    t509,
+                    t349,
                     t351,
-                    t510,
+                    t352,
                     t355,
                     t358,
                     K_phi_delta_mB,
-                    K_phi_delta_mB,
                     t360,
-                    t511,
+                    t361,
                     t362,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    C122_Sx_all,
-                    K222_Sx_all,
-                    yaw_by_delta,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t512,
-                    t512,
+                    t141,
                     t366,
-                    t513,
+                    t174,
                     t368,
                     t211,
-                    t514,
-                    t514,
-                    t515,
+                    t219,
+                    t369,
                     t229,
                     t370,
-                    t378,
                     t378,
                     t387,
                     t390,
                     t394,
                     self.mH,
                     K_phi_delta_zH,
-                    K_phi_delta_zH,
                     t396,
-                    t516,
-                    t517,
+                    t397,
+                    t398,
                     t399,
-                    t400,
                     t400,
                     t406,
                     t407,
                     t414,
                     t419,
                     K_phi_delta_mH,
-                    K_phi_delta_mH,
                     t424,
-                    t518,
+                    t425,
                     t430,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
                     t28,
                     M22_Jxx_delta,
                     t432,
                     t433,
                     C112_h_spin_F,
-                    C112_h_spin_F,
                     M22_Jxz_delta,
-                    yaw_per_v_delta,
                     K222_h_spin_F,
                     t434,
                     t441,
-                    t441,
                     t448,
-                    t519,
+                    t453,
                     t452,
-                    t520,
-                    t521,
-                    t522,
-                    t522,
-                    t523,
+                    t456,
+                    self.mF,
+                    t457,
+                    t458,
                     t460,
                     t463,
                     t464,
                     t465,
-                    t465,
                     t471,
-                    t524,
+                    t472,
                     t478,
                     t481,
-                    K_phi_delta_mF,
                     K_phi_delta_mF,
                     t485,
                     t486,
                     t490,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
-                    t28,
                     t491,
-                    t433,
                     t492,
-                    t525,
                     t493,
                     t494,
                     t124,
                     t121,
-                    K_phi_delta_rhoF,
                     K_phi_delta_rhoF,
                     t496,
                 ],
@@ -2100,8 +2058,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleTyres<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 28];
         for position in 0..166 {
-            <WhippleTyresDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleTyresDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

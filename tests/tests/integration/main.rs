@@ -6,6 +6,7 @@ mod bicycles;
 #[cfg(feature = "compiler")]
 mod claims;
 mod critical_speeds;
+mod derivatives;
 mod designs;
 #[cfg(feature = "compiler")]
 mod determinism;
