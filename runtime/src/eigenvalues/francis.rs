@@ -51,7 +51,7 @@ pub(super) fn eigenvalues<R: Row>(h: &mut [R], mut found: impl FnMut(Complex<f64
 }
 
 /// Whether the entry to the left of the diagonal in row i is negligible (Ahues & Tisseur 1997).
-#[inline]
+#[inline(always)]
 fn splits<R: Row>(h: &[R], i: usize) -> bool {
     let (above, below) = (h[i - 1].at(i - 1), h[i].at(i));
     let (left, right) = (h[i].at(i - 1).abs(), h[i - 1].at(i).abs());
@@ -112,7 +112,7 @@ fn exceptional_shifts<R: Row>(h: &[R], last: usize) -> Shifts {
 }
 
 /// One step for both shifts, in the rows from `start` to `last`: three of them or more.
-#[inline]
+#[inline(always)]
 fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
     // Where two entries below the diagonal are small together, the sweep may start after them.
     let mut first = last - 2;
@@ -127,10 +127,12 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
         column = first_column(h, first, shifts);
     }
     for k in first..last - 1 {
-        if k > first {
-            column = core::array::from_fn(|i| h[k + i].at(k - 1));
-        }
-        let Some(Reflection { along, across, head }) = Reflection::new(column) else { continue };
+        let Some(reflection) = Reflection::new(column) else {
+            column = [h[k + 1].at(k), h[k + 2].at(k), 0.0];
+            continue;
+        };
+        let Reflection { along, across, head } = reflection;
+        column = reflection.next_column(h, k, last);
         if k > first {
             *h[k].at_mut(k - 1) = head;
             *h[k + 1].at_mut(k - 1) = 0.0;
@@ -161,7 +163,7 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
     }
     // The last reflection is of two rows.
     let k = last - 1;
-    let Some(Reflection { along, across, head }) = Reflection::new([h[k].at(k - 1), h[last].at(k - 1), 0.0]) else {
+    let Some(Reflection { along, across, head }) = Reflection::new([column[0], column[1], 0.0]) else {
         return;
     };
     *h[k].at_mut(k - 1) = head;
@@ -182,7 +184,7 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
 }
 
 /// The first column of `(H - s1) (H - s2)` from row k on.
-#[inline]
+#[inline(always)]
 fn first_column<R: Row>(h: &[R], k: usize, Shifts { x, y, w }: Shifts) -> [f64; 3] {
     let (z, below) = (h[k].at(k), h[k + 1].at(k));
     let (from_x, from_y) = (x - z, y - z);
@@ -202,26 +204,38 @@ struct Reflection {
 
 impl Reflection {
     /// `None` if the column is zero.
-    #[inline]
-    fn new(column: [f64; 3]) -> Option<Self> {
-        let square = column[0] * column[0] + (column[1] * column[1] + column[2] * column[2]);
-        if square < f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON) {
-            return Self::of_small(column);
+    #[inline(always)]
+    fn new([mut c0, mut c1, mut c2]: [f64; 3]) -> Option<Self> {
+        const SMALL: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
+        let (mut square, mut unit) = (c0 * c0 + (c1 * c1 + c2 * c2), 1.0);
+        if square < SMALL {
+            // The squares have lost digits to underflow.
+            const SCALE: f64 =
+                (1u128 << 127) as f64 * (1u128 << 127) as f64 * (1u128 << 127) as f64 * (1u128 << 127) as f64;
+            (c0, c1, c2, unit) = (c0 * SCALE, c1 * SCALE, c2 * SCALE, 1.0 / SCALE);
+            square = c0 * c0 + (c1 * c1 + c2 * c2);
+            if square < SMALL {
+                return None;
+            }
         }
-        let norm = Number::sqrt(square).copysign(column[0]);
-        let along = [column[0] + norm, column[1], column[2]];
-        let factor = 1.0 / (norm * along[0]);
-        Some(Self { along, across: along.map(|entry| entry * factor), head: -norm })
+        let norm = Number::sqrt(square).copysign(c0);
+        let head = c0 + norm;
+        let factor = 1.0 / (norm * head);
+        Some(Self { along: [head, c1, c2], across: [head * factor, c1 * factor, c2 * factor], head: -norm * unit })
     }
 
-    /// Of a column whose square has lost digits to underflow.
-    #[cold]
-    fn of_small(column: [f64; 3]) -> Option<Self> {
-        let scale = 2f64.powi(500);
-        let scaled = column.map(|entry| entry * scale);
-        if scaled.iter().all(|entry| entry.abs() <= TINY) {
-            return None;
-        }
-        Self::new(scaled).map(|reflection| Self { head: reflection.head / scale, ..reflection })
+    /// What the reflection of the rows and columns from k on makes of column k below the diagonal: the next reflection need
+    /// not wait for it.
+    #[inline(always)]
+    fn next_column<R: Row>(&self, h: &[R], k: usize, last: usize) -> [f64; 3] {
+        let Self { along, across, .. } = self;
+        let at = |i: usize, j: usize| h[k + i].at(k + j);
+        let left = along[0] * at(0, 0) + (along[1] * at(1, 0) + along[2] * at(2, 0));
+        let right: [f64; 3] =
+            core::array::from_fn(|i| along[0] * at(i, 0) + (along[1] * at(i, 1) + along[2] * at(i, 2)));
+        let both = along[0] * right[0] + (along[1] * right[1] + along[2] * right[2]);
+        let entry = |i: usize| at(i, 0) - across[i] * left - across[0] * (right[i] - across[i] * both);
+        let below = if k + 3 <= last { -across[0] * (along[2] * at(3, 2)) } else { 0.0 };
+        [entry(1), entry(2), below]
     }
 }
