@@ -131,35 +131,14 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
             column = [h[k + 1].at(k), h[k + 2].at(k), 0.0];
             continue;
         };
-        let Reflection { along, across, head } = reflection;
-        column = reflection.next_column(h, k, last);
         if k > first {
-            *h[k].at_mut(k - 1) = head;
+            *h[k].at_mut(k - 1) = reflection.head;
             *h[k + 1].at_mut(k - 1) = 0.0;
             *h[k + 2].at_mut(k - 1) = 0.0;
         } else if first > start {
-            *h[k].at_mut(k - 1) *= 1.0 - along[0] * across[0];
+            *h[k].at_mut(k - 1) *= 1.0 - reflection.along[0] * reflection.across[0];
         }
-        if let [upper, middle, lower] = &mut h[k..k + 3] {
-            let columns = k..last + 1;
-            let upper = &mut upper.entries_mut()[columns.clone()];
-            let middle = &mut middle.entries_mut()[columns.clone()];
-            let lower = &mut lower.entries_mut()[columns];
-            for ((upper, middle), lower) in upper.iter_mut().zip(middle).zip(lower) {
-                let sum = *upper * along[0] + *middle * along[1] + *lower * along[2];
-                *upper -= sum * across[0];
-                *middle -= sum * across[1];
-                *lower -= sum * across[2];
-            }
-        }
-        for row in &mut h[start..last.min(k + 3) + 1] {
-            if let [left, middle, right] = &mut row.entries_mut()[k..k + 3] {
-                let sum = *left * along[0] + *middle * along[1] + *right * along[2];
-                *left -= sum * across[0];
-                *middle -= sum * across[1];
-                *right -= sum * across[2];
-            }
-        }
+        column = reflection.apply(h, k, start, last);
     }
     // The last reflection is of two rows.
     let k = last - 1;
@@ -224,18 +203,47 @@ impl Reflection {
         Some(Self { along: [head, c1, c2], across: [head * factor, c1 * factor, c2 * factor], head: -norm * unit })
     }
 
-    /// What the reflection of the rows and columns from k on makes of column k below the diagonal: the next reflection need
-    /// not wait for it.
+    /// Reflects three rows from k on, and the same columns; what column k is then below the diagonal.
     #[inline(always)]
-    fn next_column<R: Row>(&self, h: &[R], k: usize, last: usize) -> [f64; 3] {
-        let Self { along, across, .. } = self;
-        let at = |i: usize, j: usize| h[k + i].at(k + j);
-        let left = along[0] * at(0, 0) + (along[1] * at(1, 0) + along[2] * at(2, 0));
-        let right: [f64; 3] =
-            core::array::from_fn(|i| along[0] * at(i, 0) + (along[1] * at(i, 1) + along[2] * at(i, 2)));
-        let both = along[0] * right[0] + (along[1] * right[1] + along[2] * right[2]);
-        let entry = |i: usize| at(i, 0) - across[i] * left - across[0] * (right[i] - across[i] * both);
-        let below = if k + 3 <= last { -across[0] * (along[2] * at(3, 2)) } else { 0.0 };
-        [entry(1), entry(2), below]
+    fn apply<R: Row>(&self, h: &mut [R], k: usize, start: usize, last: usize) -> [f64; 3] {
+        // What both change is kept in registers: the next reflection waits for it.
+        let at = |i: usize| [h[k + i].at(k), h[k + i].at(k + 1), h[k + i].at(k + 2)];
+        let [upper, middle, lower] = [at(0), at(1), at(2)];
+        let (u0, m0, l0) = self.mirrored(upper[0], middle[0], lower[0]);
+        let (u1, m1, l1) = self.mirrored(upper[1], middle[1], lower[1]);
+        let (u2, m2, l2) = self.mirrored(upper[2], middle[2], lower[2]);
+        let upper = self.mirrored(u0, u1, u2);
+        let middle = self.mirrored(m0, m1, m2);
+        let lower = self.mirrored(l0, l1, l2);
+        if let [first, second, third] = &mut h[k..k + 3] {
+            let rest = k + 3..last + 1;
+            let [first, second, third] = [first, second, third].map(R::entries_mut);
+            let others = first[rest.clone()].iter_mut().zip(&mut second[rest.clone()]).zip(&mut third[rest]);
+            for ((first, second), third) in others {
+                (*first, *second, *third) = self.mirrored(*first, *second, *third);
+            }
+            for (row, (x, y, z)) in [(first, upper), (second, middle), (third, lower)] {
+                row[k..k + 3].copy_from_slice(&[x, y, z]);
+            }
+        }
+        for row in &mut h[start..k] {
+            if let [left, middle, right] = &mut row.entries_mut()[k..k + 3] {
+                (*left, *middle, *right) = self.mirrored(*left, *middle, *right);
+            }
+        }
+        if k + 3 > last {
+            return [middle.0, lower.0, 0.0];
+        }
+        // Here there is only the entry below the diagonal so far.
+        if let [left, middle, right] = &mut h[k + 3].entries_mut()[k..k + 3] {
+            (*left, *middle, *right) = self.mirrored(0.0, 0.0, *right);
+        }
+        [middle.0, lower.0, h[k + 3].at(k)]
+    }
+
+    #[inline(always)]
+    fn mirrored(&self, x: f64, y: f64, z: f64) -> (f64, f64, f64) {
+        let sum = self.along[0] * x + (self.along[1] * y + self.along[2] * z);
+        (x - sum * self.across[0], y - sum * self.across[1], z - sum * self.across[2])
     }
 }
