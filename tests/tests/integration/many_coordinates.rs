@@ -122,8 +122,8 @@ fn chains<const N: usize>() -> Result<(), TestCaseError> {
 }
 
 macro_rules! for_sizes {
-    ($function:ident($($argument:expr)?): $($n:literal)*) => {
-        Ok::<(), TestCaseError>(())$(.and_then(|()| $function::<$n>($($argument)?)))*
+    ($function:ident $arguments:tt: $($n:literal)*) => {
+        Ok::<(), TestCaseError>(())$(.and_then(|()| $function::<$n> $arguments))*
     };
 }
 
