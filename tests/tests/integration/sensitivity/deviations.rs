@@ -1,5 +1,6 @@
 //! Standard deviations against those of many random designs.
 
+use carvallo::batch::Batch;
 use carvallo::{Coefficients, CriticalDerivative, CriticalKind, CriticalSpeed, Model, Stability, standard_deviation};
 use carvallo_models::Whipple;
 use carvallo_tests::{bicycles, exact};
@@ -44,18 +45,20 @@ fn entries(coefficients: &Coefficients<f64, 2>) -> Vec<f64> {
 
 #[test]
 fn those_of_the_matrices_are_those_of_random_designs() {
-    const SAMPLES: usize = 20_000;
+    const SAMPLES: usize = 100_000;
     for label in MEASURED {
         let (design, deviations) = (bicycles::named(label), bicycles::deviations(label));
         let (values, mut normal) = (exact::values(&design), Normal(2007));
-        let samples: Vec<Vec<f64>> =
-            (0..SAMPLES).map(|_| entries(&normal.design(&values, &deviations).coefficients())).collect();
+        let samples: Vec<Whipple> = (0..SAMPLES).map(|_| normal.design(&values, &deviations)).collect();
+        let mut coefficients = vec![design.coefficients(); SAMPLES];
+        Batch::new().coefficients(&samples, &mut coefficients).unwrap();
+        let samples: Vec<Vec<f64>> = coefficients.iter().map(entries).collect();
         let nominal = entries(&design.coefficients());
         let found = entries(&sensitivity(&design).matrix_deviations(&deviations).unwrap());
         for (entry, (found, nominal)) in found.iter().zip(nominal).enumerate() {
             let expected = spread(&samples.iter().map(|sample| sample[entry]).collect::<Vec<_>>(), nominal);
-            // A spread of so many samples is uncertain by 0.5 %.
-            assert!((found - expected).abs() <= 0.025 * expected, "{label}, entry {entry}: {found}, {expected}");
+            // A spread of so many samples is uncertain by 0.22 %; the rest is what is not of first order.
+            assert!((found - expected).abs() <= 0.012 * expected, "{label}, entry {entry}: {found}, {expected}");
         }
     }
 }
