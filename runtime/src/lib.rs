@@ -11,6 +11,8 @@
 //! ([`Coefficients`]), and the names, units and domains that a model carries with it ([`ModelInfo`]).
 //!
 //! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
+//! Many designs at once run in the lanes of the processor ([`batch`]).
+//!
 //! Along speed, models with two coordinates have their critical speeds and stable ranges ([`Stability`]) and eigenvalues
 //! that are followed mode by mode ([`Modes`]); for any other number of coordinates there are the eigenvalues at a speed.
 //!
@@ -32,6 +34,8 @@ mod eigenvalues;
 mod error;
 mod evaluator;
 mod info;
+// Without lanes only part of it has a use.
+#[cfg_attr(not(feature = "batch"), allow(dead_code))]
 mod lane;
 mod model;
 mod number;

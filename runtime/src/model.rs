@@ -11,8 +11,8 @@ pub trait Model<const N: usize>: Copy {
     /// The number type of the parameters and of the matrices.
     type Scalar: Scalar;
 
-    /// An array of the parameters.
-    type Parameters: Copy + AsRef<[Self::Scalar]>;
+    /// An array with an element for each parameter.
+    type Array<U: Copy>: Copy + AsRef<[U]> + AsMut<[U]>;
 
     /// The same model over another kind of number.
     type Over<T: Number>: Evaluator<T, N>;
@@ -32,8 +32,11 @@ pub trait Model<const N: usize>: Copy {
     /// If the slice has another length than there are parameters.
     fn write_to(&self, values: &mut [Self::Scalar]) -> Result<(), LengthError>;
 
+    /// An array whose elements follow from the positions of the parameters in declared order.
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U>;
+
     /// The parameters in declared order.
-    fn parameters(&self) -> Self::Parameters;
+    fn parameters(&self) -> Self::Array<Self::Scalar>;
 
     /// Whether every parameter lies in its domain and every requirement of the declaration holds.
     ///

@@ -7,24 +7,26 @@
 
 use std::hint::black_box;
 
-use carvallo::Scalar;
 use carvallo_models::{Whipple, WhippleMechanism};
-use carvallo_tests::{designs, hand_written};
+use carvallo_tests::designs;
+use carvallo_tests::hand_written::{self, Float};
+use carvallo_tests::peers::symplex::{self, Symplex};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 
 const DESIGNS: u64 = 1_000_000;
 
-fn one_design<T: Scalar>(criterion: &mut Criterion, scalar: &str, design: Whipple<T>) {
+fn one_design<T: Float + Symplex>(criterion: &mut Criterion, scalar: &str, design: Whipple<T>) {
     let mut group = criterion.benchmark_group(format!("matrices in cache, {scalar}"));
     let mechanism = WhippleMechanism::from_array(design.to_array());
     group.bench_function("from bodies", |bencher| bencher.iter(|| black_box(&mechanism).matrices()));
     group.bench_function("from formulas", |bencher| bencher.iter(|| black_box(&design).matrices()));
     group.bench_function("hand-written", |bencher| bencher.iter(|| hand_written::matrices(black_box(&design))));
+    group.bench_function("symplex-build", |bencher| bencher.iter(|| symplex::matrices(black_box(&design))));
     group.finish();
 }
 
-fn million_designs<T: Scalar>(criterion: &mut Criterion, scalar: &str, design: fn(u64) -> Whipple<T>) {
+fn million_designs<T: Float + Symplex>(criterion: &mut Criterion, scalar: &str, design: fn(u64) -> Whipple<T>) {
     let designs: Vec<Whipple<T>> = (0..DESIGNS).map(design).collect();
     let mechanisms: Vec<_> = designs.iter().map(|design| WhippleMechanism::from_array(design.to_array())).collect();
     let mut group = criterion.benchmark_group(format!("matrices of a million designs, {scalar}"));
@@ -32,6 +34,7 @@ fn million_designs<T: Scalar>(criterion: &mut Criterion, scalar: &str, design: f
     all(&mut group, "from bodies", &mechanisms, WhippleMechanism::matrices);
     all(&mut group, "from formulas", &designs, Whipple::matrices);
     all(&mut group, "hand-written", &designs, hand_written::matrices);
+    all(&mut group, "symplex-build", &designs, symplex::matrices);
     group.finish();
 }
 

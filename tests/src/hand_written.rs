@@ -1,21 +1,44 @@
 //! Appendix A of Meijaard, Papadopoulos, Ruina & Schwab (2007) by hand, one statement for each formula of the paper.
 //!
 //! This is what one would write without a compiler: the reference for speed and for rounding errors. It takes 175
-//! operations, sine and cosine among them.
+//! operations, sine and cosine of the standard library among them.
 
 #![allow(non_snake_case)] // The names are the paper's.
 
 use carvallo::Scalar;
 use carvallo_models::{Whipple, WhippleMatrices};
 
+/// A number whose sine and cosine come from the standard library, whatever the runtime does.
+pub trait Float: Scalar {
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+}
+
+impl Float for f32 {
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        f32::sin_cos(self)
+    }
+}
+
+impl Float for f64 {
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        f64::sin_cos(self)
+    }
+}
+
 /// The coefficient matrices of a design.
-pub fn matrices<T: Scalar>(design: &Whipple<T>) -> WhippleMatrices<T> {
+///
+/// Always inlined, since that is what is fastest in a loop over designs.
+#[inline(always)]
+pub fn matrices<T: Float>(design: &Whipple<T>) -> WhippleMatrices<T> {
     let &Whipple { w, c, lam, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IBzz, IBxz, .. } = design;
     let &Whipple { xH, zH, mH, IHxx, IHzz, IHxz, rF, mF, IFxx, IFyy, .. } = design;
     let (IRzz, IFzz) = (IRxx, IFxx);
     let zero = T::from_f64(0.0);
     let two = T::from_f64(2.0);
-    let (sin, cos) = lam.sin_cos();
+    let (sin, cos) = Float::sin_cos(lam);
 
     let mT = mR + mB + mH + mF;
     let xT = (xB * mB + xH * mH + w * mF) / mT;

@@ -7,6 +7,7 @@
 //! recomputed [`facts`], and derivatives of all of them against [`differences`] at 320 bits. What the compiler's own checks are worth is measured on `mutants`, declarations with one slip
 //! each. Other mechanisms than the bicycle have their matrices by hand in [`textbook`].
 
+pub mod backward;
 pub mod bicycles;
 pub mod chain;
 pub mod designs;
@@ -20,6 +21,7 @@ pub mod multibody;
 #[cfg(feature = "compiler")]
 pub mod mutants;
 pub mod operations;
+pub mod peers;
 pub mod published;
 pub mod quartic;
 pub mod real;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::AddAssign;
 
 use syn::visit::{self, Visit};
-use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprMethodCall, ExprUnary, ImplItemFn, ItemFn, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, ImplItemFn, ItemFn, Lit, UnOp};
 
 /// How many operations on numbers a function does, if it has no loops.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -118,6 +118,9 @@ impl<'ast> Visit<'ast> for Counter<'_> {
 
     fn visit_expr_method_call(&mut self, call: &'ast ExprMethodCall) {
         self.call(&call.method);
+        if self.inside && call.method == "powi" {
+            self.operations += power(call.args.first());
+        }
         visit::visit_expr_method_call(self, call);
     }
 
@@ -129,4 +132,17 @@ impl<'ast> Visit<'ast> for Counter<'_> {
         }
         visit::visit_expr_call(self, call);
     }
+}
+
+/// A power with a literal exponent, as multiplications of the base one by one, and a division if it is negative.
+fn power(exponent: Option<&Expr>) -> Operations {
+    let (negative, literal) = match exponent {
+        Some(Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. })) => (true, &**expr),
+        Some(literal) => (false, literal),
+        None => panic!("a power without an exponent"),
+    };
+    let Expr::Lit(ExprLit { lit: Lit::Int(exponent), .. }) = literal else { panic!("an exponent that is no literal") };
+    let exponent: usize = exponent.base10_parse().expect("an exponent");
+    let multiplications = exponent.checked_sub(1).expect("an exponent that is not zero");
+    Operations { multiplications, divisions: usize::from(negative), ..Default::default() }
 }

@@ -384,7 +384,7 @@ impl<T: ::carvallo::Number> Whipple<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
     type Scalar = T;
-    type Parameters = [T; 26];
+    type Array<U: ::core::marker::Copy> = [U; 26];
     type Over<U: ::carvallo::Number> = Whipple<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "Whipple",
@@ -878,7 +878,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
@@ -1234,7 +1240,7 @@ impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 203 additions, 321 multiplications, 8 divisions, 40 negations and 2 trigonometric functions: 574 operations.
+    /// 207 additions, 337 multiplications, 4 divisions, 40 negations and 2 trigonometric functions: 590 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1258,7 +1264,8 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t35,
             zA,
             t37,
-            t41,
+            t39,
+            ITxz_rF,
             t42,
             xA,
             t44,
@@ -1282,7 +1289,7 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t83,
             mu,
             t86,
-            t87,
+            M22_mA,
             t91,
             t97,
             ITzz_mB,
@@ -1296,11 +1303,12 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t117,
             t118,
             IAlz,
+            M22_IAzz,
             t126,
-            SF_IFyy,
+            t129,
             SF,
             t131,
-            ST_IRyy,
+            t133,
             ST,
             t137,
             t138,
@@ -1317,70 +1325,69 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t159,
             t160,
             t161,
+            t162,
             t163,
-            t166,
-            t167,
+            t164,
+            t168,
+            t169,
             xA_w,
-            t171,
-            t172,
+            t173,
+            t174,
             M12_xA,
-            t175,
-            IAlz_uA,
-            M22_uA,
+            t177,
+            t179,
             t180,
-            t181,
-            t182,
-            t183,
-            M22_IAzz,
-            t188,
-            C112_SF,
-            M22_IAxz,
-            t192,
+            IAlz_uA,
+            t184,
+            t187,
+            M22_uA,
+            t190,
+            t193,
             ITzz_w,
             M22_ITzz,
-            t197,
-            M22_mu,
             t199,
-            t202,
-            t203,
+            M22_mu,
+            t201,
+            t205,
             t206,
+            t208,
+            t213,
+            IAlz_xA,
+            t215,
             M22_xA,
-            t211,
-            t214,
-            t216,
-            t217,
-            t218,
-            C122_uA,
-            t220,
-            C122_IAzz,
-            C122_IAxz,
+            t219,
+            t222,
+            t224,
+            t225,
             t226,
             t228,
-            t231,
+            t229,
             t232,
             t233,
+            t234,
             SA_w,
             C122_ITzz,
-            t241,
-            t246,
+            t242,
             C122_xA,
-            t251,
-            t256,
+            t247,
+            t252,
+            t253,
+            t254,
             t258,
-            t260,
-            t264,
+            t262,
             SA_c,
+            t265,
             t267,
-            t269,
-            t270,
-            t274,
+            t272,
+            t275,
             t277,
-            t279,
             IAlz_lam,
-            t292,
-            t296,
-            t300,
-            t306,
+            t291,
+            t295,
+            t299,
+            t303,
+            t310,
+            t311,
             t313,
             t314,
             t315,
@@ -1390,110 +1397,109 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t319,
             t320,
             t321,
-            t322,
             t323,
-            t325,
             ITzz_xB,
-            t327,
+            t325,
             SA_xB,
+            t330,
             t332,
-            t334,
-            t335,
+            t333,
             SA_mB,
-            t339,
-            t343,
-            t347,
-            t350,
-            xA_xH,
-            t355,
+            t337,
+            t341,
+            t345,
+            t348,
+            zA_zH,
+            t353,
             ITzz_xH,
             t360,
-            t362,
+            t363,
             SA_xH,
-            t370,
-            t372,
+            t371,
             t373,
             t374,
             t375,
-            t380,
+            t376,
+            t377,
             t381,
+            t382,
             t383,
+            t384,
             t387,
             t389,
-            t390,
-            t391,
-            t395,
-            t399,
-            t401,
+            t392,
+            t393,
+            t394,
+            IAlz_zA,
+            IAlz_zH,
             t404,
-            t405,
-            t407,
+            M22_zA,
             t409,
-            C122_zA,
+            t413,
             t414,
-            t415,
-            t418,
-            t419,
-            t426,
+            t416,
+            t417,
+            t420,
+            t421,
+            t423,
             t427,
-            xA_mH,
-            t432,
+            t428,
             zA_mH,
-            t436,
+            t433,
+            xA_mH,
+            t437,
             IAlz_mA,
-            M22_mA,
-            t449,
-            t451,
-            C122_mA,
-            t459,
-            t460,
+            IAlz_mH,
+            t454,
+            t458,
+            t466,
+            t467,
             SA_mH,
-            t471,
-            t473,
-            t476,
+            t474,
             t477,
             t478,
-            t479,
-            t480,
             t481,
+            t483,
+            C112_SF,
             t485,
+            K222_SF,
             t487,
-            t489,
             t491,
-            t492,
             t493,
-            SA_rF,
-            t498,
+            t497,
             t501,
-            t504,
-            t505,
+            t502,
+            t503,
+            SA_rF,
+            t507,
+            t510,
+            t513,
+            t514,
+            t515,
+            ITxz_mF,
+            t522,
             xA_mF,
-            t516,
-            t518,
             t528,
-            t530,
-            t531,
-            SA_mF,
-            t546,
+            IAlz_mF,
+            t544,
             t548,
-            t550,
             t551,
-            t552,
-            t553,
-            t554,
-            t555,
-            t556,
-            t557,
-            t558,
-            t559,
-            t560,
-            t561,
-            t562,
-            t563,
+            SA_mF,
             t564,
-            t565,
             t566,
             t567,
+            t568,
+            t569,
+            t570,
+            t571,
+            t572,
+            t573,
+            t574,
+            t575,
+            t576,
+            t577,
+            t578,
+            t579,
         );
         t5 = self.IHxx + self.IFxx;
         t9 = self.rR * self.rR;
@@ -1510,8 +1516,9 @@ impl<T: ::carvallo::Number> Whipple<T> {
         t35 = t34 - t33;
         zA = t32 * t35;
         t37 = self.zH - zA;
-        t41 = self.xH * self.mH;
-        t42 = (self.w * self.mF) + t41;
+        t39 = self.xH * self.mH;
+        ITxz_rF = self.w * self.mF;
+        t42 = t39 + ITxz_rF;
         xA = t32 * t42;
         t44 = self.xH - xA;
         t45 = t37 * t44;
@@ -1535,7 +1542,7 @@ impl<T: ::carvallo::Number> Whipple<T> {
         t83 = t28 * t82;
         mu = self.c * t83;
         t86 = ((t53 + t61) - (t68 * zA)) + (ITxz * mu);
-        t87 = uA * uA;
+        M22_mA = uA * uA;
         t91 = t61 + (t53 * ::carvallo::Number::like(self.w, 2.0));
         t97 = self.IHzz + self.IFxx;
         ITzz_mB = self.xB * self.xB;
@@ -1550,14 +1557,15 @@ impl<T: ::carvallo::Number> Whipple<T> {
         t117 = t54 * IAxz;
         t118 = (t28 * IAzz) + t117;
         IAlz = (xA * t68) + t118;
-        t126 = (((mA * t87) + (t54 * t91))
+        M22_IAzz = t28 * t28;
+        t126 = (((mA * M22_mA) + (t54 * t91))
             + (mu * (t108 + (IAlz * ::carvallo::Number::like(self.w, 2.0)))))
-            + (IAzz * (t28 * t28));
-        SF_IFyy = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        SF = self.IFyy * SF_IFyy;
+            + (IAzz * M22_IAzz);
+        t129 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        SF = self.IFyy * t129;
         t131 = t28 * SF;
-        ST_IRyy = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        ST = SF + (self.IRyy * ST_IRyy);
+        t133 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        ST = SF + (self.IRyy * t133);
         t137 = self.rR * self.mR;
         t138 = (t35 + t74) - t137;
         t139 = ST - t138;
@@ -1571,206 +1579,197 @@ impl<T: ::carvallo::Number> Whipple<T> {
         t157 = t54 * SF;
         t158 = SA + t157;
         t159 = t83 * t158;
-        t160 = mA * zA;
-        t161 = t49 * self.mF;
-        t163 = t28 * (t160 + t161);
-        t166 = t28 / ITzz_mF;
-        t167 = self.c * ITxz;
+        t160 = t49 * self.mF;
+        t161 = t28 * t160;
+        t162 = mA * zA;
+        t163 = t28 * t162;
+        t164 = t161 + t163;
+        t168 = t28 * (t82 * t82);
+        t169 = self.c * ITxz;
         xA_w = self.mF * t32;
-        t171 = t37 * self.mH;
-        t172 = t28 * t171;
-        M12_xA = t172 - t163;
-        t175 = ((t163 + (t33 * mu)) - (t166 * t167)) + (xA_w * M12_xA);
+        t173 = t37 * self.mH;
+        t174 = t28 * t173;
+        M12_xA = t174 - t164;
+        t177 = ((t164 + (t33 * mu)) - (t168 * t169)) + (xA_w * M12_xA);
+        t179 = self.mF * ::carvallo::Number::like(self.w, 2.0);
+        t180 = t48 * t179;
         IAlz_uA = mA * xA;
-        M22_uA = ::carvallo::Number::like(self.w, 2.0) * (t68 + (mu * IAlz_uA));
-        t180 = t28 * M22_uA;
-        t181 = self.mF * ::carvallo::Number::like(self.w, 2.0);
-        t182 = t48 * t181;
-        t183 = mu * ::carvallo::Number::like(self.w, 2.0);
-        M22_IAzz = t28 * (t28 + t183);
-        t188 = t54 * ::carvallo::Number::like(self.w, 2.0);
-        C112_SF = t28 + mu;
-        M22_IAxz = t188 * C112_SF;
-        t192 = (t180 + (t182 * M22_IAzz)) - (t161 * M22_IAxz);
-        ITzz_w = self.w * t181;
+        t184 = (t28 * (t180 + IAlz_uA)) - (t54 * t160);
+        t187 = t54 * ::carvallo::Number::like(self.w, 2.0);
+        M22_uA = ::carvallo::Number::like(self.w, 2.0) * t68;
+        t190 = t28 * M22_uA;
+        t193 = (t190 - (t161 * t187)) + (t180 * M22_IAzz);
+        ITzz_w = self.w * t179;
         M22_ITzz = mu * mu;
-        t197 = IAlz + t108;
-        M22_mu = ::carvallo::Number::like(self.w, 2.0) * t197;
-        t199 = self.c * M22_mu;
-        t202 = self.mH * t44;
-        t203 = t202 * ::carvallo::Number::like(self.w, 2.0);
-        t206 = (t203 * M22_IAzz) - (t171 * M22_IAxz);
-        M22_xA = (t192 - t206) + (t68 * t183);
-        t211 = (((ITzz_w * M22_ITzz) - t192) - (t166 * t199)) + (xA_w * M22_xA);
-        t214 = ITxz + (self.c * t139);
-        t216 = (t33 * t83) - (t166 * t214);
-        t217 = ST * self.c;
-        t218 = t166 * t217;
-        C122_uA = t83 * IAlz_uA;
-        t220 = t28 * C122_uA;
-        C122_IAzz = t28 * t83;
-        C122_IAxz = t54 * t83;
-        t226 = (t220 + (t182 * C122_IAzz)) - (t161 * C122_IAxz);
-        t228 = mA * t28;
-        t231 = (self.mF * mu) + (t228 * (xA_w - ::carvallo::Number::like(self.w, 1.0)));
-        t232 = self.c * SA_mu;
-        t233 = t166 * t232;
-        SA_w = t231 - t233;
+        t199 = IAlz + t108;
+        M22_mu = ::carvallo::Number::like(self.w, 2.0) * t199;
+        t201 = self.c * M22_mu;
+        t205 = self.mH * t44;
+        t206 = t205 * ::carvallo::Number::like(self.w, 2.0);
+        t208 = (t206 * M22_IAzz) - (t174 * t187);
+        t213 = (t28 * t206) - (t54 * t173);
+        IAlz_xA = (t68 + t184) - t213;
+        t215 = mu * ::carvallo::Number::like(self.w, 2.0);
+        M22_xA = (t193 - t208) + (IAlz_xA * t215);
+        t219 = (((ITzz_w * M22_ITzz)
+            - (((mu * t184) * ::carvallo::Number::like(self.w, 2.0)) + t193))
+            - (t168 * t201)) + (xA_w * M22_xA);
+        t222 = ITxz + (self.c * t139);
+        t224 = (t33 * t83) - (t168 * t222);
+        t225 = ST * self.c;
+        t226 = t168 * t225;
+        t228 = self.mF * mu;
+        t229 = mA * t28;
+        t232 = t228 + (t229 * (xA_w - ::carvallo::Number::like(self.w, 1.0)));
+        t233 = self.c * SA_mu;
+        t234 = t168 * t233;
+        SA_w = t232 - t234;
         C122_ITzz = t83 * mu;
-        t241 = t197 + (self.c * C122_mu);
-        t246 = (t203 * C122_IAzz) - (t171 * C122_IAxz);
-        C122_xA = (t226 - t246) + (t68 * t83);
-        t251 = ((((mu * SA_w) - t226) + (ITzz_w * C122_ITzz)) - (t166 * t241))
+        t242 = t199 + (self.c * C122_mu);
+        C122_xA = t83 * IAlz_xA;
+        t247 = ((((mu * SA_w) - (t184 * t83)) + (ITzz_w * C122_ITzz)) - (t168 * t242))
             + (xA_w * C122_xA);
-        t256 = (t83 * SA_w) - (t166 * t158);
-        t258 = t142 + (t160 * t28);
-        t260 = (t83 * M22_mu) - t180;
-        t264 = t83 * SA_mu;
-        SA_c = t264 - t228;
-        t267 = ((t83 * C122_mu) - t220) + (mu * SA_c);
-        t269 = t83 * SA_c;
-        t270 = IAxx * t28;
-        t274 = (t28 * zA) + (t54 * t65);
-        t277 = t54 * t82;
-        t279 = ((t270 - t117) + (t274 * t160)) - (t277 * t167);
-        IAlz_lam = t53 - (IAzz * t54);
-        t292 = (((((IAlz_lam * t183) - (t188 * t118)) + (t54 * t270)) + (t28 * t91))
-            - (t274 * M22_uA)) - (t277 * t199);
-        t296 = t157 + (t277 * t217);
-        t300 = (mA * t274) + (t277 * t232);
-        t306 = (((t83 * IAlz_lam) - (mu * t300)) - (t274 * C122_uA)) - (t277 * t241);
-        t313 = (t83 * (t131 - t300)) - (t277 * t158);
-        t314 = t137 * ::carvallo::Number::like(self.w, 2.0);
-        t315 = self.IRyy / t9;
-        t316 = self.mR - t315;
-        t317 = mu * t316;
-        t318 = t315 * mu;
-        t319 = t83 * t316;
-        t320 = self.rR * mu;
-        t321 = self.rR * t83;
-        t322 = mu * ST_IRyy;
-        t323 = t83 * ST_IRyy;
-        t325 = self.mB * ::carvallo::Number::like(self.w, 2.0);
-        ITzz_xB = self.xB * t325;
-        t327 = ITzz_xB * M22_ITzz;
+        t252 = (t83 * SA_w) - (t168 * t158);
+        t253 = t142 + t163;
+        t254 = IAlz_uA * t28;
+        t258 = (t83 * M22_mu) - (t190 + (t254 * t215));
+        t262 = t83 * SA_mu;
+        SA_c = t262 - t229;
+        t265 = (t83 * (C122_mu - t254)) + (mu * SA_c);
+        t267 = t83 * SA_c;
+        t272 = (t28 * zA) + (t54 * t65);
+        t275 = t82 * t54;
+        t277 = (((IAxx * t28) - t117) + (t272 * t162)) - (t275 * t169);
+        IAlz_lam = (t53 - (IAzz * t54)) - (t272 * IAlz_uA);
+        t291 = ((((IAlz_lam * t215) - (t187 * t118)) + (t28 * (t61 + t91)))
+            - (t272 * M22_uA)) - (t275 * t201);
+        t295 = t157 + (t275 * t225);
+        t299 = (mA * t272) + (t275 * t233);
+        t303 = ((t83 * IAlz_lam) - (mu * t299)) - (t275 * t242);
+        t310 = (t83 * (t131 - t299)) - (t275 * t158);
+        t311 = t137 * ::carvallo::Number::like(self.w, 2.0);
+        t313 = self.IRyy * (t133 * t133);
+        t314 = self.mR - t313;
+        t315 = mu * t314;
+        t316 = t313 * mu;
+        t317 = t83 * t314;
+        t318 = self.rR * mu;
+        t319 = self.rR * t83;
+        t320 = mu * t133;
+        t321 = t83 * t133;
+        t323 = self.mB * ::carvallo::Number::like(self.w, 2.0);
+        ITzz_xB = self.xB * t323;
+        t325 = ITzz_xB * M22_ITzz;
         SA_xB = self.mB * mu;
-        t332 = (mu * SA_xB) + (ITzz_xB * C122_ITzz);
-        t334 = t83 * SA_xB;
-        t335 = self.zB * t325;
+        t330 = (mu * SA_xB) + (ITzz_xB * C122_ITzz);
+        t332 = t83 * SA_xB;
+        t333 = self.zB * t323;
         SA_mB = self.xB * mu;
-        t339 = mu + (self.xB * t83);
-        t343 = ITzz_mB * M22_ITzz;
-        t347 = (mu * SA_mB) + (ITzz_mB * C122_ITzz);
-        t350 = t83 * SA_mB;
-        xA_xH = self.mH * t32;
-        t355 = (xA_xH * M12_xA) - (t172 + (mu * t34));
-        ITzz_xH = ::carvallo::Number::like(self.w, 2.0) * t41;
-        t360 = (t206 + (ITzz_xH * M22_ITzz)) + (xA_xH * M22_xA);
-        t362 = self.mH * mu;
-        SA_xH = t362 + (t228 * xA_xH);
-        t370 = ((t246 + (mu * SA_xH)) + (ITzz_xH * C122_ITzz)) + (xA_xH * C122_xA);
-        t372 = t83 * SA_xH;
-        t373 = t34 * ::carvallo::Number::like(self.w, 2.0);
-        t374 = t171 * t188;
-        t375 = t28 * t202;
-        t380 = t161 * t188;
+        t337 = mu + (self.xB * t83);
+        t341 = ITzz_mB * M22_ITzz;
+        t345 = (mu * SA_mB) + (ITzz_mB * C122_ITzz);
+        t348 = t83 * SA_mB;
+        zA_zH = self.mH * t32;
+        t353 = (zA_zH * M12_xA) - (t174 + (mu * t34));
+        ITzz_xH = ::carvallo::Number::like(self.w, 2.0) * t39;
+        t360 = ((t208 + (t213 * t215)) + (ITzz_xH * M22_ITzz)) + (zA_zH * M22_xA);
+        t363 = self.mH * mu;
+        SA_xH = t363 + (t229 * zA_zH);
+        t371 = (((t83 * t213) + (mu * SA_xH)) + (ITzz_xH * C122_ITzz))
+            + (zA_zH * C122_xA);
+        t373 = t83 * SA_xH;
+        t374 = t34 * ::carvallo::Number::like(self.w, 2.0);
+        t375 = t28 * t205;
+        t376 = t173 * t187;
+        t377 = t376 - t375;
         t381 = t48 * self.mF;
-        t383 = t380 - (t28 * t381);
-        t387 = (((t68 + t374) - t383) - (t54 * t160)) - t375;
-        t389 = ((t374 - t375) - (mu * t41)) - (xA_xH * t387);
-        t390 = t54 * t374;
-        t391 = t202 * M22_IAxz;
-        t395 = (t54 * t380) - (t381 * M22_IAxz);
-        t399 = ((t390 - t395) + (t54 * M22_uA)) - t391;
-        t401 = (t390 - t391) - (xA_xH * t399);
-        t404 = mA * t54;
-        t405 = xA_xH * t404;
-        t407 = t202 * C122_IAxz;
-        t409 = t381 * C122_IAxz;
-        C122_zA = t407 - (t409 + (C122_uA * t54));
-        t414 = (xA_xH * C122_zA) - ((mu * t405) + t407);
-        t415 = t405 * t54;
-        t418 = t54 * t55;
-        t419 = uA * zA;
-        t426 = ::carvallo::Number::like(self.w, 1.0) / (mA * mA);
-        t427 = t42 * t426;
-        xA_mH = (self.xH * t32) - t427;
-        t432 = t35 * t426;
-        zA_mH = (self.zH * t32) - t432;
-        t436 = ((((t418 - t419) - (t28 * t45)) - (mu * t77)) + (xA_mH * M12_xA))
-            - (zA_mH * t387);
+        t382 = t28 * t381;
+        t383 = t160 * t187;
+        t384 = t383 - t382;
+        t387 = ((t68 + t377) - t384) - (t54 * t162);
+        t389 = (t377 - (mu * t39)) - (zA_zH * t387);
+        t392 = t54 * (t376 - (t375 * ::carvallo::Number::like(self.w, 2.0)));
+        t393 = t54 * t205;
+        t394 = t54 * t381;
+        IAlz_zA = t393 - (t394 + (IAlz_uA * t54));
+        IAlz_zH = (zA_zH * IAlz_zA) - t393;
+        t404 = t54 * (t383 - (t382 * ::carvallo::Number::like(self.w, 2.0)));
+        M22_zA = (t404 - (M22_uA * t54)) - t392;
+        t409 = (t392 + (IAlz_zH * t215)) + (zA_zH * M22_zA);
+        t413 = mA * t54;
+        t414 = zA_zH * t413;
+        t416 = (t83 * IAlz_zH) - (mu * t414);
+        t417 = t414 * t54;
+        t420 = t28 * t45;
+        t421 = t54 * t55;
+        t423 = uA * zA;
+        t427 = t32 * t32;
+        t428 = t35 * t427;
+        zA_mH = (self.zH * t32) - t428;
+        t433 = t42 * t427;
+        xA_mH = (self.xH * t32) - t433;
+        t437 = ((((t421 - t420) - t423) - (mu * t77)) - (zA_mH * t387))
+            + (xA_mH * M12_xA);
         IAlz_mA = xA * uA;
-        M22_mA = (IAlz_mA * t183) + t87;
-        t449 = ((((M22_mA + (t54 * t418)) + (ITzz_mH * M22_ITzz)) + (IAzz_mH * M22_IAzz))
-            - (t45 * M22_IAxz)) + (xA_mH * M22_xA);
-        t451 = t449 - (zA_mH * t399);
-        C122_mA = t83 * IAlz_mA;
-        t459 = (uA + (self.xH * mu)) + (t228 * xA_mH);
-        t460 = zA_mH * t404;
-        SA_mH = t459 - t460;
-        t471 = ((((C122_mA + (mu * SA_mH)) + (ITzz_mH * C122_ITzz))
-            + (IAzz_mH * C122_IAzz)) - (t45 * C122_IAxz)) + (xA_mH * C122_xA);
-        t473 = t471 + (zA_mH * C122_zA);
-        t476 = t83 * SA_mH;
-        t477 = t54 * t54;
-        t478 = M22_ITzz + M22_IAzz;
-        t479 = C122_ITzz + C122_IAzz;
-        t480 = t33 * ::carvallo::Number::like(self.w, 2.0);
-        t481 = self.w * mu;
-        t485 = (t383 + (self.mF * t481)) + (xA_w * t387);
-        t487 = t395 + (xA_w * t399);
-        t489 = mu + (self.w * t83);
-        t491 = self.IFyy / t24;
-        t492 = t491 * C112_SF;
-        t493 = (self.mF * t489) - t492;
-        SA_rF = xA_w * t404;
-        t498 = ((mu * SA_rF) - t409) - (xA_w * C122_zA);
-        t501 = t83 * (self.mF - t491);
-        t504 = (t83 * SA_rF) - (t491 * C122_IAxz);
-        t505 = t54 * t58;
-        xA_mF = (self.w * t32) - t427;
-        t516 = t432 + (self.rF * t32);
-        t518 = ((((t505 - t419) + (self.rF * t481)) - (t28 * t50)) + (xA_mF * M12_xA))
-            + (t516 * t387);
-        t528 = ((((M22_mA + (t54 * t505)) + (ITzz_mF * M22_ITzz)) + (IAzz_mF * M22_IAzz))
-            - (t50 * M22_IAxz)) + (xA_mF * M22_xA);
-        t530 = t528 + (t516 * t399);
-        t531 = self.rF * t489;
-        SA_mF = ((uA + t481) + (t228 * xA_mF)) + (t516 * t404);
-        t546 = ((((C122_mA + (mu * SA_mF)) + (ITzz_mF * C122_ITzz))
-            + (IAzz_mF * C122_IAzz)) - (t50 * C122_IAxz)) + (xA_mF * C122_xA);
-        t548 = t546 - (t516 * C122_zA);
-        t550 = self.rF * t83;
-        t551 = t83 * SA_mF;
-        t552 = t477 + t478;
-        t553 = SF_IFyy * C112_SF;
-        t554 = t83 * SF_IFyy;
-        t555 = SF_IFyy * C122_IAxz;
-        t556 = -(t131 + (mu * ST));
-        t557 = -SA;
-        t558 = -(SA * t54);
-        t559 = t233 - t231;
-        t560 = -(SA_w * t54);
-        t561 = -(t139 * t166);
-        t562 = -(ST * t83);
-        t563 = t228 - t264;
-        t564 = -(SA_c * t54);
-        t565 = -(t157 + (t277 * t214));
-        t566 = (t54 * t300) - (SA * t28);
-        t567 = -(t139 * t277);
+        IAlz_mH = ((IAlz_mA - (t54 * t45)) + (t28 * IAzz_mH)) + (zA_mH * IAlz_zA);
+        t454 = (((M22_mA + (IAlz_mH * t215))
+            + (t54 * (t421 - (t420 * ::carvallo::Number::like(self.w, 2.0)))))
+            + (ITzz_mH * M22_ITzz)) + (IAzz_mH * M22_IAzz);
+        t458 = (t454 + (zA_mH * M22_zA)) + (xA_mH * M22_xA);
+        t466 = (uA + (self.xH * mu)) + (t229 * xA_mH);
+        t467 = zA_mH * t413;
+        SA_mH = t466 - t467;
+        t474 = (((t83 * IAlz_mH) + (mu * SA_mH)) + (ITzz_mH * C122_ITzz))
+            + (xA_mH * C122_xA);
+        t477 = t83 * SA_mH;
+        t478 = t54 * t54;
+        t481 = (M22_ITzz + M22_IAzz) + (t28 * t215);
+        t483 = C122_ITzz + (t28 * t83);
+        C112_SF = t28 + mu;
+        t485 = t187 * C112_SF;
+        K222_SF = t54 * t83;
+        t487 = t33 * ::carvallo::Number::like(self.w, 2.0);
+        t491 = (t384 + (mu * ITxz_rF)) + (xA_w * t387);
+        t493 = t394 + (xA_w * IAlz_zA);
+        t497 = (t404 - (t493 * t215)) - (xA_w * M22_zA);
+        t501 = self.IFyy * (t129 * t129);
+        t502 = t501 * C112_SF;
+        t503 = (t228 + (t83 * ITxz_rF)) - t502;
+        SA_rF = xA_w * t413;
+        t507 = (mu * SA_rF) - (t83 * t493);
+        t510 = t83 * (self.mF - t501);
+        t513 = (t83 * SA_rF) - (t501 * K222_SF);
+        t514 = t28 * t50;
+        t515 = t54 * t58;
+        ITxz_mF = self.w * self.rF;
+        t522 = t428 + (self.rF * t32);
+        xA_mF = (self.w * t32) - t433;
+        t528 = ((((t515 - t514) - t423) + (mu * ITxz_mF)) + (t522 * t387))
+            + (xA_mF * M12_xA);
+        IAlz_mF = ((IAlz_mA - (t54 * t50)) + (t28 * IAzz_mF)) - (t522 * IAlz_zA);
+        t544 = (((M22_mA + (IAlz_mF * t215))
+            + (t54 * (t515 - (t514 * ::carvallo::Number::like(self.w, 2.0)))))
+            + (ITzz_mF * M22_ITzz)) + (IAzz_mF * M22_IAzz);
+        t548 = (t544 - (t522 * M22_zA)) + (xA_mF * M22_xA);
+        t551 = (self.rF * mu) + (t83 * ITxz_mF);
+        SA_mF = ((uA + (self.w * mu)) + (t229 * xA_mF)) + (t522 * t413);
+        t564 = (((t83 * IAlz_mF) + (mu * SA_mF)) + (ITzz_mF * C122_ITzz))
+            + (xA_mF * C122_xA);
+        t566 = self.rF * t83;
+        t567 = t83 * SA_mF;
+        t568 = t478 + t481;
+        t569 = t129 * C112_SF;
+        t570 = t83 * t129;
+        t571 = t129 * K222_SF;
+        t572 = -(t131 + (mu * ST));
+        t573 = -SA;
+        t574 = -(SA * t54);
+        t575 = t234 - t232;
+        t576 = -(SA_w * t54);
+        t577 = -(t139 * t168);
+        t578 = -(ST * t83);
+        t579 = t229 - t262;
         let (
-            t568,
-            t569,
-            t570,
-            t571,
-            t572,
-            t573,
-            t574,
-            t575,
-            t576,
-            t577,
-            t578,
-            t579,
             t580,
             t581,
             t582,
@@ -1791,44 +1790,64 @@ impl<T: ::carvallo::Number> Whipple<T> {
             t597,
             t598,
             t599,
+            t600,
+            t601,
+            t602,
+            t603,
+            t604,
+            t605,
+            t606,
+            t607,
+            t608,
+            t609,
+            t610,
+            t611,
+            t612,
+            t613,
+            t614,
+            t615,
         );
-        t568 = -self.mR;
-        t569 = -self.rR;
-        t570 = -t322;
-        t571 = -(t74 * mu);
-        t572 = -(t74 * t83);
-        t573 = -SA_xB;
-        t574 = -(SA_xB * t54);
-        t575 = -(self.mB * SA_mB);
-        t576 = -(self.mB * t339);
-        t577 = -(self.mB * t83);
-        t578 = -(self.zB * SA_mB);
-        t579 = -(self.zB * t339);
-        t580 = -SA_mB;
-        t581 = -(SA_mB * t54);
-        t582 = -(self.zB * t83);
-        t583 = -(t83 * t34);
-        t584 = -SA_xH;
-        t585 = -(SA_xH * t54);
-        t586 = -(t362 + (t83 * t41));
-        t587 = -(self.mH * t83);
-        t588 = -(t83 * t405);
-        t589 = -((self.zH * mu) + (t83 * t77));
-        t590 = t460 - t459;
-        t591 = -(SA_mH * t54);
-        t592 = -(self.zH * t83);
-        t593 = -self.mF;
-        t594 = -SA_rF;
-        t595 = -(SA_rF * t54);
-        t596 = -self.rF;
-        t597 = -SA_mF;
-        t598 = -(SA_mF * t54);
-        t599 = -t553;
+        t580 = -(SA_c * t54);
+        t581 = -(t157 + (t275 * t222));
+        t582 = (t54 * t299) - (SA * t28);
+        t583 = -(t139 * t275);
+        t584 = -self.mR;
+        t585 = -self.rR;
+        t586 = -t320;
+        t587 = -(t74 * mu);
+        t588 = -(t74 * t83);
+        t589 = -SA_xB;
+        t590 = -(SA_xB * t54);
+        t591 = -(self.mB * SA_mB);
+        t592 = -(self.mB * t337);
+        t593 = -(self.mB * t83);
+        t594 = -(self.zB * SA_mB);
+        t595 = -(self.zB * t337);
+        t596 = -SA_mB;
+        t597 = -(SA_mB * t54);
+        t598 = -(self.zB * t83);
+        t599 = -(t83 * t34);
+        t600 = -SA_xH;
+        t601 = -(SA_xH * t54);
+        t602 = -(t363 + (t83 * t39));
+        t603 = -(self.mH * t83);
+        t604 = -(t83 * t414);
+        t605 = -((self.zH * mu) + (t83 * t77));
+        t606 = t467 - t466;
+        t607 = -(SA_mH * t54);
+        t608 = -(self.zH * t83);
+        t609 = -self.mF;
+        t610 = -SA_rF;
+        t611 = -(SA_rF * t54);
+        t612 = -self.rF;
+        t613 = -SA_mF;
+        t614 = -(SA_mF * t54);
+        t615 = -t569;
         (
             WhippleMatrices {
                 m: [[t26, t86], [t86, t126]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t143], [t556, t154]],
-                k0: [[t138, t557], [t557, t558]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t143], [t572, t154]],
+                k0: [[t138, t573], [t573, t574]],
                 k2: [
                     [::carvallo::Number::like(self.w, 0.0), t156],
                     [::carvallo::Number::like(self.w, 0.0), t159],
@@ -1836,164 +1855,164 @@ impl<T: ::carvallo::Number> Whipple<T> {
             },
             WhippleDerivatives {
                 values: [
-                    t175,
-                    t175,
-                    t211,
-                    t216,
-                    t218,
-                    t251,
-                    t559,
-                    t559,
-                    t560,
-                    t561,
-                    t256,
-                    t258,
-                    t258,
-                    t260,
-                    t156,
-                    t562,
-                    t267,
-                    t563,
-                    t563,
-                    t564,
-                    t269,
-                    t279,
-                    t279,
-                    t292,
-                    t565,
-                    t296,
-                    t306,
-                    t300,
-                    t300,
-                    t566,
-                    t567,
-                    t313,
-                    t314,
-                    t317,
-                    t318,
-                    t568,
-                    t319,
-                    t9,
-                    t320,
-                    t569,
-                    t321,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    M22_ITzz,
-                    C122_ITzz,
-                    t322,
-                    t570,
-                    t323,
-                    t571,
-                    t571,
-                    t327,
-                    t572,
-                    t332,
-                    t573,
-                    t573,
-                    t574,
-                    t334,
-                    t335,
+                    t177,
+                    t177,
+                    t219,
+                    t224,
+                    t226,
+                    t247,
                     t575,
                     t575,
                     t576,
-                    self.mB,
                     t577,
-                    t14,
+                    t252,
+                    t253,
+                    t253,
+                    t258,
+                    t156,
                     t578,
-                    t578,
-                    t343,
+                    t265,
                     t579,
-                    t347,
-                    self.zB,
+                    t579,
                     t580,
-                    t580,
+                    t267,
+                    t277,
+                    t277,
+                    t291,
                     t581,
+                    t295,
+                    t303,
+                    t299,
+                    t299,
                     t582,
-                    t350,
+                    t583,
+                    t310,
+                    t311,
+                    t315,
+                    t316,
+                    t584,
+                    t317,
+                    t9,
+                    t318,
+                    t585,
+                    t319,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    M22_ITzz,
+                    C122_ITzz,
+                    t320,
+                    t586,
+                    t321,
+                    t587,
+                    t587,
+                    t325,
+                    t588,
+                    t330,
+                    t589,
+                    t589,
+                    t590,
+                    t332,
+                    t333,
+                    t591,
+                    t591,
+                    t592,
+                    self.mB,
+                    t593,
+                    t14,
+                    t594,
+                    t594,
+                    t341,
+                    t595,
+                    t345,
+                    self.zB,
+                    t596,
+                    t596,
+                    t597,
+                    t598,
+                    t348,
                     ::carvallo::Number::like(self.w, 1.0),
                     M22_ITzz,
                     C122_ITzz,
                     mu,
                     mu,
                     t83,
-                    t355,
-                    t355,
+                    t353,
+                    t353,
                     t360,
-                    t583,
-                    t370,
-                    t584,
-                    t584,
-                    t585,
-                    t372,
-                    t373,
-                    t389,
-                    t389,
-                    t401,
-                    t586,
-                    t414,
-                    self.mH,
-                    t405,
-                    t405,
-                    t415,
-                    t587,
-                    t588,
-                    t19,
-                    t436,
-                    t436,
-                    t451,
-                    t589,
-                    t473,
-                    self.zH,
-                    t590,
-                    t590,
-                    t591,
-                    t592,
-                    t476,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t54,
-                    t54,
-                    t477,
-                    t478,
-                    t479,
-                    C112_SF,
-                    C112_SF,
-                    M22_IAxz,
-                    t83,
-                    C122_IAxz,
-                    t480,
-                    t485,
-                    t485,
-                    t487,
-                    t493,
-                    t492,
-                    t498,
-                    t593,
-                    t594,
-                    t594,
-                    t595,
-                    t501,
-                    t504,
-                    t24,
-                    t518,
-                    t518,
-                    t530,
-                    t531,
-                    t548,
-                    t596,
-                    t597,
-                    t597,
-                    t598,
-                    t550,
-                    t551,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t54,
-                    t54,
-                    t552,
-                    t479,
-                    t553,
                     t599,
-                    t554,
-                    t555,
+                    t371,
+                    t600,
+                    t600,
+                    t601,
+                    t373,
+                    t374,
+                    t389,
+                    t389,
+                    t409,
+                    t602,
+                    t416,
+                    self.mH,
+                    t414,
+                    t414,
+                    t417,
+                    t603,
+                    t604,
+                    t19,
+                    t437,
+                    t437,
+                    t458,
+                    t605,
+                    t474,
+                    self.zH,
+                    t606,
+                    t606,
+                    t607,
+                    t608,
+                    t477,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t54,
+                    t54,
+                    t478,
+                    t481,
+                    t483,
+                    C112_SF,
+                    C112_SF,
+                    t485,
+                    t83,
+                    K222_SF,
+                    t487,
+                    t491,
+                    t491,
+                    t497,
+                    t503,
+                    t502,
+                    t507,
+                    t609,
+                    t610,
+                    t610,
+                    t611,
+                    t510,
+                    t513,
+                    t24,
+                    t528,
+                    t528,
+                    t548,
+                    t551,
+                    t564,
+                    t612,
+                    t613,
+                    t613,
+                    t614,
+                    t566,
+                    t567,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t54,
+                    t54,
+                    t568,
+                    t483,
+                    t569,
+                    t615,
+                    t570,
+                    t571,
                 ],
             },
         )

@@ -506,7 +506,7 @@ impl<T: ::carvallo::Scalar> WhippleMechanism<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
     type Scalar = T;
-    type Parameters = [T; 26];
+    type Array<U: ::core::marker::Copy> = [U; 26];
     type Over<U: ::carvallo::Number> = WhippleMechanism<U>;
     const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
         name: "WhippleMechanism",
@@ -1033,7 +1033,13 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
         ::core::result::Result::Ok(())
     }
     #[inline(always)]
-    fn parameters(&self) -> Self::Parameters {
+    fn array<U: ::core::marker::Copy>(
+        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
+    ) -> Self::Array<U> {
+        ::core::array::from_fn(element)
+    }
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
     fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
@@ -1367,7 +1373,7 @@ impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 151 additions, 255 multiplications, 6 divisions, 48 negations and 2 trigonometric functions: 462 operations.
+    /// 151 additions, 261 multiplications, 3 divisions, 48 negations and 2 trigonometric functions: 465 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1404,7 +1410,7 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * Jzz_delta_mH))
             + (self.mF * Jzz_delta_mF);
         let hz_delta = t62 + (t43 * Jzz_delta);
-        let Sx_delta = t40 - (self.mF * self.c);
+        let Sx_delta = t40 - (self.c * self.mF);
         let py_delta = (t43 * Sx_delta) - (Sz_delta * t28);
         let M_yaw_delta = hz_delta + (t38 * py_delta);
         let mA = self.mH + self.mF;
@@ -1417,11 +1423,11 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let P_delta_yaw = M_yaw_delta + t97;
         let t99 = M_yaw_delta + P_delta_yaw;
         let t101 = ((t28 * hx_delta) + (t43 * hz_delta)) + (mu * t99);
-        let SF_IFyy = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        let SF = self.IFyy * SF_IFyy;
+        let t104 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let SF = self.IFyy * t104;
         let t106 = t43 * SF;
-        let ST_IRyy = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        let ST = SF + (self.IRyy * ST_IRyy);
+        let t108 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let ST = SF + (self.IRyy * t108);
         let t112 = self.rR * self.mR;
         let Sz_all = (t52 + Sz_delta) - t112;
         let t114 = ST - Sz_all;
@@ -1439,7 +1445,7 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t135 = M12_Jxz_delta * self.zH;
         let t136 = self.mH * t135;
         let t138 = (mu * Sz_delta) - t136;
-        let t140 = t43 / (self.w * self.w);
+        let t140 = t43 * (t46 * t46);
         let M12_yaw_per_v_delta = self.c * Jxz_all;
         let t144 = mu * ::carvallo::Number::like(self.w, 2.0);
         let P_delta_yaw_Sx_delta = t38 * t144;
@@ -1495,143 +1501,145 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
             + (Jzz_delta_c * C122_Jzz_delta);
         let t249 = yaw_per_v_delta * P_delta_lateral_c;
         let hx_delta_lam = (Jxx_delta * t43) - t62;
-        let t252 = t28 * t46;
+        let t252 = t46 * t28;
         let t254 = hx_delta_lam - (t252 * M12_yaw_per_v_delta);
+        let t262 = (t43 * Sz_delta) + (Sx_delta * t28);
         let hz_delta_lam = t44 - (Jzz_delta * t28);
-        let t266 = (t43 * Sz_delta) + (Sx_delta * t28);
         let t270 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
-            + (hz_delta_lam * M22_hz_delta)) - (t266 * P_delta_yaw_Sx_delta))
+            - (t262 * P_delta_yaw_Sx_delta)) + (hz_delta_lam * M22_hz_delta))
             - (t252 * M22_yaw_per_v_delta);
         let t274 = t131 + (t252 * t182);
-        let t277 = t266 + (t252 * P_delta_lateral_yaw_per_v_delta);
+        let t277 = t262 + (t252 * P_delta_lateral_yaw_per_v_delta);
         let t283 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t277))
-            - (t266 * C122_py_delta)) - (t252 * C122_yaw_per_v_delta);
+            - (t262 * C122_py_delta)) - (t252 * C122_yaw_per_v_delta);
         let t290 = (yaw_per_v_delta * (t106 - t277)) - (t252 * K222_yaw_per_v_delta);
         let t291 = t112 * ::carvallo::Number::like(self.w, 2.0);
-        let t292 = self.IRyy / t19;
-        let t293 = self.mR - t292;
-        let t294 = mu * t293;
-        let t295 = t292 * mu;
-        let t296 = yaw_per_v_delta * t293;
-        let t297 = self.rR * mu;
-        let t298 = self.rR * yaw_per_v_delta;
-        let t299 = yaw_per_v_delta * mu;
-        let t300 = mu * ST_IRyy;
-        let t301 = yaw_per_v_delta * ST_IRyy;
+        let t293 = self.IRyy * (t108 * t108);
+        let t294 = self.mR - t293;
+        let t295 = mu * t294;
+        let t296 = t293 * mu;
+        let t297 = yaw_per_v_delta * t294;
+        let t298 = self.rR * mu;
+        let t299 = self.rR * yaw_per_v_delta;
+        let t300 = yaw_per_v_delta * mu;
+        let t301 = mu * t108;
+        let t302 = yaw_per_v_delta * t108;
         let P_delta_yaw_xB = t123 * t144;
-        let t304 = mu * P_delta_yaw_xB;
+        let t305 = mu * P_delta_yaw_xB;
         let P_delta_lateral_xB = self.mB * mu;
-        let t309 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * P_delta_lateral_xB);
-        let t311 = yaw_per_v_delta * P_delta_lateral_xB;
-        let t312 = ::carvallo::Number::like(self.w, 2.0) * t52;
+        let t310 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * P_delta_lateral_xB);
+        let t312 = yaw_per_v_delta * P_delta_lateral_xB;
+        let t313 = ::carvallo::Number::like(self.w, 2.0) * t52;
         let P_delta_lateral_mB = self.xB * mu;
-        let t316 = mu + (self.xB * yaw_per_v_delta);
+        let t317 = mu + (self.xB * yaw_per_v_delta);
         let P_delta_yaw_mB = mu * t94;
-        let t321 = mu * P_delta_yaw_mB;
-        let t325 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * P_delta_lateral_mB);
-        let t328 = yaw_per_v_delta * P_delta_lateral_mB;
-        let t330 = t194 + (mu * t199);
-        let t332 = yaw_per_v_delta * t199;
+        let t322 = mu * P_delta_yaw_mB;
+        let t326 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * P_delta_lateral_mB);
+        let t329 = yaw_per_v_delta * P_delta_lateral_mB;
+        let t331 = t194 + (mu * t199);
+        let t333 = yaw_per_v_delta * t199;
         let Jxx_delta_zH = self.zH * t155;
-        let t338 = (t28 * Jxx_delta_zH)
+        let t339 = (t28 * Jxx_delta_zH)
             - ((M12_Jxz_delta * t40) + (self.mH * P_delta_lateral_mA));
-        let t340 = self.mH * t28;
+        let t341 = P_delta_yaw_Sx_delta * t28;
         let M22_Jxx_delta = t28 * t28;
-        let t345 = (Jxx_delta_zH * M22_Jxx_delta)
-            - ((M22_Jxz_delta * t40) + (t340 * P_delta_yaw_Sx_delta));
-        let t347 = mu + C122_py_delta;
-        let t355 = t340 * t28;
-        let t362 = ((t28 * Jxx_delta_mH) - (self.zH * P_delta_lateral_mA))
+        let t346 = (Jxx_delta_zH * M22_Jxx_delta)
+            - ((M22_Jxz_delta * t40) + (self.mH * t341));
+        let t348 = mu + C122_py_delta;
+        let t352 = C122_py_delta * t28;
+        let t355 = self.mH * t28;
+        let t358 = t355 * t28;
+        let t365 = ((t28 * Jxx_delta_mH) - (self.zH * P_delta_lateral_mA))
             - (t39 * t135);
         let P_delta_yaw_mA = t38 * P_delta_lateral_mA;
         let M22_mA = mu * P_delta_yaw_mA;
-        let t367 = self.zH * t28;
-        let t373 = (((M22_mA + (t39 * t153)) - (t367 * P_delta_yaw_Sx_delta))
-            + (Jzz_delta_mH * M22_Jzz_delta)) + (Jxx_delta_mH * M22_Jxx_delta);
+        let t375 = (((M22_mA - (self.zH * t341)) + (t39 * t153))
+            + (Jxx_delta_mH * M22_Jxx_delta)) + (Jzz_delta_mH * M22_Jzz_delta);
         let C122_mA = yaw_per_v_delta * P_delta_yaw_mA;
-        let P_delta_lateral_mH = (P_delta_lateral_mA - t367) + (t39 * M12_Jxz_delta);
-        let t388 = (((C122_mA + (t39 * t190)) + (mu * P_delta_lateral_mH))
-            - (t367 * C122_py_delta)) + (Jzz_delta_mH * C122_Jzz_delta);
-        let t390 = yaw_per_v_delta * P_delta_lateral_mH;
+        let P_delta_lateral_mH = (P_delta_lateral_mA - (self.zH * t28))
+            + (t39 * M12_Jxz_delta);
+        let t391 = (((C122_mA - (self.zH * t352)) + (t39 * t190))
+            + (mu * P_delta_lateral_mH)) + (Jzz_delta_mH * C122_Jzz_delta);
+        let t393 = yaw_per_v_delta * P_delta_lateral_mH;
         let Jxx_delta_rF = self.rF * t226;
-        let t392 = t28 * Jxx_delta_rF;
-        let t393 = Jxx_delta_rF * M22_Jxx_delta;
-        let t394 = mu - t347;
-        let t396 = self.IFyy / Jxx_delta_mF;
-        let t397 = t396 * M12_Jxz_delta;
-        let t401 = (t28 * C122_py_delta) - (C122_Jxz_delta * self.c);
+        let t395 = t28 * Jxx_delta_rF;
+        let t396 = Jxx_delta_rF * M22_Jxx_delta;
+        let t397 = mu - t348;
+        let t400 = self.IFyy * (t104 * t104);
+        let t401 = t400 * M12_Jxz_delta;
+        let t404 = (self.c * C122_Jxz_delta) - t352;
         let P_delta_lateral_rF = self.mF * t28;
-        let t405 = (self.mF * t401) + (mu * P_delta_lateral_rF);
-        let t408 = yaw_per_v_delta * (self.mF - t396);
-        let t411 = (yaw_per_v_delta * P_delta_lateral_rF) - (t396 * C122_Jxz_delta);
-        let t412 = t28 * Jxx_delta_mF;
-        let t418 = ((M22_mA - (M22_Sx_delta * self.c)) + (Jzz_delta_mF * M22_Jzz_delta))
-            + (Jxx_delta_mF * M22_Jxx_delta);
+        let t408 = (mu * P_delta_lateral_rF) - (self.mF * t404);
+        let t411 = yaw_per_v_delta * (self.mF - t400);
+        let t414 = (yaw_per_v_delta * P_delta_lateral_rF) - (t400 * C122_Jxz_delta);
+        let t415 = t28 * Jxx_delta_mF;
+        let t421 = ((M22_mA - (M22_Sx_delta * self.c)) + (Jxx_delta_mF * M22_Jxx_delta))
+            + (Jzz_delta_mF * M22_Jzz_delta);
         let P_delta_lateral_mF = (P_delta_lateral_mA - (M12_Jxz_delta * self.c))
             + (self.rF * t28);
-        let t431 = (((C122_mA - (C122_Sx_delta * self.c)) + (self.rF * t401))
+        let t434 = (((C122_mA - (C122_Sx_delta * self.c)) - (self.rF * t404))
             + (mu * P_delta_lateral_mF)) + (Jzz_delta_mF * C122_Jzz_delta);
-        let t433 = self.rF * yaw_per_v_delta;
-        let t434 = yaw_per_v_delta * P_delta_lateral_mF;
-        let t435 = M22_Jzz_delta + M22_Jxx_delta;
-        let t436 = SF_IFyy * M12_Jxz_delta;
-        let t437 = yaw_per_v_delta * SF_IFyy;
-        let t438 = SF_IFyy * C122_Jxz_delta;
-        let t439 = -(t106 + (mu * ST));
-        let t440 = -P_delta_lateral;
-        let t441 = -(P_delta_lateral * t28);
-        let t442 = -(t138 + (t140 * M12_yaw_per_v_delta));
-        let t443 = -(t177 + (t140 * C112_yaw_per_v_delta));
-        let t444 = t202 - t200;
-        let t445 = -(P_delta_lateral_w * t28);
-        let t446 = -(t114 * t140);
-        let t447 = -(ST * yaw_per_v_delta);
-        let t448 = -P_delta_lateral_c;
-        let t449 = -(P_delta_lateral_c * t28);
-        let t450 = -(t131 + (t252 * C112_yaw_per_v_delta));
-        let t451 = (t28 * t277) - (P_delta_lateral * t43);
-        let t452 = -(t114 * t252);
-        let t453 = -self.mR;
-        let t454 = -self.rR;
-        let t455 = -t300;
-        let t456 = -(t52 * mu);
-        let t457 = -(t52 * yaw_per_v_delta);
-        let t458 = -P_delta_lateral_xB;
-        let t459 = -(P_delta_lateral_xB * t28);
-        let t460 = -(self.mB * P_delta_lateral_mB);
-        let t461 = -(self.mB * t316);
-        let t462 = -(self.mB * yaw_per_v_delta);
-        let t463 = -(self.zB * P_delta_lateral_mB);
-        let t464 = -(self.zB * t316);
-        let t465 = -P_delta_lateral_mB;
-        let t466 = -(P_delta_lateral_mB * t28);
-        let t467 = -(self.zB * yaw_per_v_delta);
-        let t468 = -t136;
-        let t469 = -t175;
-        let t470 = -t199;
-        let t471 = -(t199 * t28);
-        let t472 = -((t40 * yaw_per_v_delta) + (self.mH * t347));
-        let t473 = -(((C122_Jxz_delta * t40) + (mu * t340)) + (t340 * C122_py_delta));
-        let t474 = -(self.mH * yaw_per_v_delta);
-        let t475 = -(yaw_per_v_delta * t340);
-        let t476 = -((self.zH * t347) + (t39 * t174));
-        let t477 = -P_delta_lateral_mH;
-        let t478 = -(P_delta_lateral_mH * t28);
-        let t479 = -t174;
-        let t480 = -((self.mF * t394) + t397);
-        let t481 = -self.mF;
-        let t482 = -P_delta_lateral_rF;
-        let t483 = -(t28 * P_delta_lateral_rF);
-        let t484 = -(self.rF * t394);
-        let t485 = -self.rF;
-        let t486 = -P_delta_lateral_mF;
-        let t487 = -(t28 * P_delta_lateral_mF);
-        let t488 = -t436;
+        let t436 = self.rF * yaw_per_v_delta;
+        let t437 = yaw_per_v_delta * P_delta_lateral_mF;
+        let t438 = M22_Jxx_delta + M22_Jzz_delta;
+        let t439 = t104 * M12_Jxz_delta;
+        let t440 = yaw_per_v_delta * t104;
+        let t441 = t104 * C122_Jxz_delta;
+        let t442 = -(t106 + (mu * ST));
+        let t443 = -P_delta_lateral;
+        let t444 = -(P_delta_lateral * t28);
+        let t445 = -(t138 + (t140 * M12_yaw_per_v_delta));
+        let t446 = -(t177 + (t140 * C112_yaw_per_v_delta));
+        let t447 = t202 - t200;
+        let t448 = -(P_delta_lateral_w * t28);
+        let t449 = -(t114 * t140);
+        let t450 = -(ST * yaw_per_v_delta);
+        let t451 = -P_delta_lateral_c;
+        let t452 = -(P_delta_lateral_c * t28);
+        let t453 = -(t131 + (t252 * C112_yaw_per_v_delta));
+        let t454 = (t28 * t277) - (P_delta_lateral * t43);
+        let t455 = -(t114 * t252);
+        let t456 = -self.mR;
+        let t457 = -self.rR;
+        let t458 = -t301;
+        let t459 = -(t52 * mu);
+        let t460 = -(t52 * yaw_per_v_delta);
+        let t461 = -P_delta_lateral_xB;
+        let t462 = -(P_delta_lateral_xB * t28);
+        let t463 = -(self.mB * P_delta_lateral_mB);
+        let t464 = -(self.mB * t317);
+        let t465 = -(self.mB * yaw_per_v_delta);
+        let t466 = -(self.zB * P_delta_lateral_mB);
+        let t467 = -(self.zB * t317);
+        let t468 = -P_delta_lateral_mB;
+        let t469 = -(P_delta_lateral_mB * t28);
+        let t470 = -(self.zB * yaw_per_v_delta);
+        let t471 = -t136;
+        let t472 = -t175;
+        let t473 = -t199;
+        let t474 = -(t199 * t28);
+        let t475 = -((t40 * yaw_per_v_delta) + (self.mH * t348));
+        let t476 = -(((C122_Jxz_delta * t40) + (self.mH * t352)) + (mu * t355));
+        let t477 = -(self.mH * yaw_per_v_delta);
+        let t478 = -(yaw_per_v_delta * t355);
+        let t479 = -((self.zH * t348) + (t39 * t174));
+        let t480 = -P_delta_lateral_mH;
+        let t481 = -(P_delta_lateral_mH * t28);
+        let t482 = -t174;
+        let t483 = -((self.mF * t397) + t401);
+        let t484 = -self.mF;
+        let t485 = -P_delta_lateral_rF;
+        let t486 = -(t28 * P_delta_lateral_rF);
+        let t487 = -(self.rF * t397);
+        let t488 = -self.rF;
+        let t489 = -P_delta_lateral_mF;
+        let t490 = -(t28 * P_delta_lateral_mF);
+        let t491 = -t439;
         (
             WhippleMechanismMatrices {
                 m: [[t26, t60], [t60, t101]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t118], [t439, t128]],
-                k0: [[Sz_all, t440], [t440, t441]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t118], [t442, t128]],
+                k0: [[Sz_all, t443], [t443, t444]],
                 k2: [
                     [::carvallo::Number::like(self.w, 0.0), t130],
                     [::carvallo::Number::like(self.w, 0.0), t133],
@@ -1639,119 +1647,119 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
             },
             WhippleMechanismDerivatives {
                 values: [
-                    t442,
-                    t442,
+                    t445,
+                    t445,
                     t173,
-                    t443,
+                    t446,
                     t183,
                     t211,
-                    t444,
-                    t444,
-                    t445,
-                    t446,
+                    t447,
+                    t447,
+                    t448,
+                    t449,
                     t216,
                     t219,
                     t219,
                     t229,
                     t232,
-                    t447,
+                    t450,
                     t247,
-                    t448,
-                    t448,
-                    t449,
+                    t451,
+                    t451,
+                    t452,
                     t249,
                     t254,
                     t254,
                     t270,
-                    t450,
+                    t453,
                     t274,
                     t283,
                     t277,
                     t277,
-                    t451,
-                    t452,
+                    t454,
+                    t455,
                     t290,
                     t291,
-                    t294,
                     t295,
-                    t453,
                     t296,
-                    t19,
+                    t456,
                     t297,
-                    t454,
+                    t19,
                     t298,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t158,
-                    t299,
-                    t300,
-                    t455,
-                    t301,
-                    t456,
-                    t456,
-                    t304,
                     t457,
-                    t309,
-                    t458,
-                    t458,
-                    t459,
-                    t311,
-                    t312,
-                    t460,
-                    t460,
-                    t461,
-                    self.mB,
-                    t462,
-                    t24,
-                    t463,
-                    t463,
-                    t321,
-                    t464,
-                    t325,
-                    self.zB,
-                    t465,
-                    t465,
-                    t466,
-                    t467,
-                    t328,
+                    t299,
                     ::carvallo::Number::like(self.w, 1.0),
                     t158,
-                    t299,
+                    t300,
+                    t301,
+                    t458,
+                    t302,
+                    t459,
+                    t459,
+                    t305,
+                    t460,
+                    t310,
+                    t461,
+                    t461,
+                    t462,
+                    t312,
+                    t313,
+                    t463,
+                    t463,
+                    t464,
+                    self.mB,
+                    t465,
+                    t24,
+                    t466,
+                    t466,
+                    t322,
+                    t467,
+                    t326,
+                    self.zB,
+                    t468,
+                    t468,
+                    t469,
+                    t470,
+                    t329,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t158,
+                    t300,
                     mu,
                     mu,
                     yaw_per_v_delta,
-                    t468,
-                    t468,
-                    t161,
-                    t469,
-                    t330,
-                    t470,
-                    t470,
                     t471,
-                    t332,
-                    Jxx_delta_zH,
-                    t338,
-                    t338,
-                    t345,
+                    t471,
+                    t161,
                     t472,
+                    t331,
                     t473,
-                    self.mH,
-                    t340,
-                    t340,
-                    t355,
+                    t473,
                     t474,
+                    t333,
+                    Jxx_delta_zH,
+                    t339,
+                    t339,
+                    t346,
                     t475,
-                    Jxx_delta_mH,
-                    t362,
-                    t362,
-                    t373,
                     t476,
-                    t388,
-                    self.zH,
-                    t477,
+                    self.mH,
+                    t355,
+                    t355,
+                    t358,
                     t477,
                     t478,
+                    Jxx_delta_mH,
+                    t365,
+                    t365,
+                    t375,
                     t479,
-                    t390,
+                    t391,
+                    self.zH,
+                    t480,
+                    t480,
+                    t481,
+                    t482,
+                    t393,
                     ::carvallo::Number::like(self.w, 1.0),
                     t28,
                     t28,
@@ -1764,39 +1772,39 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
                     yaw_per_v_delta,
                     C122_Jxz_delta,
                     Jxx_delta_rF,
-                    t392,
-                    t392,
-                    t393,
-                    t480,
-                    t397,
-                    t405,
-                    t481,
-                    t482,
-                    t482,
+                    t395,
+                    t395,
+                    t396,
                     t483,
+                    t401,
                     t408,
-                    t411,
-                    Jxx_delta_mF,
-                    t412,
-                    t412,
-                    t418,
                     t484,
-                    t431,
+                    t485,
                     t485,
                     t486,
-                    t486,
+                    t411,
+                    t414,
+                    Jxx_delta_mF,
+                    t415,
+                    t415,
+                    t421,
                     t487,
-                    t433,
                     t434,
+                    t488,
+                    t489,
+                    t489,
+                    t490,
+                    t436,
+                    t437,
                     ::carvallo::Number::like(self.w, 1.0),
                     t28,
                     t28,
-                    t435,
-                    C122_Jzz_delta,
-                    t436,
-                    t488,
-                    t437,
                     t438,
+                    C122_Jzz_delta,
+                    t439,
+                    t491,
+                    t440,
+                    t441,
                 ],
             },
         )

@@ -47,27 +47,45 @@ impl Equations {
         Some(Self::of_formulas(model.parameters.len(), &model.definitions, outputs))
     }
 
-    /// What a program of a model computes, with a definition for each value that is used more than once or has a name.
+    /// What a program of a model computes, with a definition for each value that is used more than once or has a name,
+    /// and for each reciprocal, in which the derivatives of quotients are products.
     pub fn of_program(model: &Model, program: &Program) -> Self {
         let uses = program.uses();
         let labels: BTreeMap<Value, usize> = program.labels.iter().rev().copied().collect();
         let mut equations =
             Self { parameters: program.parameters, definitions: Vec::new(), origins: Vec::new(), outputs: Vec::new() };
+        let mut reciprocals: BTreeMap<Value, Expr> = BTreeMap::new();
         let mut values: Vec<Expr> = Vec::with_capacity(program.instructions.len());
-        for (value, instruction) in program.instructions.iter().enumerate() {
-            let formula = formula(*instruction, &values);
-            let plain = matches!(instruction, Instruction::Parameter(_) | Instruction::Constant(_));
-            values.push(if plain || uses[value] < 2 && !labels.contains_key(&value) {
-                formula
-            } else {
-                equations.definitions.push(formula);
-                let nameless = model.definitions.len() + equations.definitions.len();
-                equations.origins.push(labels.get(&value).copied().unwrap_or(nameless));
-                Expr::Definition(equations.definitions.len() - 1)
-            });
+        for (value, &instruction) in program.instructions.iter().enumerate() {
+            let label = labels.get(&value).copied();
+            if let Instruction::Reciprocal(divisor) | Instruction::Div(_, divisor) = instruction
+                && !reciprocals.contains_key(&divisor)
+            {
+                let label = label.filter(|_| matches!(instruction, Instruction::Reciprocal(_)));
+                let formula = formula(Instruction::Reciprocal(divisor), &values);
+                reciprocals.insert(divisor, equations.define(formula, model, label));
+            }
+            let formula = match instruction {
+                Instruction::Reciprocal(divisor) => reciprocals[&divisor].clone(),
+                Instruction::Div(dividend, divisor) => {
+                    Expr::Product(vec![(false, values[dividend].clone()), (false, reciprocals[&divisor].clone())])
+                }
+                other => formula(other, &values),
+            };
+            let plain = matches!(formula, Expr::Parameter(_) | Expr::Definition(_) | Expr::Number(_) | Expr::Pi);
+            let worth_a_name = !plain && (uses[value] > 1 || label.is_some());
+            values.push(if worth_a_name { equations.define(formula, model, label) } else { formula });
         }
         equations.outputs = program.outputs.iter().map(|value| values[*value].clone()).collect();
         equations
+    }
+
+    /// Appends a definition, which may be one of the model, and returns what stands for its value.
+    fn define(&mut self, formula: Expr, model: &Model, origin: Option<usize>) -> Expr {
+        let position = self.definitions.len();
+        self.definitions.push(formula);
+        self.origins.push(origin.unwrap_or(model.definitions.len() + position));
+        Expr::Definition(position)
     }
 
     /// Any formulas, with the definitions that they depend on, and no others.

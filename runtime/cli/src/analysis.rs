@@ -122,7 +122,7 @@ pub fn largest(values: &[Complex<f64>]) -> f64 {
 }
 
 /// Whether motion with these eigenvalues is stable, as far as their digits tell.
-fn verdict(values: &[Complex<f64>]) -> Verdict {
+pub fn verdict(values: &[Complex<f64>]) -> Verdict {
     let rightmost = values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
     if rightmost.abs() <= NEGLIGIBLE * largest(values) {
         Verdict::Marginal

@@ -9,6 +9,7 @@ use clap::{Arg, ArgAction, ArgMatches, value_parser};
 use crate::failure::{Failure, Place, Problem};
 use crate::input::Request;
 use crate::speeds;
+use crate::sweep;
 
 /// What to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,7 @@ pub enum Command {
         request: Request,
         plot: Option<PathBuf>,
     },
+    Sweep(Box<sweep::Request>),
 }
 
 /// How an analysis is printed.
@@ -56,6 +58,8 @@ Examples:
   carvallo sensitivity pista --plot pista.svg  Which parameters its critical speeds depend on most
   carvallo show benchmark > my-bike.toml       A file to start from: edit it and analyze it
   carvallo show browser --plot browser.svg     Parameters, and a side view to scale
+  carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
+                                               Many designs, with a map of their stability
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set";
 
 const ANALYZE_HELP: &str = "\
@@ -130,6 +134,7 @@ fn command() -> clap::Command {
         .usage(AnsiColor::Green.on_default().bold())
         .literal(AnsiColor::Cyan.on_default().bold())
         .placeholder(AnsiColor::Cyan.on_default());
+    let sweep = sweep::command([design.clone(), model.clone(), gravity.clone(), set.clone()]);
     let analyze = clap::Command::new("analyze")
         .about("Matrices, critical speeds, and eigenvalues against speed")
         .after_help(ANALYZE_HELP)
@@ -173,6 +178,7 @@ fn command() -> clap::Command {
         .subcommand(clap::Command::new("bicycles").about("The shipped bicycles, with their critical speeds"))
         .subcommand(clap::Command::new("models").about("The shipped models, with their coordinates and parameter sets"))
         .subcommand(show)
+        .subcommand(sweep)
 }
 
 /// Reads the command line. Prints help, and ends the process for it and for wrong usage.
@@ -205,6 +211,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, F
             Ok(Command::Sensitivity { request, format: format(matches), plot })
         }
         Some(("show", matches)) => Ok(Command::Show { request: request(matches)?, plot: plot(matches)? }),
+        Some(("sweep", matches)) => Ok(Command::Sweep(Box::new(sweep::request(matches, request(matches)?)))),
         Some(("models", _)) => Ok(Command::Models),
         Some(_) => Ok(Command::Bicycles),
     }

@@ -6,6 +6,7 @@ mod output;
 mod plot;
 mod sensitivity;
 mod speeds;
+mod sweep;
 
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
@@ -46,6 +47,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Models => print(&output::models(model::MODELS)),
         Command::Sensitivity { request, format, plot } => sensitivity(&request, format, plot.as_deref()),
         Command::Show { request, plot } => show(&request, plot.as_deref()),
+        Command::Sweep(request) => sweep::run(load(&request.base), &request),
     }
 }
 

@@ -24,6 +24,18 @@ impl<S: Simd> Lanes<S> {
         Self(S::f64s::from_fn(simd, number))
     }
 
+    /// As many numbers as there are lanes.
+    #[inline(always)]
+    pub(crate) fn load(simd: S, numbers: &[f64]) -> Self {
+        Self(S::f64s::from_slice(simd, numbers))
+    }
+
+    /// Into as many numbers as there are lanes.
+    #[inline(always)]
+    pub(crate) fn store(self, numbers: &mut [f64]) {
+        self.0.store_slice(numbers);
+    }
+
     /// The number in a lane.
     #[inline(always)]
     pub(crate) fn lane(&self, index: usize) -> f64 {

@@ -1,32 +1,81 @@
 //! The matrices of many designs.
 
-use fearless_simd::{Simd, SimdBase, dispatch};
+use fearless_simd::{Simd, dispatch};
 
+#[cfg(feature = "std")]
+use super::Blocks;
 use super::{Batch, BatchError, Lanes};
 use crate::{Coefficients, Evaluator, Model};
+
+/// The number of designs in a block.
+const SIDE: usize = 8;
+
+#[cfg(feature = "std")]
+impl Batch {
+    /// The matrices of designs, from blocks of [parameters](Blocks::of_designs) into blocks of
+    /// [entries](Blocks::for_entries).
+    ///
+    /// The parameters are not validated.
+    ///
+    /// # Errors
+    /// If the blocks do not have a number for each parameter or each entry, or if they differ in length.
+    pub fn matrices<const N: usize, M: Model<N, Scalar = f64>>(
+        &self,
+        parameters: &Blocks,
+        entries: &mut Blocks,
+    ) -> Result<(), BatchError> {
+        check_blocks::<N, M>(parameters, entries)?;
+        dispatch!(self.level, simd => blocks::<_, N, M>(simd, parameters.numbers(), entries.numbers_mut()));
+        Ok(())
+    }
+
+    /// As [`Batch::matrices`], by all cores.
+    ///
+    /// # Errors
+    /// As [`Batch::matrices`].
+    #[cfg(feature = "rayon")]
+    pub fn parallel_matrices<const N: usize, M: Model<N, Scalar = f64>>(
+        &self,
+        parameters: &Blocks,
+        entries: &mut Blocks,
+    ) -> Result<(), BatchError> {
+        use rayon::prelude::*;
+
+        /// Some ten microseconds of work.
+        const DESIGNS: usize = 2048;
+        check_blocks::<N, M>(parameters, entries)?;
+        let [inputs, outputs] = [parameters.width(), entries.width()].map(|width| (width * DESIGNS).max(1));
+        let parts = parameters.numbers().par_chunks(inputs).zip(entries.numbers_mut().par_chunks_mut(outputs));
+        parts.for_each(|(parameters, entries)| {
+            dispatch!(self.level, simd => blocks::<_, N, M>(simd, parameters, entries));
+        });
+        Ok(())
+    }
+}
 
 impl Batch {
     /// The matrices of designs that are given by columns, one for each parameter, into columns, one for each of the
     /// [entries](crate::ModelInfo::entries) of the model's matrices.
     ///
-    /// All columns are of equal length, the number of designs. The parameters are not validated.
+    /// All columns are of equal length, the number of designs. In cache this is as fast as `matrices`; from memory, blocks
+    /// are read faster. The parameters are not validated.
     ///
     /// # Errors
     /// If there is not a column for each parameter and each entry, or if they differ in length. Nothing is written then.
-    pub fn matrices<const N: usize, M: Model<N, Scalar = f64>>(
+    pub fn matrices_of_columns<const N: usize, M: Model<N, Scalar = f64>>(
         &self,
         parameters: &[&[f64]],
         entries: &mut [&mut [f64]],
     ) -> Result<(), BatchError> {
-        let designs = check::<N, M>(parameters, entries)?;
+        let designs = check_columns::<N, M>(parameters, entries)?;
         dispatch!(self.level, simd => columns::<_, N, M>(simd, designs, parameters, entries));
         Ok(())
     }
 
     /// The coefficient matrices of a slice of designs into a slice of equal length.
     ///
-    /// Numbers have to be brought from one design after the other into the lanes and back, which takes about as long as
-    /// the arithmetic: where it matters, keep designs in columns. The parameters are not validated.
+    /// Numbers have to be brought from one design after the other into the lanes and back, which takes longer than the
+    /// arithmetic: where it matters, keep designs in blocks or columns. The parameters are not validated.
     ///
     /// # Errors
     /// If the slices differ in length. Nothing is written then.
@@ -37,26 +86,41 @@ impl Batch {
     ) -> Result<(), BatchError> {
         let (expected, found) = (designs.len(), coefficients.len());
         if expected != found {
-            return Err(BatchError::Length { what: "results", position: 0, expected, found });
+            return Err(BatchError::Length { what: "result", position: 0, expected, found });
         }
         dispatch!(self.level, simd => structs::<_, N, M>(simd, designs, coefficients));
         Ok(())
     }
 }
 
+#[cfg(feature = "std")]
+fn check_blocks<const N: usize, M: Model<N, Scalar = f64>>(
+    parameters: &Blocks,
+    entries: &Blocks,
+) -> Result<(), BatchError> {
+    check_widths::<N, M>(parameters.width(), entries.width())?;
+    let (expected, found) = (parameters.len(), entries.len());
+    if expected == found { Ok(()) } else { Err(BatchError::Length { what: "entry", position: 0, expected, found }) }
+}
+
+fn check_widths<const N: usize, M: Model<N, Scalar = f64>>(
+    parameters: usize,
+    entries: usize,
+) -> Result<(), BatchError> {
+    let info = M::INFO;
+    let counts = [("parameters", info.parameters.len(), parameters), ("entries", info.entries.len(), entries)];
+    match counts.into_iter().find(|(_, expected, found)| expected != found) {
+        Some((what, expected, found)) => Err(BatchError::Columns { model: info.name, what, expected, found }),
+        None => Ok(()),
+    }
+}
+
 /// The number of designs, if all columns fit.
-fn check<const N: usize, M: Model<N, Scalar = f64>>(
+fn check_columns<const N: usize, M: Model<N, Scalar = f64>>(
     parameters: &[&[f64]],
     entries: &[&mut [f64]],
 ) -> Result<usize, BatchError> {
-    let info = M::INFO;
-    let counts =
-        [("parameters", info.parameters.len(), parameters.len()), ("entries", info.entries.len(), entries.len())];
-    for (what, expected, found) in counts {
-        if expected != found {
-            return Err(BatchError::Columns { model: info.name, what, expected, found });
-        }
-    }
+    check_widths::<N, M>(parameters.len(), entries.len())?;
     let expected = parameters.first().map_or(0, |column| column.len());
     let inputs = parameters.iter().map(|column| ("parameter", column.len())).enumerate();
     let outputs = entries.iter().map(|column| ("entry", column.len())).enumerate();
@@ -66,6 +130,29 @@ fn check<const N: usize, M: Model<N, Scalar = f64>>(
     }
 }
 
+/// Whole blocks of parameters into whole blocks of entries.
+#[cfg(feature = "std")]
+#[inline(always)]
+fn blocks<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(simd: S, parameters: &[f64], entries: &mut [f64]) {
+    let lanes = Lanes::<S>::COUNT;
+    // A model without entries has no blocks to fill.
+    let [inputs, outputs] = [M::INFO.parameters.len(), M::INFO.entries.len()].map(|width| (SIDE * width).max(1));
+    for (parameters, entries) in parameters.chunks_exact(inputs).zip(entries.chunks_exact_mut(outputs)) {
+        for first in (0..SIDE).step_by(lanes) {
+            let design = M::Over::<Lanes<S>>::from_parameters(
+                #[inline(always)]
+                |position| Lanes::load(simd, &parameters[position * SIDE + first..][..lanes]),
+            );
+            for (position, result) in design.entries().as_ref().iter().enumerate() {
+                result.store(&mut entries[position * SIDE + first..][..lanes]);
+            }
+        }
+    }
+}
+
+/// Designs between two looks at how long the columns are.
+const STRETCH: usize = 64;
+
 #[inline(always)]
 fn columns<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
     simd: S,
@@ -74,24 +161,30 @@ fn columns<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
     entries: &mut [&mut [f64]],
 ) {
     let lanes = Lanes::<S>::COUNT;
-    let whole = designs - designs % lanes;
-    for start in (0..whole).step_by(lanes) {
-        let results = M::Over::<Lanes<S>>::from_parameters(
+    let whole = designs - designs % STRETCH;
+    for start in (0..whole).step_by(STRETCH) {
+        let stretch = M::array(
             #[inline(always)]
-            |position| Lanes(S::f64s::from_slice(simd, &parameters[position][start..start + lanes])),
+            |position| parameters[position][start..].first_chunk::<STRETCH>().unwrap_or(&[0.0; STRETCH]),
         );
-        for (column, result) in entries.iter_mut().zip(results.entries().as_ref()) {
-            result.0.store_slice(&mut column[start..start + lanes]);
+        for first in (0..STRETCH).step_by(lanes) {
+            let design = M::Over::<Lanes<S>>::from_parameters(
+                #[inline(always)]
+                |position| Lanes::load(simd, &stretch.as_ref()[position][first..first + lanes]),
+            );
+            for (column, result) in entries.iter_mut().zip(design.entries().as_ref()) {
+                result.store(&mut column[start + first..start + first + lanes]);
+            }
         }
     }
-    if whole < designs {
+    for start in (whole..designs).step_by(lanes) {
         // Lanes without a design repeat the last one.
-        let results = M::Over::<Lanes<S>>::from_parameters(
+        let design = M::Over::<Lanes<S>>::from_parameters(
             #[inline(always)]
-            |position| Lanes::from_fn(simd, |lane| parameters[position][(whole + lane).min(designs - 1)]),
+            |position| Lanes::from_fn(simd, |lane| parameters[position][(start + lane).min(designs - 1)]),
         );
-        for (column, result) in entries.iter_mut().zip(results.entries().as_ref()) {
-            for (lane, number) in column[whole..].iter_mut().enumerate() {
+        for (column, result) in entries.iter_mut().zip(design.entries().as_ref()) {
+            for (lane, number) in column[start..].iter_mut().take(lanes).enumerate() {
                 *number = result.lane(lane);
             }
         }
@@ -105,22 +198,23 @@ fn structs<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
     coefficients: &mut [Coefficients<f64, N>],
 ) {
     let lanes = Lanes::<S>::COUNT;
+    let mut block = M::array(|_| [0.0; SIDE]);
     for (designs, coefficients) in designs.chunks(lanes).zip(coefficients.chunks_mut(lanes)) {
-        let last = designs.len() - 1;
+        for (lane, design) in designs.iter().enumerate() {
+            for (block, number) in block.as_mut().iter_mut().zip(design.parameters().as_ref()) {
+                block[lane] = *number;
+            }
+        }
         let rows = M::Over::<Lanes<S>>::from_parameters(
             #[inline(always)]
-            |position| {
-                Lanes::<S>::from_fn(
-                    simd,
-                    #[inline(always)]
-                    |lane| designs[lane.min(last)].parameters().as_ref()[position],
-                )
-            },
+            |position| Lanes::load(simd, &block.as_ref()[position][..lanes]),
         )
         .rows();
         for (lane, coefficients) in coefficients.iter_mut().enumerate() {
-            *coefficients =
-                Coefficients::from_rows(rows.map(|matrix| matrix.map(|row| row.map(|entry| entry.lane(lane)))));
+            let entry = |matrix: usize| {
+                core::array::from_fn(|row| core::array::from_fn(|column| rows[matrix][row][column].lane(lane)))
+            };
+            *coefficients = Coefficients::from_rows(core::array::from_fn(entry));
         }
     }
 }

@@ -10,6 +10,7 @@
 use carvallo::{Coefficients, Model, Scalar};
 use carvallo_models::{Whipple, WhippleMatrices};
 use carvallo_tests::exact::{Matrices, Size, matrices};
+use carvallo_tests::peers::symplex;
 use carvallo_tests::real::Real;
 use carvallo_tests::{designs, hand_written};
 use nalgebra::SMatrix;
@@ -47,6 +48,13 @@ proptest! {
     #[test]
     fn hand_written_agrees_with_exact_arithmetic(design in designs::any()) {
         check(&design, &hand_written::matrices(&design), f64::EPSILON)?;
+    }
+
+    #[test]
+    fn a_peer_agrees_with_exact_arithmetic(design in designs::any()) {
+        check(&design, &symplex::matrices(&design), f64::EPSILON)?;
+        let design = designs::narrowed(&design);
+        check(&design, &symplex::matrices(&design), f32::EPSILON.into())?;
     }
 
     #[test]

@@ -12,6 +12,13 @@ fn every_kind_is_counted() {
 }
 
 #[test]
+fn a_power_is_multiplications_and_perhaps_a_division() {
+    let source = "fn f(a: f64) -> f64 { a.powi(2) + a.powi(3) + a.powi(-1) + a.powi(-2) }";
+    let expected = Operations { additions: 3, multiplications: 4, divisions: 2, ..Operations::default() };
+    assert_eq!(count(source, "f"), expected);
+}
+
+#[test]
 fn appendix_a_by_hand_takes_175() {
     assert_eq!(count(include_str!("../../src/hand_written.rs"), "matrices").total(), 175);
 }

@@ -43,7 +43,7 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requiremen
         impl<#scalar: #runtime::Scalar> #runtime::Model<#n> for #name<#scalar> {
             type Scalar = #scalar;
 
-            type Parameters = [#scalar; #count];
+            type Array<#other: ::core::marker::Copy> = [#other; #count];
 
             type Over<#other: #runtime::Number> = #name<#other>;
 
@@ -61,7 +61,14 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requiremen
             }
 
             #[inline(always)]
-            fn parameters(&self) -> Self::Parameters {
+            fn array<#other: ::core::marker::Copy>(
+                element: impl ::core::ops::FnMut(::core::primitive::usize) -> #other,
+            ) -> Self::Array<#other> {
+                ::core::array::from_fn(element)
+            }
+
+            #[inline(always)]
+            fn parameters(&self) -> Self::Array<#scalar> {
                 self.to_array()
             }
 

@@ -13,7 +13,7 @@ use super::optimize::Place;
 use super::prove::{Depth, Proof, prove};
 use super::sample::Sample;
 use crate::equations::Equations;
-use crate::model::Expr;
+use crate::model::{Expr, Function};
 
 /// Formulas together with those of their derivatives.
 #[derive(Clone, Debug)]
@@ -56,6 +56,8 @@ pub fn derive(equations: Vec<Equations>, beyond: usize) -> Result<Vec<Derived>, 
 struct Chain<'a> {
     engine: &'a Engine,
     equations: Equations,
+    /// For each output the first one that is the same formula: the mirror image of an entry.
+    first: Vec<usize>,
     /// For each definition and output the derivatives with respect to what stands in it.
     partials: BTreeMap<Node, BTreeMap<Node, Form>>,
     /// The definitions that are new, by their origins.
@@ -70,8 +72,11 @@ impl<'a> Chain<'a> {
     fn new(engine: &'a Engine, equations: &Equations, beyond: usize) -> Result<Self, (Place, Undefined)> {
         let parameters = equations.parameters;
         let values = engine.definitions(parameters, equations.definitions.len());
+        let outputs = &equations.outputs;
+        let first = |output| outputs.iter().position(|other| other == output).unwrap_or_default();
         let mut chain = Self {
             engine,
+            first: outputs.iter().map(first).collect(),
             equations: equations.clone(),
             partials: BTreeMap::new(),
             definitions: BTreeMap::new(),
@@ -84,19 +89,13 @@ impl<'a> Chain<'a> {
             chain.add(Node::Definition(index), expr, &form);
         }
         for (index, expr) in equations.outputs.iter().enumerate() {
-            if chain.first(index) != index {
+            if chain.first[index] != index {
                 continue;
             }
             let form = engine.form(expr, &values).map_err(|why| (Place::Output(index), why))?;
             chain.add(Node::Output(index), expr, &form);
         }
         Ok(chain)
-    }
-
-    /// The first output that is the same formula, such as the mirror image of an entry.
-    fn first(&self, output: usize) -> usize {
-        let outputs = &self.equations.outputs;
-        outputs.iter().position(|other| *other == outputs[output]).unwrap_or(output)
     }
 
     /// Notes the partial derivatives of a formula.
@@ -109,22 +108,39 @@ impl<'a> Chain<'a> {
             }
             _ => {}
         });
-        let partial = |(symbol, node)| (node, form.derivative(symbol));
+        let power = self.power(node, expr, form);
+        let partial = |(symbol, with)| {
+            let partial = form.derivative(symbol);
+            (with, power.as_ref().map_or(partial.clone(), |[power, value]| partial.replace(power, value)))
+        };
         let partials = inside.into_iter().map(partial).filter(|(_, partial)| !partial.is_nothing()).collect();
         self.partials.insert(node, partials);
     }
 
+    /// The power of a definition that its derivative is a multiple of, and the same in its name: the square of a
+    /// reciprocal, or the reciprocal of a root.
+    fn power(&self, node: Node, expr: &Expr, form: &Form) -> Option<[Form; 2]> {
+        let Node::Definition(index) = node else { return None };
+        let name = self.engine.definition(self.equations.parameters, index);
+        match expr {
+            Expr::Product(factors) if matches!(&factors[..], [(false, one), (true, _)] if *one == Expr::one()) => {
+                Some([form * form, &name * &name])
+            }
+            Expr::Call(Function::Sqrt, _) => Some([form, &name].map(|root| Form::number(1).over(root))),
+            _ => None,
+        }
+    }
+
     /// All derivatives.
     fn derived(mut self) -> Derived {
-        let outputs = self.equations.outputs.len();
         let (graph, nodes) = self.graph();
         for node in graph.order(&nodes) {
             self.take_out(Node::Definition(node - self.equations.parameters));
         }
         let mut partials = Vec::new();
         for parameter in 0..self.equations.parameters {
-            for output in 0..outputs {
-                let of_output = self.partials.get(&Node::Output(self.first(output)));
+            for output in 0..self.first.len() {
+                let of_output = self.partials.get(&Node::Output(self.first[output]));
                 let partial = of_output.and_then(|partials| partials.get(&Node::Parameter(parameter)));
                 let partial = partial.map(|partial| partial.expr(self.equations.parameters));
                 if let Some(partial) = partial.filter(|partial| !self.is_zero(partial)) {

@@ -40,6 +40,14 @@ pub fn judge(entry: &Entry, info: &ParameterInfo) -> Result<Given, Vec<Problem>>
     if problems.is_empty() { Ok(Given { written, value, deviation }) } else { Err(problems) }
 }
 
+/// The value of a number or an expression for a parameter, whether or not it lies in its domain.
+///
+/// # Errors
+/// What was found and what was expected, as the end of a sentence.
+pub fn evaluated(text: &str, info: &ParameterInfo) -> Result<f64, String> {
+    read(&Written::Text(text.trim().to_owned()), info).map(|(value, _)| value)
+}
+
 /// How to write an angle in degrees, where a plain number would be one that the parameter can have.
 fn degrees(value: f64, written: &str, info: &ParameterInfo) -> String {
     if info.unit == "rad" && written.parse::<f64>().is_ok() && info.domain.contains(value.to_radians()) {

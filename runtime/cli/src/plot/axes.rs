@@ -74,6 +74,11 @@ pub fn margin(range: (f64, f64)) -> f32 {
     title_distance(range) + 32.0
 }
 
+/// The ticks of a range, each with what stands at it.
+pub fn labels(range: (f64, f64)) -> impl Iterator<Item = (f64, String)> {
+    ticks(range).map(move |tick| (tick, label(tick, range)))
+}
+
 /// What stands at a tick.
 pub fn label(value: f64, range: (f64, f64)) -> String {
     tick_text(value, step(range)).replace('-', "−")

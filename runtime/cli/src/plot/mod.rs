@@ -6,6 +6,7 @@ mod curves;
 mod eigenvalues;
 mod font;
 mod labels;
+mod map;
 mod marks;
 mod ordered;
 mod png;
@@ -20,6 +21,7 @@ use crate::failure::Failure;
 
 pub use self::curves::extent;
 pub use self::eigenvalues::eigenvalues;
+pub use self::map::{MapAxis, MapCell, map};
 pub use self::scene::Scene;
 pub use self::side_view::side_view;
 pub use self::tornado::tornado;

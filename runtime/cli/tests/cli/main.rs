@@ -11,6 +11,7 @@ mod pictures;
 mod process;
 mod sensitivity;
 mod show;
+mod sweep;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 use crate::Directory;
 
 /// The texts of a picture; they are drawn as outlines and labelled for readers that cannot see them.
-fn texts(svg: &str) -> Vec<String> {
+pub fn texts(svg: &str) -> Vec<String> {
     let labels = svg.split("aria-label=\"").skip(1);
     labels.filter_map(|rest| rest.split_once('"')).map(|(text, _)| text.to_owned()).collect()
 }

@@ -1,0 +1,67 @@
+//! One table of what everything takes: by hand, by peers, by Carvallo, and what no program can do without.
+//!
+//! What is timed, and how, is in `README.md` beside this folder.
+
+mod contest;
+mod eigenvalues;
+mod matrices;
+mod stability;
+mod table;
+
+use std::process::ExitCode;
+use std::time::Duration;
+
+use contest::Task;
+use table::Table;
+
+const USAGE: &str = "\
+usage: cargo bench -p carvallo-tests --no-default-features --bench summary [-- [--quick] [WORD ...]]
+
+  --quick   a tenth of the designs and of the time: for a look, not for figures
+  WORD      only tasks whose name contains one of the words";
+
+/// What is measured, and what came out.
+struct Summary {
+    /// How many distinct designs.
+    designs: usize,
+    /// How long contenders for one task are timed.
+    time: Duration,
+    words: Vec<String>,
+    table: Table,
+}
+
+impl Summary {
+    fn run(&mut self, task: Task<'_>) {
+        if self.words.is_empty() || self.words.iter().any(|word| task.name.contains(word.as_str())) {
+            eprintln!("timing: {}", task.name);
+            let name = task.name.clone();
+            self.table.push(name, task.race(self.time));
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let mut summary =
+        Summary { designs: 1_000_000, time: Duration::from_secs(3), words: Vec::new(), table: Table::default() };
+    for argument in std::env::args().skip(1) {
+        match argument.as_str() {
+            // Cargo says so to every benchmark.
+            "--bench" => {}
+            "--quick" => (summary.designs, summary.time) = (100_000, Duration::from_millis(300)),
+            "--help" | "-h" => {
+                println!("{USAGE}");
+                return ExitCode::SUCCESS;
+            }
+            flag if flag.starts_with('-') => {
+                eprintln!("error: unknown argument `{flag}`\n\n{USAGE}");
+                return ExitCode::from(2);
+            }
+            word => summary.words.push(word.to_owned()),
+        }
+    }
+    matrices::add(&mut summary);
+    eigenvalues::add(&mut summary);
+    stability::add(&mut summary);
+    println!("\n{}", summary.table);
+    ExitCode::SUCCESS
+}

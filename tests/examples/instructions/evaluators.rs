@@ -1,0 +1,108 @@
+//! What is counted.
+
+use std::hint::black_box;
+use std::process::ExitCode;
+
+use carvallo::batch::{Batch, Blocks};
+use carvallo::{Model, Stability, System};
+use carvallo_models::{Whipple, WhippleMechanism};
+use carvallo_tests::{designs, hand_written};
+
+/// An evaluator.
+pub struct Evaluator {
+    pub name: &'static str,
+    /// What the count is divided by: designs, speeds.
+    pub calls: usize,
+    /// Runs it so often; not, if the processor has no such instructions.
+    run: fn(usize) -> Option<()>,
+}
+
+/// A process that valgrind runs ends so if the processor cannot do what is asked for.
+pub const NOT_ON_THIS_PROCESSOR: u8 = 3;
+
+/// Designs in a batch.
+const DESIGNS: usize = 64;
+
+pub const EVALUATORS: &[Evaluator] = &[
+    Evaluator {
+        name: "matrices by hand, f64",
+        calls: 1000,
+        run: |calls| one(calls, &bicycle(), hand_written::matrices),
+    },
+    Evaluator {
+        name: "matrices from formulas, f64",
+        calls: 1000,
+        run: |calls| one(calls, &bicycle(), Whipple::matrices),
+    },
+    Evaluator {
+        name: "matrices from formulas, f32",
+        calls: 1000,
+        run: |calls| one(calls, &designs::narrowed(&bicycle()), Whipple::matrices),
+    },
+    Evaluator {
+        name: "matrices from bodies, f64",
+        calls: 1000,
+        run: |calls| one(calls, &WhippleMechanism::BENCHMARK, WhippleMechanism::matrices),
+    },
+    Evaluator {
+        name: "matrices from bodies, f32",
+        calls: 1000,
+        run: |calls| {
+            let design = designs::narrowed(&bicycle()).to_array();
+            one(calls, &WhippleMechanism::from_array(design), WhippleMechanism::matrices)
+        },
+    },
+    Evaluator { name: "matrices from bodies, batch, SSE2", calls: 6400, run: |calls| batch(calls, "Sse2") },
+    Evaluator { name: "matrices from bodies, batch, AVX2", calls: 6400, run: |calls| batch(calls, "Avx2") },
+    Evaluator { name: "eigenvalues of two coordinates", calls: 2010, run: eigenvalues },
+    Evaluator {
+        name: "critical speeds and stable ranges",
+        calls: 20,
+        run: |calls| {
+            let coefficients = bicycle().coefficients();
+            one(calls, &coefficients, |coefficients| Stability::new(coefficients, bicycle().g))
+        },
+    },
+];
+
+fn bicycle() -> Whipple {
+    Whipple::BENCHMARK
+}
+
+/// Runs the evaluator of a name.
+pub fn run(name: &str, calls: usize) -> ExitCode {
+    let evaluator = EVALUATORS.iter().find(|evaluator| evaluator.name == name).expect("the name of an evaluator");
+    match (evaluator.run)(calls) {
+        Some(()) => ExitCode::SUCCESS,
+        None => ExitCode::from(NOT_ON_THIS_PROCESSOR),
+    }
+}
+
+fn one<D, R>(calls: usize, design: &D, compute: impl Fn(&D) -> R) -> Option<()> {
+    for _ in 0..calls {
+        black_box(compute(black_box(design)));
+    }
+    Some(())
+}
+
+/// At 201 speeds from 0 to 10 m/s in turn.
+fn eigenvalues(calls: usize) -> Option<()> {
+    let coefficients = bicycle().coefficients();
+    let at = |step| coefficients.at(0.05 * f64::from(step), bicycle().g).expect("a system");
+    let systems: Vec<System<2>> = (0..=200).map(at).collect();
+    for system in systems.iter().cycle().take(calls) {
+        let _ = black_box(System::quartic_eigenvalues(black_box(system)));
+    }
+    Some(())
+}
+
+fn batch(calls: usize, level: &str) -> Option<()> {
+    let batch = Batch::levels().find(|batch| batch.to_string().starts_with(level))?;
+    let parameters = Blocks::of_designs(&[WhippleMechanism::BENCHMARK; DESIGNS]);
+    let mut entries = Blocks::for_entries::<2, WhippleMechanism>(DESIGNS);
+    for _ in 0..calls / DESIGNS {
+        let done = batch.matrices::<2, WhippleMechanism>(black_box(&parameters), black_box(&mut entries));
+        done.expect("blocks that fit");
+    }
+    Some(())
+}
