@@ -7,8 +7,8 @@ use carvallo_tests::{bicycles, exact};
 
 use super::sensitivity;
 
-/// The measured bicycles, some of them.
-const MEASURED: [&str; 3] = ["browser", "pista", "silver"];
+/// Some of the bicycles all of whose parameters have deviations.
+const MEASURED: [&str; 3] = ["browser", "pista", "yellow"];
 
 /// Normal numbers, the same on every run: splitmix64 of Steele, Lea & Flood (2014), and the method of Box & Muller (1958).
 struct Normal(u64);
@@ -81,7 +81,7 @@ fn those_of_critical_speeds_are_those_of_random_designs() {
     let stability = |(coefficients, gravity): &(_, f64)| Stability::new(coefficients, *gravity).unwrap();
     for label in MEASURED {
         let (design, deviations) = (bicycles::named(label), bicycles::deviations(label));
-        let samples: Vec<Stability> = varied(label, 3_000, 1899).iter().map(stability).collect();
+        let samples: Vec<Stability> = varied(label, 20_000, 1899).iter().map(stability).collect();
         let (nominal, sensitivity) = (stability(&(design.coefficients(), design.g)), sensitivity(&design));
         for kind in [CriticalKind::Weave, CriticalKind::Capsize] {
             let speeds: Vec<f64> = samples.iter().map(|sample| only(kind, sample).speed).collect();
@@ -89,8 +89,11 @@ fn those_of_critical_speeds_are_those_of_random_designs() {
             let found = sensitivity.critical_speed(&nominal).unwrap();
             let CriticalDerivative::Smooth { speed, .. } = found else { panic!("{label}: {nominal:?}") };
             let (found, expected) = (standard_deviation(&speed, &deviations).unwrap(), spread(&speeds, nominal.speed));
-            // A spread of so many samples is uncertain by 1.3 %, and what is not of first order adds to it.
-            assert!((found - expected).abs() <= 0.05 * expected, "{label}: {nominal:?}: {found}, {expected}");
+            // A spread of so many samples is uncertain by 0.5 %, and what is not of first order adds to it.
+            assert!(
+                (found - expected).abs() <= 0.03 * expected && found > 0.0,
+                "{label}: {nominal:?}: {found}, {expected}"
+            );
         }
     }
 }
