@@ -101,8 +101,7 @@ Examples:
   carvallo sensitivity --set c=0                Without trail
   carvallo sensitivity my-bike.toml --format csv
 
-Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2 wrong usage or input, or a model that
-ships without derivatives.";
+Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2 wrong usage or input.";
 
 fn command() -> clap::Command {
     let design = Arg::new("design").value_name("DESIGN|FILE");

@@ -215,12 +215,36 @@ fn a_bicycle_may_lack_either_speed_or_both() {
     assert!(!directory.0.join("chart.svg").exists());
 }
 
+/// The critical speed of a rolling disc stays as it is if all its masses and inertias grow alike, and grows with the root of
+/// gravity, and of its size.
 #[test]
-fn models_without_derivatives_are_refused() {
+fn other_models_of_two_coordinates_have_theirs() {
     let directory = Directory::of_this_test();
-    let message =
-        "error: the model Pendulum ships without derivatives; those with them are Whipple and WhippleMechanism\n";
-    directory.run(&["sensitivity", "--model", "Pendulum"]).fails(2, message);
+    let json = directory.run(&["sensitivity", "--model", "RollingDisc", "--format", "json"]).json();
+    let critical = json["critical_speeds"].as_array().unwrap();
+    assert!(!critical.is_empty());
+    for critical in critical {
+        let speed = critical["speed"].as_f64().unwrap();
+        // The change of the speed by a parameter that grows by its own size.
+        let term = |name: &str| {
+            let value = json["parameters"][name]["value"].as_f64().unwrap();
+            value * critical["derivatives"][name].as_f64().unwrap()
+        };
+        let inertias = term("Ia") + term("It");
+        assert!((term("m") + inertias).abs() <= 1e-13 * speed, "{critical}");
+        assert!((term("g") - 0.5 * speed).abs() <= 1e-13 * speed, "{critical}");
+        assert!((term("r") + 2.0 * inertias - 0.5 * speed).abs() <= 1e-13 * speed, "{critical}");
+        assert!(inertias.abs() > 0.01 * speed, "{critical}");
+    }
+    let message = "error: ThreePipes hose: critical speeds are computed for two coordinates only; this model has 3\n";
+    directory.run(&["sensitivity", "--model", "ThreePipes"]).fails(1, message);
+    let text = directory.run(&["sensitivity", "--model", "DoublePendulum"]).ok();
+    assert!(text.contains("there is no such speed"), "{text}");
+}
+
+#[test]
+fn bodies_and_formulas_have_the_same_derivatives() {
+    let directory = Directory::of_this_test();
     let mechanism = directory.run(&["sensitivity", "--model", "WhippleMechanism", "--format", "json"]).json();
     let formulas = directory.run(&["sensitivity", "--format", "json"]).json();
     let of = |json: &Value, name: &str| json["critical_speeds"][1]["derivatives"][name].as_f64().unwrap();
