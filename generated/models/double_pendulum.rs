@@ -36,6 +36,8 @@ carvallo::model! {
             force T2 "torque between the links" on theta2;
         }
 
+        derivatives;
+
         coordinates {
             /// Lean of the lower link, to the right.
             theta1 "lower link": rad;

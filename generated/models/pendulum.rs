@@ -16,6 +16,8 @@ carvallo::model! {
             g: N/kg, >= 0, gravity;
         }
 
+        derivatives;
+
         coordinates {
             /// Angle of the rod from the vertical.
             theta "swing": rad;

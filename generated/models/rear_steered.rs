@@ -80,6 +80,8 @@ carvallo::model! {
             force Tdelta "steer torque" on delta;
         }
 
+        derivatives;
+
         coordinates {
             /// Lean of the main frame, positive to the right.
             phi "lean": rad;

@@ -24,6 +24,8 @@ carvallo::model! {
             free D: lean phi, yaw psi;
         }
 
+        derivatives;
+
         coordinates {
             /// Lean, positive to the right.
             phi "lean": rad;

@@ -57,6 +57,8 @@ carvallo::model! {
             force T "tilt torque" on gamma;
         }
 
+        derivatives;
+
         coordinates {
             /// Tilt of the board, to the right.
             gamma "tilt": rad;

@@ -25,6 +25,8 @@ carvallo::model! {
         let inertia = (m + f)*l^3;
         let weight = (m + f)*l^2;
 
+        derivatives;
+
         coordinates {
             /// Angle of the first pipe from the vertical.
             first: rad;

@@ -97,6 +97,8 @@ carvallo::model! {
         require mR + mB + mH + mF > 0;
         require mH + mF > 0;
 
+        derivatives;
+
         coordinates {
             /// Lean of the rear frame, positive to the right.
             phi "lean": rad, about x;

@@ -103,6 +103,8 @@ carvallo::model! {
             force Ttheta "hip torque" on theta;
         }
 
+        derivatives;
+
         coordinates {
             /// Lean of the rear frame, positive to the right.
             phi "lean": rad;

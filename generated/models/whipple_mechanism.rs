@@ -110,6 +110,8 @@ carvallo::model! {
         let ST = SR + SF;
         let SA = mA*uA + mu*mT*xT;
 
+        derivatives;
+
         coordinates {
             /// Lean of the rear frame, positive to the right.
             phi "lean": rad;

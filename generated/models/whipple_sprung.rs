@@ -84,6 +84,8 @@ carvallo::model! {
             force Tdelta "steer torque" on delta;
         }
 
+        derivatives;
+
         coordinates {
             /// Lean of the rear frame, positive to the right.
             phi "lean": rad;

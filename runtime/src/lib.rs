@@ -11,6 +11,8 @@
 //! ([`Coefficients`]), and the names, units and domains that a model carries with it ([`ModelInfo`]).
 //!
 //! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
+//! Many designs at once run in the lanes of the processor ([`batch`]).
+//!
 //! Along speed, models with two coordinates have their critical speeds and stable ranges ([`Stability`]) and eigenvalues
 //! that are followed mode by mode ([`Modes`]); for any other number of coordinates there are the eigenvalues at a speed.
 //!
@@ -24,10 +26,13 @@ pub mod batch;
 mod coefficients;
 #[cfg(feature = "derive")]
 mod declare;
+mod differentiable;
 mod eigenvalues;
 mod error;
 mod evaluator;
 mod info;
+// Without lanes only part of it has a use.
+#[cfg_attr(not(feature = "batch"), allow(dead_code))]
 mod lane;
 mod model;
 mod number;
@@ -35,11 +40,14 @@ mod numeric;
 mod rate;
 mod scalar;
 #[cfg(feature = "std")]
+mod sensitivity;
+#[cfg(feature = "std")]
 mod stability;
 mod system;
 mod trigonometry;
 
 pub use coefficients::{Coefficients, Matrix};
+pub use differentiable::{Differentiable, MatrixName, Partial};
 pub use error::SystemError;
 pub use evaluator::Evaluator;
 pub use info::{Bound, CoordinateInfo, Domain, EntryInfo, ModelInfo, ParameterInfo, SetInfo};
@@ -48,6 +56,11 @@ pub use nalgebra::Complex;
 pub use number::Number;
 pub use rate::Rate;
 pub use scalar::Scalar;
+#[cfg(feature = "std")]
+pub use sensitivity::{
+    CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable, Sensitivity,
+    standard_deviation,
+};
 #[cfg(feature = "std")]
 pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};
 pub use system::{StateSpace, System};

@@ -15,8 +15,7 @@ const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
 const TWO_OVER_PI: f64 = core::f64::consts::FRAC_2_PI;
 
 /// pi/2 in parts of 33 bits, and the rest.
-const PARTS: [f64; 3] =
-    [1.570_796_326_734_125_614_17, 6.077_100_506_303_965_976_60e-11, 2.022_266_248_795_950_631_54e-21];
+const PARTS: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
 /// A quarter of pi: angles up to here are as they are.
 const QUARTER: f64 = core::f64::consts::FRAC_PI_4;
@@ -30,16 +29,17 @@ pub(crate) fn sin_cos(angle: f64) -> (f64, f64) {
 
 #[inline(never)]
 fn reduced(angle: f64) -> (f64, f64) {
-    if angle.abs() <= LIMIT { sin_cos_of_lanes_within_limit(angle) } else { far(angle) }
+    if angle.abs() <= LIMIT { within_limit(angle) } else { far(angle) }
 }
 
 /// Sine and cosine of angles in rad.
+#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn sin_cos_of_lanes<T: Lane>(angle: T) -> (T, T) {
     if T::all(angle.abs().less_or_equal(angle.like(QUARTER))) {
         return kernel(angle, angle.like(0.0));
     }
-    let (sin, cos) = sin_cos_of_lanes_within_limit(angle);
+    let (sin, cos) = within_limit(angle);
     let is_near = angle.abs().less_or_equal(angle.like(LIMIT));
     if T::all(is_near) {
         return (sin, cos);
@@ -48,7 +48,7 @@ pub(crate) fn sin_cos_of_lanes<T: Lane>(angle: T) -> (T, T) {
 }
 
 #[inline(always)]
-fn sin_cos_of_lanes_within_limit<T: Lane>(angle: T) -> (T, T) {
+fn within_limit<T: Lane>(angle: T) -> (T, T) {
     let rounded = angle * angle.like(TWO_OVER_PI) + angle.like(ROUND);
     let quarters = rounded - angle.like(ROUND);
     let [first, second, third] = PARTS.map(|part| quarters * angle.like(part));
@@ -71,18 +71,15 @@ fn kernel<T: Lane>(x: T, y: T) -> (T, T) {
     let w = z * z;
     let half = c(0.5);
 
-    let s = (c(8.333_333_333_322_489_461_24e-3)
-        + z * (c(-1.984_126_982_985_794_931_34e-4) + z * c(2.755_731_370_707_006_767_89e-6)))
-        + z * w * (c(-2.505_076_025_340_686_341_95e-8) + z * c(1.589_690_995_211_550_102_21e-10));
+    let s = (c(0.008_333_333_333_322_49) + z * (c(-0.000_198_412_698_298_579_5) + z * c(2.755_731_370_707_006_8e-6)))
+        + z * w * (c(-2.505_076_025_340_686_3e-8) + z * c(1.589_690_995_211_55e-10));
     let v = z * x;
-    let sin = x - ((z * (half * y - v * s) - y) + v * c(1.666_666_666_666_663_243_48e-1));
+    let sin = x - ((z * (half * y - v * s) - y) + v * c(0.166_666_666_666_666_32));
 
-    let r = z
-        * (c(4.166_666_666_666_660_190_37e-2)
-            + z * (c(-1.388_888_888_887_410_957_49e-3) + z * c(2.480_158_728_947_672_941_78e-5)))
+    let r = z * (c(0.041_666_666_666_666_6) + z * (c(-0.001_388_888_888_887_411) + z * c(2.480_158_728_947_673e-5)))
         + w * w
-            * (c(-2.755_731_435_139_066_330_35e-7)
-                + z * (c(2.087_572_321_298_174_827_90e-9) + z * c(-1.135_964_755_778_819_482_65e-11)));
+            * (c(-2.755_731_435_139_066_3e-7)
+                + z * (c(2.087_572_321_298_175e-9) + z * c(-1.135_964_755_778_819_5e-11)));
     let one = c(1.0);
     let half_square = half * z;
     let most = one - half_square;
@@ -112,16 +109,17 @@ pub(crate) fn sin_cos_single(angle: f32) -> (f32, f32) {
 
 #[inline(never)]
 fn reduced_single(angle: f64) -> (f32, f32) {
-    if !(angle.abs() <= LIMIT) {
-        let (sin, cos) = far(angle);
-        return (sin as f32, cos as f32);
-    }
-    let rounded = angle * TWO_OVER_PI + ROUND;
-    let quarters = rounded - ROUND;
-    let (sin, cos) = kernel_single(angle - quarters * PARTS[0] - quarters * PARTS[1]);
-    let (odd, half) = (rounded.bit(0), rounded.bit(1));
-    let (sin, cos) = if odd { (cos, sin) } else { (sin, cos) };
-    (if half { -sin } else { sin } as f32, if odd ^ half { -cos } else { cos } as f32)
+    let (sin, cos) = if angle.abs() <= LIMIT {
+        let rounded = angle * TWO_OVER_PI + ROUND;
+        let quarters = rounded - ROUND;
+        let (sin, cos) = kernel_single(angle - quarters * PARTS[0] - quarters * PARTS[1]);
+        let (odd, half) = (rounded.bit(0), rounded.bit(1));
+        let (sin, cos) = if odd { (cos, sin) } else { (sin, cos) };
+        (if half { -sin } else { sin }, if odd ^ half { -cos } else { cos })
+    } else {
+        far(angle)
+    };
+    (sin as f32, cos as f32)
 }
 
 /// Sine and cosine between -pi/4 and pi/4 to more digits than `f32` has (FreeBSD's `k_sinf.c` and `k_cosf.c`).
@@ -130,9 +128,9 @@ fn kernel_single(x: f64) -> (f64, f64) {
     let z = x * x;
     let w = z * z;
     let s = z * x;
-    let sin = (x + s * (-0.166_666_666_416_265_235_595 + z * 0.008_333_329_385_889_463_175_6))
-        + s * w * (-0.000_198_393_348_360_966_317_347 + z * 0.000_002_718_311_493_989_821_906_4);
-    let cos = ((1.0 + z * -0.499_999_997_251_031_003_120) + w * 0.041_666_623_323_739_063_189_4)
-        + (w * z) * (-0.001_388_676_377_460_992_946_92 + z * 0.000_024_390_448_796_277_409_065_4);
+    let sin = (x + s * (-0.166_666_666_416_265_24 + z * 0.008_333_329_385_889_463))
+        + s * w * (-0.000_198_393_348_360_966_32 + z * 2.718_311_493_989_822e-6);
+    let cos = ((1.0 + z * -0.499_999_997_251_031) + w * 0.041_666_623_323_739_06)
+        + (w * z) * (-0.001_388_676_377_460_993 + z * 2.439_044_879_627_741e-5);
     (sin, cos)
 }

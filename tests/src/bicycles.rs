@@ -15,11 +15,22 @@ pub fn named(name: &str) -> Whipple {
     design(bicycle.unwrap_or_else(|| panic!("no bicycle is called {name}")).toml)
 }
 
+/// The measured standard deviations of the parameters of the bicycle called `name`, in declared order; zero for those that
+/// have none.
+pub fn deviations(name: &str) -> Vec<f64> {
+    let bicycle = BICYCLES.iter().find(|bicycle| bicycle.name == name);
+    let deviation = |value: &Value| value.as_table().map_or(0.0, |measured| number(&measured["std"]));
+    parameters(bicycle.unwrap_or_else(|| panic!("no bicycle is called {name}")).toml, deviation)
+}
+
 fn design(text: &str) -> Whipple {
+    Whipple::from_slice(&parameters(text, number)).expect("as many values as parameters")
+}
+
+fn parameters(text: &str, number: impl Fn(&Value) -> f64) -> Vec<f64> {
     let file: Table = text.parse().expect("a TOML file");
     let parameters = file["parameters"].as_table().expect("a table of parameters");
-    let values: Vec<f64> = Whipple::<f64>::INFO.parameters.iter().map(|p| number(&parameters[p.name])).collect();
-    Whipple::from_slice(&values).expect("as many values as parameters")
+    Whipple::<f64>::INFO.parameters.iter().map(|p| number(&parameters[p.name])).collect()
 }
 
 fn number(value: &Value) -> f64 {

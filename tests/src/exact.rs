@@ -119,21 +119,31 @@ fn moments<R: Number>(bodies: &[Body<R>], x: R, z: R) -> (R, R, R) {
 
 /// The matrices of a design, whose floating-point parameters are taken as exact.
 pub fn matrices<R: Number>(design: &Whipple<impl carvallo::Scalar>) -> Matrices<R> {
-    let design = widen(design);
-    let [w, c, r_rear, r_front] = [design.w, design.c, design.rR, design.rF].map(R::from);
-    let (sin, cos) = R::from(design.lam).sin_cos();
-    let body = |[mass, x, z, xx, xz, zz]: [f64; 6]| {
-        let [mass, x, z, xx, xz, zz] = [mass, x, z, xx, xz, zz].map(R::from);
+    let values = values(design);
+    matrices_of(|name| R::from(values[position(name)]))
+}
+
+/// The matrices at parameters that are given by their names.
+pub fn matrices_of<R: Number>(value: impl Fn(&str) -> R) -> Matrices<R> {
+    let zero = R::from(0.0);
+    let [w, c, r_rear, r_front] = ["w", "c", "rR", "rF"].map(&value);
+    let (sin, cos) = value("lam").sin_cos();
+    let frame = |names: [&str; 6]| {
+        let [mass, x, z, xx, xz, zz] = names.map(&value);
         Body { mass, x, z, xx, xz, zz }
     };
-    let rear_wheel = body([design.mR, 0.0, -design.rR, design.IRxx, 0.0, design.IRxx]);
-    let rear_frame = body([design.mB, design.xB, design.zB, design.IBxx, design.IBxz, design.IBzz]);
-    let front_frame = body([design.mH, design.xH, design.zH, design.IHxx, design.IHxz, design.IHzz]);
-    let front_wheel = body([design.mF, design.w, -design.rF, design.IFxx, 0.0, design.IFxx]);
+    let wheel = |mass, x, radius: R, radial| {
+        let radial = value(radial);
+        Body { mass: value(mass), x, z: -radius, xx: radial, xz: zero, zz: radial }
+    };
+    let rear_wheel = wheel("mR", zero, r_rear, "IRxx");
+    let rear_frame = frame(["mB", "xB", "zB", "IBxx", "IBxz", "IBzz"]);
+    let front_frame = frame(["mH", "xH", "zH", "IHxx", "IHxz", "IHzz"]);
+    let front_wheel = wheel("mF", w, r_front, "IFxx");
 
     let all = [rear_wheel, rear_frame, front_frame, front_wheel];
     let (mass, x, z) = centre(&all);
-    let (xx, xz, zz) = moments(&all, R::from(0.0), R::from(0.0));
+    let (xx, xz, zz) = moments(&all, zero, zero);
     let front = [front_frame, front_wheel];
     let (front_mass, front_x, front_z) = centre(&front);
     let (front_xx, front_xz, front_zz) = moments(&front, front_x, front_z);
@@ -146,12 +156,11 @@ pub fn matrices<R: Number>(design: &Whipple<impl carvallo::Scalar>) -> Matrices<
     let (l_x, l_z) = (l_x - front_mass * u * front_z, l_z + front_mass * u * front_x);
 
     let mu = c * cos / w;
-    let (gyro_rear, gyro_front) = (R::from(design.IRyy) / r_rear, R::from(design.IFyy) / r_front);
+    let (gyro_rear, gyro_front) = (value("IRyy") / r_rear, value("IFyy") / r_front);
     let gyro = gyro_rear + gyro_front;
     let gyro_steer = mu * gyro + gyro_front * cos;
     let static_steer = front_mass * u + mu * mass * x;
     let static_lean = mass * z;
-    let zero = R::from(0.0);
     let m_cross = l_x + mu * xz;
     [
         [[xx, m_cross], [m_cross, l_l + mu * (l_z + l_z + mu * zz)]],
@@ -164,10 +173,13 @@ pub fn matrices<R: Number>(design: &Whipple<impl carvallo::Scalar>) -> Matrices<
     ]
 }
 
-/// The same parameters as `f64`, exactly.
-fn widen<T: carvallo::Scalar>(design: &Whipple<T>) -> Whipple<f64> {
+/// The parameters as `f64`, exactly, in declared order.
+pub fn values<T: carvallo::Scalar>(design: &Whipple<T>) -> Vec<f64> {
     let mut values = vec![T::from_f64(0.0); Whipple::<T>::INFO.parameters.len()];
     design.write_to(&mut values).expect("room for every parameter");
-    let values: Vec<f64> = values.into_iter().map(T::to_f64).collect();
-    Whipple::from_slice(&values).expect("as many parameters")
+    values.into_iter().map(T::to_f64).collect()
+}
+
+fn position(name: &str) -> usize {
+    Whipple::<f64>::INFO.position(name).unwrap_or_else(|| panic!("no parameter is called {name}"))
 }

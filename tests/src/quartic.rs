@@ -20,8 +20,8 @@ pub fn characteristic_at(coefficients: &Coefficients<f64, 2>, gravity: f64, spee
     })
 }
 
-/// Of a 2 x 2 matrix whose entries are polynomials of the second degree.
-fn determinant<R: Number>(entry: impl Fn(usize, usize) -> [R; 3]) -> [R; 5] {
+/// Of a 2 x 2 matrix whose entries are polynomials of the second degree, given by their coefficients, the highest first.
+pub fn determinant<R: Number>(entry: impl Fn(usize, usize) -> [R; 3]) -> [R; 5] {
     let product = |a: [R; 3], b: [R; 3]| {
         let mut product = [R::from(0.0); 5];
         for i in 0..3 {

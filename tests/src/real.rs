@@ -41,6 +41,11 @@ impl Real {
         CONSTANTS.with_borrow_mut(|constants| BigFloat::from(self).cos(BITS, ROUNDING, constants).into())
     }
 
+    /// The square root of a number that is not negative.
+    pub fn sqrt(self) -> Self {
+        BigFloat::from(self).sqrt(BITS, ROUNDING).into()
+    }
+
     /// The magnitude.
     pub fn abs(self) -> Self {
         Self { sign: Sign::Pos, ..self }

@@ -14,7 +14,7 @@ pub struct Complex {
 }
 
 impl Complex {
-    fn norm_sqr(self) -> Real {
+    pub(crate) fn norm_sqr(self) -> Real {
         self.re * self.re + self.im * self.im
     }
 

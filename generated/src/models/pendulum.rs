@@ -1,6 +1,6 @@
 // @generated from generated/models/pendulum.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: c1f69fe8f28eb03d
+// Hash of the source: 9f6bf78d3baf1a60
 
 /// A pendulum with a damped joint, hanging at rest.
 ///
@@ -60,7 +60,6 @@ impl<T: ::carvallo::Number> Pendulum<T> {
     }
     /// The parameters as an array in declared order.
     #[must_use]
-    #[inline(always)]
     pub const fn to_array(&self) -> [T; 4] {
         [self.m, self.l, self.c, self.g]
     }
@@ -302,5 +301,116 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Pendulum<T> {
             matrices.k0,
             [[::carvallo::Number::like(self.m, 0.0); 1]; 1],
         ]
+    }
+}
+/// The derivatives of the matrices of [`Pendulum`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct PendulumDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 5],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl PendulumDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 5] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 2),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> PendulumDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<PendulumMatrices<T>> {
+        if parameter >= 4 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = PendulumMatrices {
+            m: [[zero; 1]; 1],
+            c0: [[zero; 1]; 1],
+            k0: [[zero; 1]; 1],
+        };
+        for position in 0..5 {
+            let partial = <PendulumDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C0 => &mut matrices.c0,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> Pendulum<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 4 multiplications.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (PendulumMatrices<T>, PendulumDerivatives<T>) {
+        let t2 = self.l * self.l;
+        let t3 = self.m * t2;
+        let t5 = self.m * self.l;
+        let t7 = ::carvallo::Number::like(self.m, 2.0) * t5;
+        (
+            PendulumMatrices {
+                m: [[t3]],
+                c0: [[self.c]],
+                k0: [[t5]],
+            },
+            PendulumDerivatives {
+                values: [t2, self.l, t7, self.m, ::carvallo::Number::like(self.m, 1.0)],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<1> for Pendulum<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 1>; 4];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 1>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1]; 6],
+        ); 4];
+        for position in 0..5 {
+            <PendulumDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                matrices.c0,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+                matrices.k0,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+            ]),
+            all,
+        )
     }
 }

@@ -1,6 +1,6 @@
 // @generated from generated/models/rear_steered.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: d2b8e67467ec0f83
+// Hash of the source: 55b70df1229c7642
 
 /// A bicycle that is steered at the rear: a Whipple bicycle run backwards, with its geometry mirrored.
 ///
@@ -197,7 +197,6 @@ impl<T: ::carvallo::Number> RearSteered<T> {
     }
     /// The parameters as an array in declared order.
     #[must_use]
-    #[inline(always)]
     pub const fn to_array(&self) -> [T; 26] {
         [
             self.w,
@@ -1025,5 +1024,693 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RearSteered<T> {
             matrices.k0,
             matrices.k2,
         ]
+    }
+}
+/// The derivatives of the matrices of [`RearSteered`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RearSteeredDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 158],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl RearSteeredDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> RearSteeredDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<RearSteeredMatrices<T>> {
+        if parameter >= 26 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = RearSteeredMatrices {
+            m: [[zero; 2]; 2],
+            c1: [[zero; 2]; 2],
+            k0: [[zero; 2]; 2],
+            k2: [[zero; 2]; 2],
+        };
+        for position in 0..158 {
+            let partial = <RearSteeredDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C1 => &mut matrices.c1,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                ::carvallo::MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> RearSteered<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 162 additions, 274 multiplications, 3 divisions, 41 negations and 2 trigonometric functions: 482 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (RearSteeredMatrices<T>, RearSteeredDerivatives<T>) {
+        let Jxx_delta_mH = self.zH * self.zH;
+        let Jxx_delta_mF = self.rF * self.rF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * Jxx_delta_mH))
+            + (self.mF * Jxx_delta_mF);
+        let t19 = self.rR * self.rR;
+        let t24 = self.zB * self.zB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.mR * t19))
+            + (self.mB * t24);
+        let (t28, t43) = ::carvallo::Number::sin_cos(self.lam);
+        let t34 = self.w + self.c;
+        let t36 = t34 - self.xH;
+        let t37 = self.mH * t36;
+        let t40 = self.rF * self.mF;
+        let Jxz_delta = (self.c * t40) - (self.IHxz + (self.zH * t37));
+        let t44 = Jxz_delta * t43;
+        let hx_delta = t44 - (Jxx_delta * t28);
+        let t46 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let t47 = t43 * t46;
+        let yaw_by_delta = self.c * t47;
+        let t52 = self.zB * self.mB;
+        let t55 = self.zH * self.mH;
+        let Sz_delta = t55 - t40;
+        let Jxz_all = ((Jxz_delta - self.IBxz) + (self.xB * t52)) + (t34 * Sz_delta);
+        let t60 = hx_delta + (yaw_by_delta * Jxz_all);
+        let t62 = Jxz_delta * t28;
+        let t64 = self.IHzz + self.IFxx;
+        let t65 = t36 * t36;
+        let t68 = self.c * self.c;
+        let t70 = (t64 + (self.mH * t65)) + (self.mF * t68);
+        let hz_delta = (t43 * t70) - t62;
+        let Jxz_delta_rF = self.c * self.mF;
+        let t77 = t37 + Jxz_delta_rF;
+        let py_delta = (t28 * Sz_delta) + (t43 * t77);
+        let M_yaw_delta = hz_delta - (t34 * py_delta);
+        let t85 = self.xB * self.xB;
+        let t88 = self.xH * self.xH;
+        let t91 = self.w * self.w;
+        let P_delta_yaw_yaw_by_delta = ((((self.IRxx + self.IBzz) + t64)
+            + (self.mB * t85)) + (self.mH * t88)) + (self.mF * t91);
+        let t94 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
+        let P_delta_yaw = M_yaw_delta + t94;
+        let t96 = M_yaw_delta + P_delta_yaw;
+        let t98 = ((t43 * hz_delta) - (hx_delta * t28)) + (yaw_by_delta * t96);
+        let t101 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let h_spin_R = self.IFyy * t101;
+        let t103 = t43 * h_spin_R;
+        let t104 = Jxz_all * t47;
+        let t107 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let h_wheels_all = h_spin_R + (self.IRyy * t107);
+        let t111 = self.mR * self.rR;
+        let Sz_all = (t52 + Sz_delta) - t111;
+        let t113 = h_wheels_all - Sz_all;
+        let t115 = (t103 - t104) + (yaw_by_delta * t113);
+        let t119 = self.w * self.mF;
+        let t120 = self.xB * self.mB;
+        let t122 = self.xH * self.mH;
+        let t123 = (t119 + t120) + t122;
+        let t124 = yaw_by_delta * t123;
+        let P_delta_lateral = py_delta - t124;
+        let t127 = (yaw_by_delta * P_delta_lateral) - (P_delta_yaw * t47);
+        let t128 = t28 * P_delta_lateral;
+        let t130 = t28 * h_spin_R;
+        let t131 = t130 - P_delta_lateral;
+        let t132 = t47 * t131;
+        let M12_Jxz_delta = t43 + yaw_by_delta;
+        let t134 = t55 * M12_Jxz_delta;
+        let t136 = (yaw_by_delta * Sz_delta) - t134;
+        let t138 = t43 * (t46 * t46);
+        let t139 = self.c * Jxz_all;
+        let t141 = t136 - (t138 * t139);
+        let t142 = self.mH * t43;
+        let t144 = yaw_by_delta * ::carvallo::Number::like(self.w, 2.0);
+        let t145 = t34 * t144;
+        let t147 = t36 * t43;
+        let t148 = self.mH * ::carvallo::Number::like(self.w, 2.0);
+        let t149 = t147 * t148;
+        let M22_hz_delta = t43 + t144;
+        let t154 = t28 * (t43 + M22_hz_delta);
+        let t156 = ((t149 * M22_hz_delta) - (t142 * t145)) + (t55 * t154);
+        let t158 = t156 - (py_delta * t144);
+        let P_delta_yaw_w = t119 * t144;
+        let M22_yaw_by_delta = t94 + t96;
+        let t163 = self.c * M22_yaw_by_delta;
+        let t165 = (t158 + (yaw_by_delta * P_delta_yaw_w)) - (t138 * t163);
+        let t166 = t55 * t47;
+        let t168 = t166 - (Sz_delta * t47);
+        let t170 = (self.c * t113) - Jxz_all;
+        let t172 = t168 - (t138 * t170);
+        let t173 = self.c * h_wheels_all;
+        let t174 = t138 * t173;
+        let C122_py_delta = t34 * t47;
+        let C122_Jxz_delta = t28 * t47;
+        let t181 = ((t142 * C122_py_delta) - (t149 * t47)) - (t55 * C122_Jxz_delta);
+        let t183 = t181 + (t47 * py_delta);
+        let t187 = self.c * t123;
+        let t189 = (self.mF * yaw_by_delta) - (t138 * t187);
+        let P_delta_lateral_w = t142 - t189;
+        let C122_yaw_by_delta = P_delta_lateral - (P_delta_yaw_yaw_by_delta * t47);
+        let t196 = (self.c * C122_yaw_by_delta) - P_delta_yaw;
+        let t198 = ((t183 - (P_delta_yaw_w * t47)) + (yaw_by_delta * P_delta_lateral_w))
+            - (t138 * t196);
+        let t199 = t28 * P_delta_lateral_w;
+        let t200 = t138 * t113;
+        let t206 = (t136 + (t40 * M12_Jxz_delta)) + t104;
+        let py_delta_c = self.mF * t43;
+        let t214 = self.c * t43;
+        let t215 = self.mF * ::carvallo::Number::like(self.w, 2.0);
+        let hz_delta_c = t214 * t215;
+        let t218 = (((t158 - (t40 * t154)) + (t47 * M22_yaw_by_delta))
+            - (py_delta_c * t145)) + (hz_delta_c * M22_hz_delta);
+        let t221 = t168 + (t47 * (t113 - t40));
+        let t229 = t47 * t123;
+        let P_delta_lateral_c = (py_delta_c + t142) - t229;
+        let t234 = (((t183 + (t40 * C122_Jxz_delta))
+            + (t47 * (C122_yaw_by_delta - hz_delta_c)))
+            + (yaw_by_delta * P_delta_lateral_c)) + (py_delta_c * C122_py_delta);
+        let t236 = (t229 - t142) - py_delta_c;
+        let t237 = t28 * P_delta_lateral_c;
+        let t240 = (Jxx_delta * t43) + t62;
+        let t241 = t46 * t28;
+        let py_delta_lam = (Sz_delta * t43) - (t28 * t77);
+        let t255 = t44 + (t28 * t70);
+        let t259 = (((((t240 * t28) - (hx_delta * t43)) - (hz_delta * t28))
+            - (py_delta_lam * t145)) - (t255 * M22_hz_delta)) - (t241 * t163);
+        let t263 = t130 + (t241 * t173);
+        let P_delta_lateral_lam = py_delta_lam + (t241 * t187);
+        let t272 = (((t255 * t47) + (yaw_by_delta * P_delta_lateral_lam))
+            + (py_delta_lam * C122_py_delta)) - (t241 * t196);
+        let t275 = (t28 * P_delta_lateral_lam) + (P_delta_lateral * t43);
+        let t276 = t241 * t113;
+        let t280 = (t47 * (t103 - P_delta_lateral_lam)) - (t241 * t131);
+        let t281 = t111 * ::carvallo::Number::like(self.w, 2.0);
+        let t283 = self.IRyy * (t107 * t107);
+        let t284 = self.mR - t283;
+        let t285 = yaw_by_delta * t284;
+        let t286 = t283 * yaw_by_delta;
+        let t288 = self.rR * yaw_by_delta;
+        let t290 = yaw_by_delta * yaw_by_delta;
+        let t292 = yaw_by_delta * t107;
+        let t294 = yaw_by_delta * t52;
+        let P_delta_yaw_xB = t120 * t144;
+        let t296 = yaw_by_delta * P_delta_yaw_xB;
+        let t299 = self.mB * yaw_by_delta;
+        let t303 = t47 * t299;
+        let t304 = ::carvallo::Number::like(self.w, 2.0) * t52;
+        let t305 = self.xB * yaw_by_delta;
+        let t306 = self.mB * t305;
+        let t308 = yaw_by_delta + (self.xB * t47);
+        let t310 = self.mB * t47;
+        let t311 = self.zB * t305;
+        let P_delta_yaw_mB = yaw_by_delta * t85;
+        let t313 = yaw_by_delta * P_delta_yaw_mB;
+        let t319 = self.zB * t47;
+        let t320 = t47 * t305;
+        let P_delta_yaw_xH = t122 * t144;
+        let t323 = (yaw_by_delta * P_delta_yaw_xH) - t156;
+        let t327 = t142 + (self.mH * yaw_by_delta);
+        let t331 = t327 * t47;
+        let Jxx_delta_zH = self.zH * t148;
+        let t336 = t34 * yaw_by_delta;
+        let t338 = (self.mH * t336) - ((Jxx_delta_zH * t28) + (M12_Jxz_delta * t37));
+        let py_delta_zH = self.mH * t28;
+        let M22_Jxx_delta = t28 * t28;
+        let t345 = ((t154 * t37) - (py_delta_zH * t145))
+            + (Jxx_delta_zH * M22_Jxx_delta);
+        let t346 = yaw_by_delta + C122_py_delta;
+        let t349 = (t37 * t47) - (self.mH * t346);
+        let t354 = ((yaw_by_delta * py_delta_zH) - (C122_Jxz_delta * t37))
+            + (py_delta_zH * C122_py_delta);
+        let t355 = t28 * py_delta_zH;
+        let t356 = self.mH * t47;
+        let t361 = self.zH * t36;
+        let t363 = ((self.zH * t336) - (Jxx_delta_mH * t28)) - (t361 * M12_Jxz_delta);
+        let P_delta_yaw_mH = yaw_by_delta * t88;
+        let py_delta_mH = (self.zH * t28) + t147;
+        let hz_delta_mH = t43 * t65;
+        let t376 = ((((yaw_by_delta * P_delta_yaw_mH) - (py_delta_mH * t145))
+            + (hz_delta_mH * M22_hz_delta)) + (Jxx_delta_mH * M22_Jxx_delta))
+            + (t361 * t154);
+        let t379 = (t361 * t47) - (self.zH * t346);
+        let t382 = self.xH * yaw_by_delta;
+        let P_delta_lateral_mH = py_delta_mH - t382;
+        let t389 = (((yaw_by_delta * P_delta_lateral_mH)
+            - (t47 * (P_delta_yaw_mH + hz_delta_mH))) + (py_delta_mH * C122_py_delta))
+            - (t361 * C122_Jxz_delta);
+        let t390 = t28 * P_delta_lateral_mH;
+        let t391 = self.zH * t47;
+        let t394 = (t43 * M22_hz_delta) + t290;
+        let Jxx_delta_rF = self.rF * t215;
+        let t401 = (Jxz_delta_rF * M12_Jxz_delta)
+            - ((t336 * self.mF) + (Jxx_delta_rF * t28));
+        let t402 = self.mF * t28;
+        let t407 = ((t402 * t145) + (Jxx_delta_rF * M22_Jxx_delta))
+            - (Jxz_delta_rF * t154);
+        let t412 = self.IFyy * (t101 * t101);
+        let t413 = t412 * M12_Jxz_delta;
+        let t414 = ((t346 * self.mF) - (Jxz_delta_rF * t47)) - t413;
+        let t417 = (Jxz_delta_rF * C122_Jxz_delta) - (t402 * t346);
+        let t423 = (t402 * t47) - (t412 * C122_Jxz_delta);
+        let Jxz_delta_mF = self.c * self.rF;
+        let t429 = (Jxz_delta_mF * M12_Jxz_delta)
+            - ((t336 * self.rF) + (Jxx_delta_mF * t28));
+        let P_delta_yaw_mF = yaw_by_delta * t91;
+        let py_delta_mF = t214 - (self.rF * t28);
+        let hz_delta_mF = t43 * t68;
+        let t442 = ((((yaw_by_delta * P_delta_yaw_mF) - (py_delta_mF * t145))
+            + (hz_delta_mF * M22_hz_delta)) + (Jxx_delta_mF * M22_Jxx_delta))
+            - (Jxz_delta_mF * t154);
+        let t447 = self.w * yaw_by_delta;
+        let P_delta_lateral_mF = py_delta_mF - t447;
+        let t454 = (((yaw_by_delta * P_delta_lateral_mF)
+            - (t47 * (P_delta_yaw_mF + hz_delta_mF))) + (py_delta_mF * C122_py_delta))
+            + (Jxz_delta_mF * C122_Jxz_delta);
+        let t455 = t28 * P_delta_lateral_mF;
+        let t458 = t394 + M22_Jxx_delta;
+        let t459 = t101 * M12_Jxz_delta;
+        let t461 = t101 * C122_Jxz_delta;
+        let t462 = -(t103 + (yaw_by_delta * h_wheels_all));
+        let t463 = t124 - py_delta;
+        let t464 = -(t113 * t47);
+        let t465 = t189 - t142;
+        let t466 = -((P_delta_lateral_w * t47) + (t138 * t131));
+        let t467 = -(h_wheels_all * t47);
+        let t468 = -(P_delta_lateral_c * t47);
+        let t469 = -(t240 + (t241 * t139));
+        let t470 = -(t130 + (t241 * t170));
+        let t471 = -P_delta_lateral_lam;
+        let t472 = -self.mR;
+        let t473 = -(t284 * t47);
+        let t474 = -self.rR;
+        let t475 = -(self.rR * t47);
+        let t476 = -(yaw_by_delta * t47);
+        let t477 = -t292;
+        let t478 = -(t107 * t47);
+        let t479 = -(t52 * t47);
+        let t480 = -((t47 * P_delta_yaw_xB) + (yaw_by_delta * t299));
+        let t481 = -(t299 * t28);
+        let t482 = -(self.mB * t308);
+        let t483 = -(self.zB * t308);
+        let t484 = -((t47 * P_delta_yaw_mB) + (yaw_by_delta * t305));
+        let t485 = -(t305 * t28);
+        let t486 = -yaw_by_delta;
+        let t487 = -t166;
+        let t488 = -(((P_delta_yaw_xH * t47) + t181) + (yaw_by_delta * t327));
+        let t489 = -(t28 * t327);
+        let t490 = -py_delta_zH;
+        let t491 = -(py_delta_zH * t47);
+        let t492 = t382 - py_delta_mH;
+        let t493 = -(P_delta_lateral_mH * t47);
+        let t494 = -t28;
+        let t495 = -(t47 * M12_Jxz_delta);
+        let t496 = -M12_Jxz_delta;
+        let t497 = -C122_Jxz_delta;
+        let t498 = -self.mF;
+        let t499 = -(t28 * t402);
+        let t500 = -(t47 * (self.mF - t412));
+        let t501 = (self.rF * t346) - (t47 * Jxz_delta_mF);
+        let t502 = -self.rF;
+        let t503 = t447 - py_delta_mF;
+        let t504 = -(self.rF * t47);
+        let t505 = -(P_delta_lateral_mF * t47);
+        let t506 = -t459;
+        let t507 = -(t101 * t47);
+        (
+            RearSteeredMatrices {
+                m: [[t26, t60], [t60, t98]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t115], [t462, t127]],
+                k0: [[Sz_all, t463], [t463, t128]],
+                k2: [
+                    [::carvallo::Number::like(self.w, 0.0), t464],
+                    [::carvallo::Number::like(self.w, 0.0), t132],
+                ],
+            },
+            RearSteeredDerivatives {
+                values: [
+                    t141,
+                    t141,
+                    t165,
+                    t172,
+                    t174,
+                    t198,
+                    t465,
+                    t465,
+                    t199,
+                    t200,
+                    t466,
+                    t206,
+                    t206,
+                    t218,
+                    t221,
+                    t467,
+                    t234,
+                    t236,
+                    t236,
+                    t237,
+                    t468,
+                    t469,
+                    t469,
+                    t259,
+                    t470,
+                    t263,
+                    t272,
+                    t471,
+                    t471,
+                    t275,
+                    t276,
+                    t280,
+                    t281,
+                    t285,
+                    t286,
+                    t472,
+                    t473,
+                    t19,
+                    t288,
+                    t474,
+                    t475,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t290,
+                    t476,
+                    t292,
+                    t477,
+                    t478,
+                    t294,
+                    t294,
+                    t296,
+                    t479,
+                    t480,
+                    t299,
+                    t299,
+                    t481,
+                    t303,
+                    t304,
+                    t306,
+                    t306,
+                    t482,
+                    self.mB,
+                    t310,
+                    t24,
+                    t311,
+                    t311,
+                    t313,
+                    t483,
+                    t484,
+                    self.zB,
+                    t305,
+                    t305,
+                    t485,
+                    t319,
+                    t320,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t290,
+                    t476,
+                    t486,
+                    t486,
+                    t47,
+                    t134,
+                    t134,
+                    t323,
+                    t487,
+                    t488,
+                    t327,
+                    t327,
+                    t489,
+                    t331,
+                    Jxx_delta_zH,
+                    t338,
+                    t338,
+                    t345,
+                    t349,
+                    t354,
+                    self.mH,
+                    t490,
+                    t490,
+                    t355,
+                    t356,
+                    t491,
+                    Jxx_delta_mH,
+                    t363,
+                    t363,
+                    t376,
+                    t379,
+                    t389,
+                    self.zH,
+                    t492,
+                    t492,
+                    t390,
+                    t391,
+                    t493,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t494,
+                    t494,
+                    M22_Jxx_delta,
+                    t394,
+                    t495,
+                    t496,
+                    t496,
+                    t154,
+                    t47,
+                    t497,
+                    Jxx_delta_rF,
+                    t401,
+                    t401,
+                    t407,
+                    t414,
+                    t413,
+                    t417,
+                    t498,
+                    t402,
+                    t402,
+                    t499,
+                    t500,
+                    t423,
+                    Jxx_delta_mF,
+                    t429,
+                    t429,
+                    t442,
+                    t501,
+                    t454,
+                    t502,
+                    t503,
+                    t503,
+                    t455,
+                    t504,
+                    t505,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t494,
+                    t494,
+                    t458,
+                    t495,
+                    t459,
+                    t506,
+                    t507,
+                    t461,
+                ],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RearSteered<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 2>; 26];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
+        ); 26];
+        for position in 0..158 {
+            <RearSteeredDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+                matrices.c1,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+                matrices.k0,
+                matrices.k2,
+            ]),
+            all,
+        )
     }
 }

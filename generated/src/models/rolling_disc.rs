@@ -1,6 +1,6 @@
 // @generated from generated/models/rolling_disc.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 6f1c6e0088b2bcc5
+// Hash of the source: e7913b7415a9f3b4
 
 /// A disc that rolls without slip on level ground, upright and straight but for small lean and yaw.
 ///
@@ -79,7 +79,6 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
     }
     /// The parameters as an array in declared order.
     #[must_use]
-    #[inline(always)]
     pub const fn to_array(&self) -> [T; 5] {
         [self.r, self.m, self.Ia, self.It, self.g]
     }
@@ -429,5 +428,156 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RollingDisc<T> {
             matrices.k0,
             [[::carvallo::Number::like(self.r, 0.0); 2]; 2],
         ]
+    }
+}
+/// The derivatives of the matrices of [`RollingDisc`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct RollingDiscDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 11],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl RollingDiscDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 11] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 3),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<RollingDiscMatrices<T>> {
+        if parameter >= 5 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = RollingDiscMatrices {
+            m: [[zero; 2]; 2],
+            c1: [[zero; 2]; 2],
+            k0: [[zero; 2]; 2],
+        };
+        for position in 0..11 {
+            let partial = <RollingDiscDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C1 => &mut matrices.c1,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> RollingDisc<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 3 additions, 7 multiplications, 1 division and 5 negations: 16 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (RollingDiscMatrices<T>, RollingDiscDerivatives<T>) {
+        let t3 = self.r * self.r;
+        let Jxx_all = self.It + (self.m * t3);
+        let t8 = ::carvallo::Number::like(self.r, 1.0) / self.r;
+        let h_spin_D = self.Ia * t8;
+        let t10 = self.r * self.m;
+        let t11 = h_spin_D + t10;
+        let t14 = ::carvallo::Number::like(self.r, 2.0) * t10;
+        let t16 = self.Ia * (t8 * t8);
+        let t17 = self.m - t16;
+        let t18 = -h_spin_D;
+        let t19 = -t10;
+        let t20 = -self.m;
+        let t21 = -self.r;
+        let t22 = -t8;
+        (
+            RollingDiscMatrices {
+                m: [
+                    [Jxx_all, ::carvallo::Number::like(self.r, 0.0)],
+                    [::carvallo::Number::like(self.r, 0.0), self.It],
+                ],
+                c1: [
+                    [::carvallo::Number::like(self.r, 0.0), t11],
+                    [t18, ::carvallo::Number::like(self.r, 0.0)],
+                ],
+                k0: [
+                    [t19, ::carvallo::Number::like(self.r, 0.0)],
+                    [
+                        ::carvallo::Number::like(self.r, 0.0),
+                        ::carvallo::Number::like(self.r, 0.0),
+                    ],
+                ],
+            },
+            RollingDiscDerivatives {
+                values: [
+                    t14,
+                    t17,
+                    t16,
+                    t20,
+                    t3,
+                    self.r,
+                    t21,
+                    t8,
+                    t22,
+                    ::carvallo::Number::like(self.r, 1.0),
+                    ::carvallo::Number::like(self.r, 1.0),
+                ],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RollingDisc<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 2>; 5];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
+        ); 5];
+        for position in 0..11 {
+            <RollingDiscDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+                matrices.c1,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+                matrices.k0,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+            ]),
+            all,
+        )
     }
 }

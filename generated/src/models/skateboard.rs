@@ -1,6 +1,6 @@
 // @generated from generated/models/skateboard.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 1287935754ece2c2
+// Hash of the source: 0f4f8539b65fdea9
 
 /// A skateboard with a rider who stands still on it: one degree of freedom, the tilt of the board.
 ///
@@ -131,7 +131,6 @@ impl<T: ::carvallo::Number> Skateboard<T> {
     }
     /// The parameters as an array in declared order.
     #[must_use]
-    #[inline(always)]
     pub const fn to_array(&self) -> [T; 15] {
         [
             self.L,
@@ -724,5 +723,199 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Skateboard<T> {
             matrices.k0,
             matrices.k2,
         ]
+    }
+}
+/// The derivatives of the matrices of [`Skateboard`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct SkateboardDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 21],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl SkateboardDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 21] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 13),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> SkateboardDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<SkateboardMatrices<T>> {
+        if parameter >= 15 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = SkateboardMatrices {
+            m: [[zero; 1]; 1],
+            c1: [[zero; 1]; 1],
+            kc: [[zero; 1]; 1],
+            k0: [[zero; 1]; 1],
+            k2: [[zero; 1]; 1],
+        };
+        for position in 0..21 {
+            let partial = <SkateboardDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C1 => &mut matrices.c1,
+                ::carvallo::MatrixName::Kc => &mut matrices.kc,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                ::carvallo::MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> Skateboard<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 10 additions, 44 multiplications, 3 divisions, 5 negations and 4 trigonometric functions: 66 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (SkateboardMatrices<T>, SkateboardDerivatives<T>) {
+        let t3 = self.h * self.h;
+        let t5 = self.Ixx + (self.m * t3);
+        let (lateral_per_v_deltaR, lateral_per_v_deltaR_lamR) = ::carvallo::Number::sin_cos(
+            self.lamR,
+        );
+        let t8 = ::carvallo::Number::like(self.L, 1.0) / lateral_per_v_deltaR_lamR;
+        let t10 = t8 * lateral_per_v_deltaR;
+        let P_gamma_lateral = self.m * self.h;
+        let t15 = ::carvallo::Number::like(self.L, 1.0) / self.L;
+        let (t19, t17) = ::carvallo::Number::sin_cos(self.lamF);
+        let t18 = ::carvallo::Number::like(self.L, 1.0) / t17;
+        let t21 = t10 + (t18 * t19);
+        let t22 = t15 * t21;
+        let t26 = self.Ixz + (self.x * P_gamma_lateral);
+        let t28 = (t22 * t26) - (t10 * P_gamma_lateral);
+        let t30 = t18 * t18;
+        let t33 = t8 * t8;
+        let t35 = (self.kF * t30) + (self.kR * t33);
+        let t36 = P_gamma_lateral * t22;
+        let t38 = t21 * (t15 * t15);
+        let t42 = t19 * t30;
+        let t45 = t15 * ((t18 * t17) + (t42 * t19));
+        let t46 = t45 * t26;
+        let t50 = ((self.kF * t18) * t42) * ::carvallo::Number::like(self.L, 2.0);
+        let t51 = P_gamma_lateral * t45;
+        let t52 = t8 * lateral_per_v_deltaR_lamR;
+        let t54 = lateral_per_v_deltaR * t33;
+        let t55 = lateral_per_v_deltaR * t54;
+        let t59 = t15 * (t52 + t55);
+        let t61 = (t59 * t26) - ((t52 * P_gamma_lateral) + (t55 * P_gamma_lateral));
+        let t64 = ((self.kR * t8) * t54) * ::carvallo::Number::like(self.L, 2.0);
+        let t65 = P_gamma_lateral * t59;
+        let t67 = (self.x * t22) - t10;
+        let t68 = self.h * t67;
+        let t69 = self.h * t22;
+        let t70 = ::carvallo::Number::like(self.L, 2.0) * P_gamma_lateral;
+        let t71 = self.m * t67;
+        let t72 = self.m * t22;
+        let t73 = -P_gamma_lateral;
+        let t74 = -(t38 * t26);
+        let t75 = -(P_gamma_lateral * t38);
+        let t76 = -self.h;
+        let t77 = -self.m;
+        (
+            SkateboardMatrices {
+                m: [[t5]],
+                c1: [[t28]],
+                kc: [[t35]],
+                k0: [[t73]],
+                k2: [[t36]],
+            },
+            SkateboardDerivatives {
+                values: [
+                    t74,
+                    t75,
+                    t46,
+                    t50,
+                    t51,
+                    t61,
+                    t64,
+                    t65,
+                    t30,
+                    t33,
+                    t3,
+                    t68,
+                    t76,
+                    t69,
+                    t36,
+                    t70,
+                    t71,
+                    t77,
+                    t72,
+                    ::carvallo::Number::like(self.L, 1.0),
+                    t22,
+                ],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<1> for Skateboard<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 1>; 15];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 1>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1]; 6],
+        ); 15];
+        for position in 0..21 {
+            <SkateboardDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1],
+                matrices.c1,
+                matrices.kc,
+                matrices.k0,
+                matrices.k2,
+            ]),
+            all,
+        )
     }
 }

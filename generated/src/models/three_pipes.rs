@@ -1,6 +1,6 @@
 // @generated from generated/models/three_pipes.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 1aef6f1a5924c401
+// Hash of the source: 92f4761ae2f6100e
 
 /// Three pipes in a row that carry a fluid, hanging: a garden hose with three hinges.
 ///
@@ -74,7 +74,6 @@ impl<T: ::carvallo::Number> ThreePipes<T> {
     }
     /// The parameters as an array in declared order.
     #[must_use]
-    #[inline(always)]
     pub const fn to_array(&self) -> [T; 6] {
         [self.l, self.m, self.f, self.k, self.c, self.g]
     }
@@ -484,5 +483,340 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 3> for ThreePipes<T> {
     fn rows(&self) -> [[[T; 3]; 3]; 6] {
         let matrices = self.matrices();
         [matrices.m, matrices.c0, matrices.c1, matrices.kc, matrices.k0, matrices.k2]
+    }
+}
+/// The derivatives of the matrices of [`ThreePipes`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct ThreePipesDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 70],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl ThreePipesDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 70] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 2, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 2, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 2, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 2, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 4),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ThreePipesDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<ThreePipesMatrices<T>> {
+        if parameter >= 6 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = ThreePipesMatrices {
+            m: [[zero; 3]; 3],
+            c0: [[zero; 3]; 3],
+            c1: [[zero; 3]; 3],
+            kc: [[zero; 3]; 3],
+            k0: [[zero; 3]; 3],
+            k2: [[zero; 3]; 3],
+        };
+        for position in 0..70 {
+            let partial = <ThreePipesDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C0 => &mut matrices.c0,
+                ::carvallo::MatrixName::C1 => &mut matrices.c1,
+                ::carvallo::MatrixName::Kc => &mut matrices.kc,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                ::carvallo::MatrixName::K2 => &mut matrices.k2,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> ThreePipes<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 1 addition, 39 multiplications and 5 negations: 45 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (ThreePipesMatrices<T>, ThreePipesDerivatives<T>) {
+        let t2 = self.m + self.f;
+        let weight_m = self.l * self.l;
+        let inertia_m = self.l * weight_m;
+        let inertia = t2 * inertia_m;
+        let t8 = inertia * ::carvallo::Number::like(self.l, 2.3333333333333335);
+        let t10 = inertia * ::carvallo::Number::like(self.l, 1.5);
+        let t12 = inertia * ::carvallo::Number::like(self.l, 0.5);
+        let t14 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t16 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t19 = self.c * ::carvallo::Number::like(self.l, 2.0);
+        let t22 = self.f * weight_m;
+        let t23 = ::carvallo::Number::like(self.l, 2.0) * weight_m;
+        let t24 = self.f * t23;
+        let t26 = self.k * ::carvallo::Number::like(self.l, 2.0);
+        let weight = t2 * weight_m;
+        let t29 = weight * ::carvallo::Number::like(self.l, 2.5);
+        let t30 = weight * ::carvallo::Number::like(self.l, 1.5);
+        let t31 = weight * ::carvallo::Number::like(self.l, 0.5);
+        let t32 = self.l * self.f;
+        let inertia_l = ::carvallo::Number::like(self.l, 3.0) * weight;
+        let t35 = inertia_l * ::carvallo::Number::like(self.l, 2.3333333333333335);
+        let t36 = inertia_l * ::carvallo::Number::like(self.l, 1.5);
+        let t37 = inertia_l * ::carvallo::Number::like(self.l, 0.5);
+        let t38 = inertia_l * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t39 = inertia_l * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t40 = ::carvallo::Number::like(self.l, 2.0) * t32;
+        let t42 = ::carvallo::Number::like(self.l, 4.0) * t32;
+        let weight_l = (self.l * ::carvallo::Number::like(self.l, 2.0)) * t2;
+        let t45 = weight_l * ::carvallo::Number::like(self.l, 2.5);
+        let t46 = weight_l * ::carvallo::Number::like(self.l, 1.5);
+        let t47 = weight_l * ::carvallo::Number::like(self.l, 0.5);
+        let t48 = inertia_m * ::carvallo::Number::like(self.l, 2.3333333333333335);
+        let t49 = inertia_m * ::carvallo::Number::like(self.l, 1.5);
+        let t50 = inertia_m * ::carvallo::Number::like(self.l, 0.5);
+        let t51 = inertia_m * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t52 = inertia_m * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t53 = weight_m * ::carvallo::Number::like(self.l, 2.5);
+        let t54 = weight_m * ::carvallo::Number::like(self.l, 1.5);
+        let t55 = weight_m * ::carvallo::Number::like(self.l, 0.5);
+        let t56 = -self.c;
+        let t57 = -self.k;
+        let t58 = -t32;
+        let t59 = -self.f;
+        let t60 = -self.l;
+        (
+            ThreePipesMatrices {
+                m: [[t8, t10, t12], [t10, t14, t12], [t12, t12, t16]],
+                c0: [
+                    [t19, t56, ::carvallo::Number::like(self.l, 0.0)],
+                    [t56, t19, t56],
+                    [::carvallo::Number::like(self.l, 0.0), t56, self.c],
+                ],
+                c1: [
+                    [t22, t24, t24],
+                    [::carvallo::Number::like(self.l, 0.0), t22, t24],
+                    [
+                        ::carvallo::Number::like(self.l, 0.0),
+                        ::carvallo::Number::like(self.l, 0.0),
+                        t22,
+                    ],
+                ],
+                kc: [
+                    [t26, t57, ::carvallo::Number::like(self.l, 0.0)],
+                    [t57, t26, t57],
+                    [::carvallo::Number::like(self.l, 0.0), t57, self.k],
+                ],
+                k0: [
+                    [
+                        t29,
+                        ::carvallo::Number::like(self.l, 0.0),
+                        ::carvallo::Number::like(self.l, 0.0),
+                    ],
+                    [
+                        ::carvallo::Number::like(self.l, 0.0),
+                        t30,
+                        ::carvallo::Number::like(self.l, 0.0),
+                    ],
+                    [
+                        ::carvallo::Number::like(self.l, 0.0),
+                        ::carvallo::Number::like(self.l, 0.0),
+                        t31,
+                    ],
+                ],
+                k2: [
+                    [t58, ::carvallo::Number::like(self.l, 0.0), t32],
+                    [::carvallo::Number::like(self.l, 0.0), t58, t32],
+                    [
+                        ::carvallo::Number::like(self.l, 0.0),
+                        ::carvallo::Number::like(self.l, 0.0),
+                        ::carvallo::Number::like(self.l, 0.0),
+                    ],
+                ],
+            },
+            ThreePipesDerivatives {
+                values: [
+                    t35,
+                    t36,
+                    t37,
+                    t36,
+                    t38,
+                    t37,
+                    t37,
+                    t37,
+                    t39,
+                    t40,
+                    t42,
+                    t42,
+                    t40,
+                    t42,
+                    t40,
+                    t45,
+                    t46,
+                    t47,
+                    t59,
+                    self.f,
+                    t59,
+                    self.f,
+                    t48,
+                    t49,
+                    t50,
+                    t49,
+                    t51,
+                    t50,
+                    t50,
+                    t50,
+                    t52,
+                    t53,
+                    t54,
+                    t55,
+                    t48,
+                    t49,
+                    t50,
+                    t49,
+                    t51,
+                    t50,
+                    t50,
+                    t50,
+                    t52,
+                    weight_m,
+                    t23,
+                    t23,
+                    weight_m,
+                    t23,
+                    weight_m,
+                    t53,
+                    t54,
+                    t55,
+                    t60,
+                    self.l,
+                    t60,
+                    self.l,
+                    ::carvallo::Number::like(self.l, 2.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, 2.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, 1.0),
+                    ::carvallo::Number::like(self.l, 2.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, 2.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, 1.0),
+                ],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<3> for ThreePipes<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 3>; 6];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 3>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 3]; 3]; 6],
+        ); 6];
+        for position in 0..70 {
+            <ThreePipesDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                matrices.c0,
+                matrices.c1,
+                matrices.kc,
+                matrices.k0,
+                matrices.k2,
+            ]),
+            all,
+        )
     }
 }

@@ -1,6 +1,6 @@
 // @generated from generated/models/two_pipes.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: bde37c98167ee8c2
+// Hash of the source: 9d0891a8e975b587
 
 /// Two pipes in a row that carry a fluid, hanging: a garden hose with two hinges.
 ///
@@ -74,7 +74,6 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
     }
     /// The parameters as an array in declared order.
     #[must_use]
-    #[inline(always)]
     pub const fn to_array(&self) -> [T; 6] {
         [self.l, self.m, self.f, self.k, self.c, self.g]
     }
@@ -432,5 +431,232 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for TwoPipes<T> {
     fn rows(&self) -> [[[T; 2]; 2]; 6] {
         let matrices = self.matrices();
         [matrices.m, matrices.c0, matrices.c1, matrices.kc, matrices.k0, matrices.k2]
+    }
+}
+/// The derivatives of the matrices of [`TwoPipes`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct TwoPipesDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 36],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl TwoPipesDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 36] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 4),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> TwoPipesDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<TwoPipesMatrices<T>> {
+        if parameter >= 6 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = TwoPipesMatrices {
+            m: [[zero; 2]; 2],
+            c0: [[zero; 2]; 2],
+            c1: [[zero; 2]; 2],
+            kc: [[zero; 2]; 2],
+            k0: [[zero; 2]; 2],
+            k2: [[zero; 2]; 2],
+        };
+        for position in 0..36 {
+            let partial = <TwoPipesDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C0 => &mut matrices.c0,
+                ::carvallo::MatrixName::C1 => &mut matrices.c1,
+                ::carvallo::MatrixName::Kc => &mut matrices.kc,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                ::carvallo::MatrixName::K2 => &mut matrices.k2,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> TwoPipes<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 1 addition, 30 multiplications and 5 negations: 36 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (TwoPipesMatrices<T>, TwoPipesDerivatives<T>) {
+        let t2 = self.m + self.f;
+        let weight_m = self.l * self.l;
+        let inertia_m = self.l * weight_m;
+        let inertia = t2 * inertia_m;
+        let t8 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t10 = inertia * ::carvallo::Number::like(self.l, 0.5);
+        let t12 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t15 = self.c * ::carvallo::Number::like(self.l, 2.0);
+        let t17 = self.f * weight_m;
+        let t18 = ::carvallo::Number::like(self.l, 2.0) * weight_m;
+        let t19 = self.f * t18;
+        let t22 = self.k * ::carvallo::Number::like(self.l, 2.0);
+        let weight = t2 * weight_m;
+        let t25 = weight * ::carvallo::Number::like(self.l, 1.5);
+        let t26 = weight * ::carvallo::Number::like(self.l, 0.5);
+        let t27 = self.l * self.f;
+        let inertia_l = ::carvallo::Number::like(self.l, 3.0) * weight;
+        let t30 = inertia_l * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t31 = inertia_l * ::carvallo::Number::like(self.l, 0.5);
+        let t32 = inertia_l * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t33 = ::carvallo::Number::like(self.l, 2.0) * t27;
+        let t35 = ::carvallo::Number::like(self.l, 4.0) * t27;
+        let weight_l = (self.l * ::carvallo::Number::like(self.l, 2.0)) * t2;
+        let t38 = weight_l * ::carvallo::Number::like(self.l, 1.5);
+        let t39 = weight_l * ::carvallo::Number::like(self.l, 0.5);
+        let t40 = inertia_m * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t41 = inertia_m * ::carvallo::Number::like(self.l, 0.5);
+        let t42 = inertia_m * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t43 = weight_m * ::carvallo::Number::like(self.l, 1.5);
+        let t44 = weight_m * ::carvallo::Number::like(self.l, 0.5);
+        let t45 = -self.c;
+        let t46 = -self.k;
+        let t47 = -t27;
+        let t48 = -self.f;
+        let t49 = -self.l;
+        (
+            TwoPipesMatrices {
+                m: [[t8, t10], [t10, t12]],
+                c0: [[t15, t45], [t45, self.c]],
+                c1: [[t17, t19], [::carvallo::Number::like(self.l, 0.0), t17]],
+                kc: [[t22, t46], [t46, self.k]],
+                k0: [
+                    [t25, ::carvallo::Number::like(self.l, 0.0)],
+                    [::carvallo::Number::like(self.l, 0.0), t26],
+                ],
+                k2: [
+                    [t47, t27],
+                    [
+                        ::carvallo::Number::like(self.l, 0.0),
+                        ::carvallo::Number::like(self.l, 0.0),
+                    ],
+                ],
+            },
+            TwoPipesDerivatives {
+                values: [
+                    t30,
+                    t31,
+                    t31,
+                    t32,
+                    t33,
+                    t35,
+                    t33,
+                    t38,
+                    t39,
+                    t48,
+                    self.f,
+                    t40,
+                    t41,
+                    t41,
+                    t42,
+                    t43,
+                    t44,
+                    t40,
+                    t41,
+                    t41,
+                    t42,
+                    weight_m,
+                    t18,
+                    weight_m,
+                    t43,
+                    t44,
+                    t49,
+                    self.l,
+                    ::carvallo::Number::like(self.l, 2.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, 1.0),
+                    ::carvallo::Number::like(self.l, 2.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, -1.0),
+                    ::carvallo::Number::like(self.l, 1.0),
+                ],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for TwoPipes<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 2>; 6];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
+        ); 6];
+        for position in 0..36 {
+            <TwoPipesDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                matrices.c0,
+                matrices.c1,
+                matrices.kc,
+                matrices.k0,
+                matrices.k2,
+            ]),
+            all,
+        )
     }
 }

@@ -1,6 +1,6 @@
 // @generated from generated/models/whipple.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 6882017f2fd1fc00
+// Hash of the source: 3e007e0439a8d63f
 
 /// The Whipple-Carvallo bicycle: the linearized equations of lean and steer about upright straight running.
 ///
@@ -225,7 +225,6 @@ impl<T: ::carvallo::Number> Whipple<T> {
     }
     /// The parameters as an array in declared order.
     #[must_use]
-    #[inline(always)]
     pub const fn to_array(&self) -> [T; 26] {
         [
             self.w,
@@ -1024,5 +1023,1025 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for Whipple<T> {
             matrices.k0,
             matrices.k2,
         ]
+    }
+}
+/// The derivatives of the matrices of [`Whipple`] with respect to its parameters, in SI units: those that are not zero for all parameters.
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct WhippleDerivatives<T = ::core::primitive::f64> {
+    /// The value of each derivative in [`Self::PARTIALS`].
+    pub values: [T; 158],
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl WhippleDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+    ];
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(
+        &self,
+        parameter: ::core::primitive::usize,
+    ) -> ::core::option::Option<WhippleMatrices<T>> {
+        if parameter >= 26 {
+            return ::core::option::Option::None;
+        }
+        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let mut matrices = WhippleMatrices {
+            m: [[zero; 2]; 2],
+            c1: [[zero; 2]; 2],
+            k0: [[zero; 2]; 2],
+            k2: [[zero; 2]; 2],
+        };
+        for position in 0..158 {
+            let partial = <WhippleDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                ::carvallo::MatrixName::M => &mut matrices.m,
+                ::carvallo::MatrixName::C1 => &mut matrices.c1,
+                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                ::carvallo::MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = self.values[position];
+        }
+        ::core::option::Option::Some(matrices)
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Number> Whipple<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 207 additions, 337 multiplications, 4 divisions, 40 negations and 2 trigonometric functions: 590 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(
+        &self,
+    ) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
+        let (
+            t5,
+            t9,
+            t14,
+            t19,
+            t24,
+            t26,
+            t54,
+            t28,
+            mA,
+            t32,
+            t33,
+            t34,
+            t35,
+            zA,
+            t37,
+            t39,
+            ITxz_rF,
+            t42,
+            xA,
+            t44,
+            t45,
+            t48,
+            t49,
+            t50,
+            IAxz,
+            t53,
+            t55,
+            t58,
+            IAxx,
+            t61,
+            t65,
+            uA,
+            t68,
+            t74,
+            t77,
+            ITxz,
+            t82,
+            t83,
+            mu,
+            t86,
+            M22_mA,
+            t91,
+            t97,
+            ITzz_mB,
+            ITzz_mH,
+            ITzz_mF,
+            ITzz,
+            t108,
+            IAzz_mH,
+            IAzz_mF,
+            IAzz,
+            t117,
+            t118,
+            IAlz,
+            M22_IAzz,
+            t126,
+            t129,
+            SF,
+            t131,
+            t133,
+            ST,
+            t137,
+            t138,
+            t139,
+            t142,
+            t143,
+            SA_mu,
+            SA,
+            C122_mu,
+            t154,
+            t156,
+            t157,
+            t158,
+            t159,
+            t160,
+            t161,
+            t162,
+            t163,
+            t164,
+            t168,
+            t169,
+            xA_w,
+            t173,
+            t174,
+            M12_xA,
+            t177,
+            t179,
+            t180,
+            IAlz_uA,
+            t184,
+            t187,
+            M22_uA,
+            t190,
+            t193,
+            ITzz_w,
+            M22_ITzz,
+            t199,
+            M22_mu,
+            t201,
+            t205,
+            t206,
+            t208,
+            t213,
+            IAlz_xA,
+            t215,
+            M22_xA,
+            t219,
+            t222,
+            t224,
+            t225,
+            t226,
+            t228,
+            t229,
+            t232,
+            t233,
+            t234,
+            SA_w,
+            C122_ITzz,
+            t242,
+            C122_xA,
+            t247,
+            t252,
+            t253,
+            t254,
+            t258,
+            t262,
+            SA_c,
+            t265,
+            t267,
+            t272,
+            t275,
+            t277,
+            IAlz_lam,
+            t291,
+            t295,
+            t299,
+            t303,
+            t310,
+            t311,
+            t313,
+            t314,
+            t315,
+            t316,
+            t317,
+            t318,
+            t319,
+            t320,
+            t321,
+            t323,
+            ITzz_xB,
+            t325,
+            SA_xB,
+            t330,
+            t332,
+            t333,
+            SA_mB,
+            t337,
+            t341,
+            t345,
+            t348,
+            zA_zH,
+            t353,
+            ITzz_xH,
+            t360,
+            t363,
+            SA_xH,
+            t371,
+            t373,
+            t374,
+            t375,
+            t376,
+            t377,
+            t381,
+            t382,
+            t383,
+            t384,
+            t387,
+            t389,
+            t392,
+            t393,
+            t394,
+            IAlz_zA,
+            IAlz_zH,
+            t404,
+            M22_zA,
+            t409,
+            t413,
+            t414,
+            t416,
+            t417,
+            t420,
+            t421,
+            t423,
+            t427,
+            t428,
+            zA_mH,
+            t433,
+            xA_mH,
+            t437,
+            IAlz_mA,
+            IAlz_mH,
+            t454,
+            t458,
+            t466,
+            t467,
+            SA_mH,
+            t474,
+            t477,
+            t478,
+            t481,
+            t483,
+            C112_SF,
+            t485,
+            K222_SF,
+            t487,
+            t491,
+            t493,
+            t497,
+            t501,
+            t502,
+            t503,
+            SA_rF,
+            t507,
+            t510,
+            t513,
+            t514,
+            t515,
+            ITxz_mF,
+            t522,
+            xA_mF,
+            t528,
+            IAlz_mF,
+            t544,
+            t548,
+            t551,
+            SA_mF,
+            t564,
+            t566,
+            t567,
+            t568,
+            t569,
+            t570,
+            t571,
+            t572,
+            t573,
+            t574,
+            t575,
+            t576,
+            t577,
+            t578,
+            t579,
+        );
+        t5 = self.IHxx + self.IFxx;
+        t9 = self.rR * self.rR;
+        t14 = self.zB * self.zB;
+        t19 = self.zH * self.zH;
+        t24 = self.rF * self.rF;
+        t26 = (((((self.IRxx + self.IBxx) + t5) + (self.mR * t9)) + (self.mB * t14))
+            + (self.mH * t19)) + (self.mF * t24);
+        (t54, t28) = ::carvallo::Number::sin_cos(self.lam);
+        mA = self.mH + self.mF;
+        t32 = ::carvallo::Number::like(self.w, 1.0) / mA;
+        t33 = self.rF * self.mF;
+        t34 = self.zH * self.mH;
+        t35 = t34 - t33;
+        zA = t32 * t35;
+        t37 = self.zH - zA;
+        t39 = self.xH * self.mH;
+        ITxz_rF = self.w * self.mF;
+        t42 = t39 + ITxz_rF;
+        xA = t32 * t42;
+        t44 = self.xH - xA;
+        t45 = t37 * t44;
+        t48 = xA - self.w;
+        t49 = self.rF + zA;
+        t50 = t48 * t49;
+        IAxz = (self.IHxz - (self.mH * t45)) - (self.mF * t50);
+        t53 = t28 * IAxz;
+        t55 = t37 * t37;
+        t58 = t49 * t49;
+        IAxx = (t5 + (self.mH * t55)) + (self.mF * t58);
+        t61 = t54 * IAxx;
+        t65 = t48 - self.c;
+        uA = (t28 * t65) - (zA * t54);
+        t68 = mA * uA;
+        t74 = self.zB * self.mB;
+        t77 = self.xH * self.zH;
+        ITxz = (((self.IBxz + self.IHxz) - (self.xB * t74)) - (self.mH * t77))
+            + (self.w * t33);
+        t82 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        t83 = t28 * t82;
+        mu = self.c * t83;
+        t86 = ((t53 + t61) - (t68 * zA)) + (ITxz * mu);
+        M22_mA = uA * uA;
+        t91 = t61 + (t53 * ::carvallo::Number::like(self.w, 2.0));
+        t97 = self.IHzz + self.IFxx;
+        ITzz_mB = self.xB * self.xB;
+        ITzz_mH = self.xH * self.xH;
+        ITzz_mF = self.w * self.w;
+        ITzz = ((((self.IRxx + self.IBzz) + t97) + (self.mB * ITzz_mB))
+            + (self.mH * ITzz_mH)) + (self.mF * ITzz_mF);
+        t108 = mu * ITzz;
+        IAzz_mH = t44 * t44;
+        IAzz_mF = t48 * t48;
+        IAzz = (t97 + (self.mH * IAzz_mH)) + (self.mF * IAzz_mF);
+        t117 = t54 * IAxz;
+        t118 = (t28 * IAzz) + t117;
+        IAlz = (xA * t68) + t118;
+        M22_IAzz = t28 * t28;
+        t126 = (((mA * M22_mA) + (t54 * t91))
+            + (mu * (t108 + (IAlz * ::carvallo::Number::like(self.w, 2.0)))))
+            + (IAzz * M22_IAzz);
+        t129 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        SF = self.IFyy * t129;
+        t131 = t28 * SF;
+        t133 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        ST = SF + (self.IRyy * t133);
+        t137 = self.rR * self.mR;
+        t138 = (t35 + t74) - t137;
+        t139 = ST - t138;
+        t142 = ITxz * t83;
+        t143 = (t131 + (mu * t139)) + t142;
+        SA_mu = t42 + (self.xB * self.mB);
+        SA = t68 + (mu * SA_mu);
+        C122_mu = SA + (t83 * ITzz);
+        t154 = (t83 * IAlz) + (mu * C122_mu);
+        t156 = t83 * t139;
+        t157 = t54 * SF;
+        t158 = SA + t157;
+        t159 = t83 * t158;
+        t160 = t49 * self.mF;
+        t161 = t28 * t160;
+        t162 = mA * zA;
+        t163 = t28 * t162;
+        t164 = t161 + t163;
+        t168 = t28 * (t82 * t82);
+        t169 = self.c * ITxz;
+        xA_w = self.mF * t32;
+        t173 = t37 * self.mH;
+        t174 = t28 * t173;
+        M12_xA = t174 - t164;
+        t177 = ((t164 + (t33 * mu)) - (t168 * t169)) + (xA_w * M12_xA);
+        t179 = self.mF * ::carvallo::Number::like(self.w, 2.0);
+        t180 = t48 * t179;
+        IAlz_uA = mA * xA;
+        t184 = (t28 * (t180 + IAlz_uA)) - (t54 * t160);
+        t187 = t54 * ::carvallo::Number::like(self.w, 2.0);
+        M22_uA = ::carvallo::Number::like(self.w, 2.0) * t68;
+        t190 = t28 * M22_uA;
+        t193 = (t190 - (t161 * t187)) + (t180 * M22_IAzz);
+        ITzz_w = self.w * t179;
+        M22_ITzz = mu * mu;
+        t199 = IAlz + t108;
+        M22_mu = ::carvallo::Number::like(self.w, 2.0) * t199;
+        t201 = self.c * M22_mu;
+        t205 = self.mH * t44;
+        t206 = t205 * ::carvallo::Number::like(self.w, 2.0);
+        t208 = (t206 * M22_IAzz) - (t174 * t187);
+        t213 = (t28 * t206) - (t54 * t173);
+        IAlz_xA = (t68 + t184) - t213;
+        t215 = mu * ::carvallo::Number::like(self.w, 2.0);
+        M22_xA = (t193 - t208) + (IAlz_xA * t215);
+        t219 = (((ITzz_w * M22_ITzz)
+            - (((mu * t184) * ::carvallo::Number::like(self.w, 2.0)) + t193))
+            - (t168 * t201)) + (xA_w * M22_xA);
+        t222 = ITxz + (self.c * t139);
+        t224 = (t33 * t83) - (t168 * t222);
+        t225 = ST * self.c;
+        t226 = t168 * t225;
+        t228 = self.mF * mu;
+        t229 = mA * t28;
+        t232 = t228 + (t229 * (xA_w - ::carvallo::Number::like(self.w, 1.0)));
+        t233 = self.c * SA_mu;
+        t234 = t168 * t233;
+        SA_w = t232 - t234;
+        C122_ITzz = t83 * mu;
+        t242 = t199 + (self.c * C122_mu);
+        C122_xA = t83 * IAlz_xA;
+        t247 = ((((mu * SA_w) - (t184 * t83)) + (ITzz_w * C122_ITzz)) - (t168 * t242))
+            + (xA_w * C122_xA);
+        t252 = (t83 * SA_w) - (t168 * t158);
+        t253 = t142 + t163;
+        t254 = IAlz_uA * t28;
+        t258 = (t83 * M22_mu) - (t190 + (t254 * t215));
+        t262 = t83 * SA_mu;
+        SA_c = t262 - t229;
+        t265 = (t83 * (C122_mu - t254)) + (mu * SA_c);
+        t267 = t83 * SA_c;
+        t272 = (t28 * zA) + (t54 * t65);
+        t275 = t82 * t54;
+        t277 = (((IAxx * t28) - t117) + (t272 * t162)) - (t275 * t169);
+        IAlz_lam = (t53 - (IAzz * t54)) - (t272 * IAlz_uA);
+        t291 = ((((IAlz_lam * t215) - (t187 * t118)) + (t28 * (t61 + t91)))
+            - (t272 * M22_uA)) - (t275 * t201);
+        t295 = t157 + (t275 * t225);
+        t299 = (mA * t272) + (t275 * t233);
+        t303 = ((t83 * IAlz_lam) - (mu * t299)) - (t275 * t242);
+        t310 = (t83 * (t131 - t299)) - (t275 * t158);
+        t311 = t137 * ::carvallo::Number::like(self.w, 2.0);
+        t313 = self.IRyy * (t133 * t133);
+        t314 = self.mR - t313;
+        t315 = mu * t314;
+        t316 = t313 * mu;
+        t317 = t83 * t314;
+        t318 = self.rR * mu;
+        t319 = self.rR * t83;
+        t320 = mu * t133;
+        t321 = t83 * t133;
+        t323 = self.mB * ::carvallo::Number::like(self.w, 2.0);
+        ITzz_xB = self.xB * t323;
+        t325 = ITzz_xB * M22_ITzz;
+        SA_xB = self.mB * mu;
+        t330 = (mu * SA_xB) + (ITzz_xB * C122_ITzz);
+        t332 = t83 * SA_xB;
+        t333 = self.zB * t323;
+        SA_mB = self.xB * mu;
+        t337 = mu + (self.xB * t83);
+        t341 = ITzz_mB * M22_ITzz;
+        t345 = (mu * SA_mB) + (ITzz_mB * C122_ITzz);
+        t348 = t83 * SA_mB;
+        zA_zH = self.mH * t32;
+        t353 = (zA_zH * M12_xA) - (t174 + (mu * t34));
+        ITzz_xH = ::carvallo::Number::like(self.w, 2.0) * t39;
+        t360 = ((t208 + (t213 * t215)) + (ITzz_xH * M22_ITzz)) + (zA_zH * M22_xA);
+        t363 = self.mH * mu;
+        SA_xH = t363 + (t229 * zA_zH);
+        t371 = (((t83 * t213) + (mu * SA_xH)) + (ITzz_xH * C122_ITzz))
+            + (zA_zH * C122_xA);
+        t373 = t83 * SA_xH;
+        t374 = t34 * ::carvallo::Number::like(self.w, 2.0);
+        t375 = t28 * t205;
+        t376 = t173 * t187;
+        t377 = t376 - t375;
+        t381 = t48 * self.mF;
+        t382 = t28 * t381;
+        t383 = t160 * t187;
+        t384 = t383 - t382;
+        t387 = ((t68 + t377) - t384) - (t54 * t162);
+        t389 = (t377 - (mu * t39)) - (zA_zH * t387);
+        t392 = t54 * (t376 - (t375 * ::carvallo::Number::like(self.w, 2.0)));
+        t393 = t54 * t205;
+        t394 = t54 * t381;
+        IAlz_zA = t393 - (t394 + (IAlz_uA * t54));
+        IAlz_zH = (zA_zH * IAlz_zA) - t393;
+        t404 = t54 * (t383 - (t382 * ::carvallo::Number::like(self.w, 2.0)));
+        M22_zA = (t404 - (M22_uA * t54)) - t392;
+        t409 = (t392 + (IAlz_zH * t215)) + (zA_zH * M22_zA);
+        t413 = mA * t54;
+        t414 = zA_zH * t413;
+        t416 = (t83 * IAlz_zH) - (mu * t414);
+        t417 = t414 * t54;
+        t420 = t28 * t45;
+        t421 = t54 * t55;
+        t423 = uA * zA;
+        t427 = t32 * t32;
+        t428 = t35 * t427;
+        zA_mH = (self.zH * t32) - t428;
+        t433 = t42 * t427;
+        xA_mH = (self.xH * t32) - t433;
+        t437 = ((((t421 - t420) - t423) - (mu * t77)) - (zA_mH * t387))
+            + (xA_mH * M12_xA);
+        IAlz_mA = xA * uA;
+        IAlz_mH = ((IAlz_mA - (t54 * t45)) + (t28 * IAzz_mH)) + (zA_mH * IAlz_zA);
+        t454 = (((M22_mA + (IAlz_mH * t215))
+            + (t54 * (t421 - (t420 * ::carvallo::Number::like(self.w, 2.0)))))
+            + (ITzz_mH * M22_ITzz)) + (IAzz_mH * M22_IAzz);
+        t458 = (t454 + (zA_mH * M22_zA)) + (xA_mH * M22_xA);
+        t466 = (uA + (self.xH * mu)) + (t229 * xA_mH);
+        t467 = zA_mH * t413;
+        SA_mH = t466 - t467;
+        t474 = (((t83 * IAlz_mH) + (mu * SA_mH)) + (ITzz_mH * C122_ITzz))
+            + (xA_mH * C122_xA);
+        t477 = t83 * SA_mH;
+        t478 = t54 * t54;
+        t481 = (M22_ITzz + M22_IAzz) + (t28 * t215);
+        t483 = C122_ITzz + (t28 * t83);
+        C112_SF = t28 + mu;
+        t485 = t187 * C112_SF;
+        K222_SF = t54 * t83;
+        t487 = t33 * ::carvallo::Number::like(self.w, 2.0);
+        t491 = (t384 + (mu * ITxz_rF)) + (xA_w * t387);
+        t493 = t394 + (xA_w * IAlz_zA);
+        t497 = (t404 - (t493 * t215)) - (xA_w * M22_zA);
+        t501 = self.IFyy * (t129 * t129);
+        t502 = t501 * C112_SF;
+        t503 = (t228 + (t83 * ITxz_rF)) - t502;
+        SA_rF = xA_w * t413;
+        t507 = (mu * SA_rF) - (t83 * t493);
+        t510 = t83 * (self.mF - t501);
+        t513 = (t83 * SA_rF) - (t501 * K222_SF);
+        t514 = t28 * t50;
+        t515 = t54 * t58;
+        ITxz_mF = self.w * self.rF;
+        t522 = t428 + (self.rF * t32);
+        xA_mF = (self.w * t32) - t433;
+        t528 = ((((t515 - t514) - t423) + (mu * ITxz_mF)) + (t522 * t387))
+            + (xA_mF * M12_xA);
+        IAlz_mF = ((IAlz_mA - (t54 * t50)) + (t28 * IAzz_mF)) - (t522 * IAlz_zA);
+        t544 = (((M22_mA + (IAlz_mF * t215))
+            + (t54 * (t515 - (t514 * ::carvallo::Number::like(self.w, 2.0)))))
+            + (ITzz_mF * M22_ITzz)) + (IAzz_mF * M22_IAzz);
+        t548 = (t544 - (t522 * M22_zA)) + (xA_mF * M22_xA);
+        t551 = (self.rF * mu) + (t83 * ITxz_mF);
+        SA_mF = ((uA + (self.w * mu)) + (t229 * xA_mF)) + (t522 * t413);
+        t564 = (((t83 * IAlz_mF) + (mu * SA_mF)) + (ITzz_mF * C122_ITzz))
+            + (xA_mF * C122_xA);
+        t566 = self.rF * t83;
+        t567 = t83 * SA_mF;
+        t568 = t478 + t481;
+        t569 = t129 * C112_SF;
+        t570 = t83 * t129;
+        t571 = t129 * K222_SF;
+        t572 = -(t131 + (mu * ST));
+        t573 = -SA;
+        t574 = -(SA * t54);
+        t575 = t234 - t232;
+        t576 = -(SA_w * t54);
+        t577 = -(t139 * t168);
+        t578 = -(ST * t83);
+        t579 = t229 - t262;
+        let (
+            t580,
+            t581,
+            t582,
+            t583,
+            t584,
+            t585,
+            t586,
+            t587,
+            t588,
+            t589,
+            t590,
+            t591,
+            t592,
+            t593,
+            t594,
+            t595,
+            t596,
+            t597,
+            t598,
+            t599,
+            t600,
+            t601,
+            t602,
+            t603,
+            t604,
+            t605,
+            t606,
+            t607,
+            t608,
+            t609,
+            t610,
+            t611,
+            t612,
+            t613,
+            t614,
+            t615,
+        );
+        t580 = -(SA_c * t54);
+        t581 = -(t157 + (t275 * t222));
+        t582 = (t54 * t299) - (SA * t28);
+        t583 = -(t139 * t275);
+        t584 = -self.mR;
+        t585 = -self.rR;
+        t586 = -t320;
+        t587 = -(t74 * mu);
+        t588 = -(t74 * t83);
+        t589 = -SA_xB;
+        t590 = -(SA_xB * t54);
+        t591 = -(self.mB * SA_mB);
+        t592 = -(self.mB * t337);
+        t593 = -(self.mB * t83);
+        t594 = -(self.zB * SA_mB);
+        t595 = -(self.zB * t337);
+        t596 = -SA_mB;
+        t597 = -(SA_mB * t54);
+        t598 = -(self.zB * t83);
+        t599 = -(t83 * t34);
+        t600 = -SA_xH;
+        t601 = -(SA_xH * t54);
+        t602 = -(t363 + (t83 * t39));
+        t603 = -(self.mH * t83);
+        t604 = -(t83 * t414);
+        t605 = -((self.zH * mu) + (t83 * t77));
+        t606 = t467 - t466;
+        t607 = -(SA_mH * t54);
+        t608 = -(self.zH * t83);
+        t609 = -self.mF;
+        t610 = -SA_rF;
+        t611 = -(SA_rF * t54);
+        t612 = -self.rF;
+        t613 = -SA_mF;
+        t614 = -(SA_mF * t54);
+        t615 = -t569;
+        (
+            WhippleMatrices {
+                m: [[t26, t86], [t86, t126]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t143], [t572, t154]],
+                k0: [[t138, t573], [t573, t574]],
+                k2: [
+                    [::carvallo::Number::like(self.w, 0.0), t156],
+                    [::carvallo::Number::like(self.w, 0.0), t159],
+                ],
+            },
+            WhippleDerivatives {
+                values: [
+                    t177,
+                    t177,
+                    t219,
+                    t224,
+                    t226,
+                    t247,
+                    t575,
+                    t575,
+                    t576,
+                    t577,
+                    t252,
+                    t253,
+                    t253,
+                    t258,
+                    t156,
+                    t578,
+                    t265,
+                    t579,
+                    t579,
+                    t580,
+                    t267,
+                    t277,
+                    t277,
+                    t291,
+                    t581,
+                    t295,
+                    t303,
+                    t299,
+                    t299,
+                    t582,
+                    t583,
+                    t310,
+                    t311,
+                    t315,
+                    t316,
+                    t584,
+                    t317,
+                    t9,
+                    t318,
+                    t585,
+                    t319,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    M22_ITzz,
+                    C122_ITzz,
+                    t320,
+                    t586,
+                    t321,
+                    t587,
+                    t587,
+                    t325,
+                    t588,
+                    t330,
+                    t589,
+                    t589,
+                    t590,
+                    t332,
+                    t333,
+                    t591,
+                    t591,
+                    t592,
+                    self.mB,
+                    t593,
+                    t14,
+                    t594,
+                    t594,
+                    t341,
+                    t595,
+                    t345,
+                    self.zB,
+                    t596,
+                    t596,
+                    t597,
+                    t598,
+                    t348,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    M22_ITzz,
+                    C122_ITzz,
+                    mu,
+                    mu,
+                    t83,
+                    t353,
+                    t353,
+                    t360,
+                    t599,
+                    t371,
+                    t600,
+                    t600,
+                    t601,
+                    t373,
+                    t374,
+                    t389,
+                    t389,
+                    t409,
+                    t602,
+                    t416,
+                    self.mH,
+                    t414,
+                    t414,
+                    t417,
+                    t603,
+                    t604,
+                    t19,
+                    t437,
+                    t437,
+                    t458,
+                    t605,
+                    t474,
+                    self.zH,
+                    t606,
+                    t606,
+                    t607,
+                    t608,
+                    t477,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t54,
+                    t54,
+                    t478,
+                    t481,
+                    t483,
+                    C112_SF,
+                    C112_SF,
+                    t485,
+                    t83,
+                    K222_SF,
+                    t487,
+                    t491,
+                    t491,
+                    t497,
+                    t503,
+                    t502,
+                    t507,
+                    t609,
+                    t610,
+                    t610,
+                    t611,
+                    t510,
+                    t513,
+                    t24,
+                    t528,
+                    t528,
+                    t548,
+                    t551,
+                    t564,
+                    t612,
+                    t613,
+                    t613,
+                    t614,
+                    t566,
+                    t567,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t54,
+                    t54,
+                    t568,
+                    t483,
+                    t569,
+                    t615,
+                    t570,
+                    t571,
+                ],
+            },
+        )
+    }
+}
+#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for Whipple<T> {
+    type Derivatives = [::carvallo::Coefficients<T, 2>; 26];
+    fn coefficients_and_derivatives(
+        &self,
+    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let mut all = [::carvallo::Coefficients::from_rows(
+            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
+        ); 26];
+        for position in 0..158 {
+            <WhippleDerivatives>::PARTIALS[position]
+                .write(derivatives.values[position], &mut all);
+        }
+        (
+            ::carvallo::Coefficients::from_rows([
+                matrices.m,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+                matrices.c1,
+                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
+                matrices.k0,
+                matrices.k2,
+            ]),
+            all,
+        )
     }
 }

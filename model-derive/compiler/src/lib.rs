@@ -14,6 +14,7 @@
 //! [`declare`] for the macro.
 
 mod check;
+pub mod derivatives;
 mod emit;
 mod equations;
 #[cfg(feature = "files")]
@@ -29,6 +30,7 @@ mod syntax;
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 
+use crate::derivatives::Derivatives;
 pub use crate::emit::Driver;
 pub use crate::equations::Equations;
 use crate::model::Model;
@@ -53,6 +55,8 @@ pub struct Programs {
     pub requirements: Program,
     /// Computes the rates and forces that follow from a mechanism, if the model is one.
     pub kinematics: Option<Program>,
+    /// Computes the entries of the matrices together with their derivatives, if the model asks for them.
+    pub derivatives: Option<Derivatives>,
 }
 
 /// Checks a declaration, and makes no programs of it.
@@ -92,7 +96,13 @@ fn compile_or_model(declaration: TokenStream) -> Result<Compiled, (syn::Error, O
             let mut next = || programs.next().unwrap_or_else(|| unreachable!("a program for each"));
             let (matrices, requirements) = (next(), next());
             let kinematics = programs.next();
-            Ok(Compiled { model, programs: Programs { matrices, requirements, kinematics } })
+            let derivatives = model.derivatives.map(|span| (span, derivatives::compile(&model, &matrices)));
+            let derivatives = match derivatives {
+                Some((span, Err(failure))) => return Err((report::error(span, failure), Some(Box::new(model)))),
+                Some((_, Ok(derivatives))) => Some(derivatives),
+                None => None,
+            };
+            Ok(Compiled { model, programs: Programs { matrices, requirements, kinematics, derivatives } })
         }
         Err(failure) => Err((report::error(region(&model, &failure), failure), Some(Box::new(model)))),
     }

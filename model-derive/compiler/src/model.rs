@@ -37,6 +37,8 @@ pub struct Model {
     pub symmetric: Vec<MatrixName>,
     /// Rates and forces, of a model that is a mechanism.
     pub kinematics: Option<Kinematics<Expr>>,
+    /// Where the derivatives of the matrices are asked for.
+    pub derivatives: Option<Span>,
     /// The names in the declaration, for editors.
     pub references: References,
 }

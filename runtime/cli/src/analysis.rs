@@ -122,7 +122,7 @@ pub fn largest(values: &[Complex<f64>]) -> f64 {
 }
 
 /// Whether motion with these eigenvalues is stable, as far as their digits tell.
-fn verdict(values: &[Complex<f64>]) -> Verdict {
+pub fn verdict(values: &[Complex<f64>]) -> Verdict {
     let rightmost = values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
     if rightmost.abs() <= NEGLIGIBLE * largest(values) {
         Verdict::Marginal
@@ -134,7 +134,7 @@ fn verdict(values: &[Complex<f64>]) -> Verdict {
 }
 
 /// The parameters that are probably to blame where there is no answer, as the end of a sentence.
-fn extremes(design: &Design) -> String {
+pub fn extremes(design: &Design) -> String {
     let parameters = design.info().parameters.iter().zip(&design.parameters);
     let extremes = parameters.filter(|(_, given)| given.value != 0.0 && !ORDINARY.contains(&given.value.abs()));
     let extremes: Vec<String> =

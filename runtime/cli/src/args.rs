@@ -9,6 +9,7 @@ use clap::{Arg, ArgAction, ArgMatches, value_parser};
 use crate::failure::{Failure, Place, Problem};
 use crate::input::Request;
 use crate::speeds;
+use crate::sweep;
 
 /// What to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,10 +25,17 @@ pub enum Command {
     },
     Bicycles,
     Models,
+    /// What the critical speeds depend on most.
+    Sensitivity {
+        request: Request,
+        format: Format,
+        plot: Option<PathBuf>,
+    },
     Show {
         request: Request,
         plot: Option<PathBuf>,
     },
+    Sweep(Box<sweep::Request>),
 }
 
 /// How an analysis is printed.
@@ -47,8 +55,11 @@ Examples:
   carvallo analyze --set mB=90 --set 'lam=20 deg'
                                                The benchmark bicycle, changed
   carvallo analyze my-bike.toml --format csv --speeds 0:8:0.05
+  carvallo sensitivity pista --plot pista.svg  Which parameters its critical speeds depend on most
   carvallo show benchmark > my-bike.toml       A file to start from: edit it and analyze it
   carvallo show browser --plot browser.svg     Parameters, and a side view to scale
+  carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
+                                               Many designs, with a map of their stability
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set";
 
 const ANALYZE_HELP: &str = "\
@@ -71,6 +82,28 @@ nothing depends on the speed there is one row, with the speed null.
 
 Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";
 
+const SENSITIVITY_HELP: &str = "\
+Ranks the parameters by how much 1 % of each changes the weave and capsize speeds (m/s), with the derivatives beside it
+(m/s per unit of the parameter). They are exact derivatives, not differences. 1 % is of the value, with its sign: 1 % more
+of zB = -0.9 m is -0.009 m, which is higher up. A parameter that is 0 is changed by 1 % of the median size
+of the others in its unit, or of a radian, and marked *.
+
+Standard deviations of parameters, where the file has them, propagate to first order to every critical speed and matrix
+entry, with the shares of the variance that come from each parameter.
+
+DESIGN is as for `carvallo analyze`. JSON and CSV have all critical speeds, those of double roots too; the layout is in
+docs/sensitivity.md.
+
+Examples:
+  carvallo sensitivity                          The benchmark bicycle
+  carvallo sensitivity browser --plot browser.png
+                                                A measured bicycle, with deviations and a bar chart
+  carvallo sensitivity --set c=0                Without trail
+  carvallo sensitivity my-bike.toml --format csv
+
+Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2 wrong usage or input, or a model that
+ships without derivatives.";
+
 fn command() -> clap::Command {
     let design = Arg::new("design").value_name("DESIGN|FILE");
     let design = design.help("A shipped bicycle or parameter set, or a file; - reads stdin");
@@ -89,11 +122,19 @@ fn command() -> clap::Command {
         .action(ArgAction::Append)
         .help("Replaces a parameter; may be given several times");
     let plot = Arg::new("plot").long("plot").value_name("FILE").value_parser(value_parser!(PathBuf));
+    let format = Arg::new("format")
+        .long("format")
+        .value_name("FORMAT")
+        .value_parser(PossibleValuesParser::new(["table", "json", "csv"]))
+        .default_value("table")
+        .hide_possible_values(true)
+        .help("table, json or csv");
     let styles = Styles::styled()
         .header(AnsiColor::Green.on_default().bold())
         .usage(AnsiColor::Green.on_default().bold())
         .literal(AnsiColor::Cyan.on_default().bold())
         .placeholder(AnsiColor::Cyan.on_default());
+    let sweep = sweep::command([design.clone(), model.clone(), gravity.clone(), set.clone()]);
     let analyze = clap::Command::new("analyze")
         .about("Matrices, critical speeds, and eigenvalues against speed")
         .after_help(ANALYZE_HELP)
@@ -108,16 +149,17 @@ fn command() -> clap::Command {
         )
         .arg(gravity.clone())
         .arg(set.clone())
-        .arg(
-            Arg::new("format")
-                .long("format")
-                .value_name("FORMAT")
-                .value_parser(PossibleValuesParser::new(["table", "json", "csv"]))
-                .default_value("table")
-                .hide_possible_values(true)
-                .help("table, json or csv"),
-        )
+        .arg(format.clone())
         .arg(plot.clone().help("Draws the eigenvalues against speed; .svg or .png"));
+    let sensitivity = clap::Command::new("sensitivity")
+        .about("Which parameters the weave and capsize speeds depend on most")
+        .after_help(SENSITIVITY_HELP)
+        .arg(design.clone())
+        .arg(model.clone())
+        .arg(gravity.clone())
+        .arg(set.clone())
+        .arg(format)
+        .arg(plot.clone().help("Draws the effects as a bar chart; .svg or .png"));
     let show = clap::Command::new("show")
         .about("The parameters as a file, with units and warnings")
         .arg(design.required_unless_present("model"))
@@ -132,9 +174,11 @@ fn command() -> clap::Command {
         .after_help(EXAMPLES)
         .disable_help_subcommand(true)
         .subcommand(analyze)
+        .subcommand(sensitivity)
         .subcommand(clap::Command::new("bicycles").about("The shipped bicycles, with their critical speeds"))
         .subcommand(clap::Command::new("models").about("The shipped models, with their coordinates and parameter sets"))
         .subcommand(show)
+        .subcommand(sweep)
 }
 
 /// Reads the command line. Prints help, and ends the process for it and for wrong usage.
@@ -152,11 +196,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, F
                     Failure::Input(vec![Problem { place: Place::Option(format!("--speeds {text}")), message }])
                 })
             });
-            let format = match matches.get_one::<String>("format").map(String::as_str) {
-                Some("json") => Format::Json,
-                Some("csv") => Format::Csv,
-                _ => Format::Table,
-            };
+            let format = format(matches);
             let (request, plot, speeds) = (request(matches)?, plot(matches)?, speeds.transpose()?);
             if let (Some(path), Some([first, others @ ..])) = (&plot, speeds.as_deref())
                 && others.iter().all(|speed| speed == first)
@@ -166,9 +206,22 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, F
             }
             Ok(Command::Analyze { request, speeds, format, plot })
         }
+        Some(("sensitivity", matches)) => {
+            let (request, plot) = (request(matches)?, plot(matches)?);
+            Ok(Command::Sensitivity { request, format: format(matches), plot })
+        }
         Some(("show", matches)) => Ok(Command::Show { request: request(matches)?, plot: plot(matches)? }),
+        Some(("sweep", matches)) => Ok(Command::Sweep(Box::new(sweep::request(matches, request(matches)?)))),
         Some(("models", _)) => Ok(Command::Models),
         Some(_) => Ok(Command::Bicycles),
+    }
+}
+
+fn format(matches: &ArgMatches) -> Format {
+    match matches.get_one::<String>("format").map(String::as_str) {
+        Some("json") => Format::Json,
+        Some("csv") => Format::Csv,
+        _ => Format::Table,
     }
 }
 

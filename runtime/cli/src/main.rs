@@ -4,7 +4,9 @@ mod analysis;
 mod args;
 mod output;
 mod plot;
+mod sensitivity;
 mod speeds;
+mod sweep;
 
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
@@ -18,6 +20,7 @@ use self::analysis::Analysis;
 use self::args::{Command, Format};
 use self::failure::Failure;
 use self::input::{DEFAULT_BICYCLE, Design, Request};
+use self::sensitivity::Changes;
 
 const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
@@ -42,7 +45,9 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Analyze { request, speeds, format, plot } => analyze(&request, speeds, format, plot.as_deref()),
         Command::Bicycles => bicycles(),
         Command::Models => print(&output::models(model::MODELS)),
+        Command::Sensitivity { request, format, plot } => sensitivity(&request, format, plot.as_deref()),
         Command::Show { request, plot } => show(&request, plot.as_deref()),
+        Command::Sweep(request) => sweep::run(load(&request.base), &request),
     }
 }
 
@@ -99,6 +104,23 @@ fn analyze(request: &Request, speeds: Option<Vec<f64>>, format: Format, plot: Op
         note(Style::new(), "wrote", &path.display().to_string());
     }
     print(&text)
+}
+
+fn sensitivity(request: &Request, format: Format, plot: Option<&Path>) -> Result<(), Failure> {
+    let changes = Changes::new(load(request)?)?;
+    if let Some(path) = plot {
+        let nothing = || {
+            let title = changes.design.title();
+            Failure::Run(format!("{title} has neither a weave nor a capsize speed, so there is no chart to draw"))
+        };
+        plot::save(&plot::tornado(&changes).ok_or_else(nothing)?, path)?;
+        note(Style::new(), "wrote", &path.display().to_string());
+    }
+    print(&match format {
+        Format::Table => output::sensitivity::table(&changes),
+        Format::Json => output::sensitivity::json(&changes),
+        Format::Csv => output::sensitivity::csv(&changes),
+    })
 }
 
 fn bicycles() -> Result<(), Failure> {

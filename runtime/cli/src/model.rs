@@ -4,9 +4,12 @@
 use std::any::Any;
 use std::fmt::Debug;
 
-use carvallo::{Coefficients, Complex, Matrix, Model, ModelInfo, SystemError};
-use carvallo_models::Whipple;
+use carvallo::{
+    Coefficients, Complex, Differentiable, LengthError, Matrix, Model, ModelInfo, Sensitivity, SystemError,
+};
+use carvallo_models::{Whipple, WhippleMechanism};
 
+use crate::failure::Failure;
 use crate::number::with_unit;
 
 /// A model that ships with Carvallo.
@@ -25,6 +28,21 @@ pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 
 /// The model that is meant unless another one is named: that of the shipped bicycles.
 pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
+
+/// Differentiates the equations of motion at parameters in declared order, which are valid.
+pub type Differentiate = fn(&[f64]) -> Result<Sensitivity<2>, SystemError>;
+
+/// The models of two coordinates that were compiled with their derivatives.
+static DIFFERENTIABLE: [(&ModelInfo, Differentiate); 2] =
+    [with_derivatives::<Whipple>(), with_derivatives::<WhippleMechanism>()];
+
+const fn with_derivatives<M: Differentiable<2, Scalar = f64>>() -> (&'static ModelInfo, Differentiate) {
+    (M::INFO, |parameters| {
+        let too_few =
+            |LengthError { expected, found, .. }| SystemError::TooFew { quantity: "parameters", expected, found };
+        Sensitivity::of(&M::from_slice(parameters).map_err(too_few)?)
+    })
+}
 
 impl Shipped {
     const fn of<const N: usize, M: Model<N, Scalar = f64>>() -> Self {
@@ -61,6 +79,20 @@ impl Shipped {
     /// The first of them, or of the model's requirements, that does not hold.
     pub fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
         (self.equations)(parameters)
+    }
+
+    /// What differentiates the equations of motion.
+    ///
+    /// # Errors
+    /// If the model was compiled without its derivatives: that, and which models have them.
+    pub fn differentiate(&self) -> Result<Differentiate, Failure> {
+        let name = self.info.name;
+        let known = DIFFERENTIABLE.iter().find(|(info, _)| info.name == name).map(|(_, differentiate)| *differentiate);
+        known.ok_or_else(|| {
+            let names: Vec<&str> = DIFFERENTIABLE.iter().map(|(info, _)| info.name).collect();
+            let names = names.join(" and ");
+            Failure::usage(format!("the model {name} ships without derivatives; those with them are {names}"))
+        })
     }
 
     /// Whether the equations of motion depend on the speed.
@@ -108,5 +140,24 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
 
     fn of_two(&self) -> Option<&Coefficients<f64, 2>> {
         (self as &dyn Any).downcast_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DIFFERENTIABLE, MODELS};
+
+    /// No shipped model of two coordinates that says `derivatives;` is forgotten.
+    #[test]
+    fn models_with_derivatives_are_all_known() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../generated/models");
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+            let model =
+                MODELS.iter().find(|model| text.contains(&format!("pub model {} {{", model.info.name))).unwrap();
+            let is_known = DIFFERENTIABLE.iter().any(|(info, _)| info.name == model.info.name);
+            let should_be = text.contains("\n        derivatives;") && model.info.coordinates.len() == 2;
+            assert_eq!(is_known, should_be, "{}", model.info.name);
+        }
     }
 }

@@ -18,7 +18,7 @@ pub enum BatchError {
     },
     /// A column or slice is not as long as the first one.
     Length {
-        /// What it holds: the name of a parameter or an entry, or `results`.
+        /// What it is: `parameter`, `entry`, `column` or `result`.
         what: &'static str,
         /// Its position among the columns.
         position: usize,
@@ -38,7 +38,7 @@ impl fmt::Display for BatchError {
             Self::Length { what, position, expected, found } => {
                 write!(
                     f,
-                    "the column of {what} {position} has {found} numbers; the first one of the parameters has {expected}"
+                    "{what} {position} is given for {found} designs: expected {expected}, as many as there are of the first"
                 )
             }
         }

@@ -86,7 +86,7 @@ impl Batch {
     ) -> Result<(), BatchError> {
         let (expected, found) = (designs.len(), coefficients.len());
         if expected != found {
-            return Err(BatchError::Length { what: "results", position: 0, expected, found });
+            return Err(BatchError::Length { what: "result", position: 0, expected, found });
         }
         dispatch!(self.level, simd => structs::<_, N, M>(simd, designs, coefficients));
         Ok(())

@@ -7,6 +7,7 @@
 
 #[cfg(feature = "std")]
 mod blocks;
+mod eigenvalues;
 mod error;
 mod lanes;
 mod matrices;
@@ -17,6 +18,7 @@ use fearless_simd::{Level, SimdBase, dispatch};
 
 #[cfg(feature = "std")]
 pub use blocks::Blocks;
+pub use eigenvalues::Eigenvalues;
 pub use error::BatchError;
 pub use lanes::Lanes;
 
@@ -66,10 +68,24 @@ impl Default for Batch {
     }
 }
 
-/// Reads `Avx2, 4 lanes`.
+/// Reads `AVX2, 4 lanes`.
 impl fmt::Display for Batch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let level = format_args!("{:?}", self.level);
-        write!(f, "{level}, {} lanes", self.lanes())
+        let name = match self.level {
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Sse2(_) => "SSE2",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Sse4_2(_) => "SSE4.2",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx2(_) => "AVX2",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx512(_) => "AVX-512",
+            #[cfg(target_arch = "aarch64")]
+            Level::Neon(_) => "NEON",
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Level::WasmSimd128(_) => "SIMD128",
+            _ => "no registers of several numbers",
+        };
+        write!(f, "{name}, {} lanes", self.lanes())
     }
 }

@@ -1,10 +1,18 @@
 //! The characteristic quartic of two coordinates, at any scale of the matrices.
 
 use super::Quartic;
+#[cfg(feature = "batch")]
+use super::{field::CubeRoot, four::Four};
+use crate::lane::Lane;
 use crate::numeric::{equilibrate, exponent, ldexp};
 use crate::{Complex, Matrix, System, SystemError};
 
-type Rows = [[f64; 2]; 2];
+/// The entries of a matrix by rows.
+pub(crate) type Rows<T = f64> = [[T; 2]; 2];
+
+/// Between these magnitudes, or at zero, products and quotients of entries, as they occur here, stay in the range of `f64`.
+const SMALL: f64 = 1e-30;
+const LARGE: f64 = 1e30;
 
 impl System<2> {
     /// The four eigenvalues as the roots of two quadratic factors: in each half two real ones, ascending, or a conjugate
@@ -13,43 +21,75 @@ impl System<2> {
     pub(crate) fn factored_eigenvalues(&self) -> Result<[[Complex<f64>; 2]; 2], SystemError> {
         let [m, c, k] = [rows(&self.m), rows(&self.c), rows(&self.k)];
         // Without a branch for each entry.
-        if [m, c, k].as_flattened().as_flattened().iter().fold(true, |all, &entry| all & is_moderate(entry)) {
-            return Ok(quartic(m, c, k)?.roots());
+        if are_moderate(m) & are_moderate(c) & are_moderate(k) {
+            return Ok(regular_quartic(m, c, k)?.roots());
         }
         self.require_finite()?;
         scaled(m, c, k)
     }
 }
 
+/// The sorted eigenvalues of the equations of motion in each lane, and whether they are as exact as those of the scalar
+/// [`System::quartic_eigenvalues`], which are then the same to the last bit; where they are not, it has to be asked.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(crate) fn quick_eigenvalues<T: CubeRoot>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> (Four<T>, T::Mask) {
+    let (quartic, is_singular) = quartic(m, c, k);
+    let is_regular = !is_singular & quartic.is_moderate() & are_moderate(m) & are_moderate(c) & are_moderate(k);
+    let (factors, are_exact) = quartic.quick_factors();
+    (Four::new(factors), is_regular & are_exact)
+}
+
 fn rows(matrix: &Matrix<f64, 2>) -> Rows {
     [[matrix.m11, matrix.m12], [matrix.m21, matrix.m22]]
 }
 
-/// Whether products and quotients of such numbers, as they occur here, stay in the range of `f64`.
-#[inline]
-fn is_moderate(entry: f64) -> bool {
-    let magnitude = entry.abs();
-    (1e-30..=1e30).contains(&magnitude) | (magnitude == 0.0)
+#[inline(always)]
+fn are_moderate<T: Lane>(matrix: Rows<T>) -> T::Mask {
+    let [[x11, x12], [x21, x22]] = matrix;
+    (is_moderate(x11) & is_moderate(x12)) & (is_moderate(x21) & is_moderate(x22))
 }
 
-/// The quartic `det(M s^2 + C s + K) / det M`.
-#[inline]
-fn quartic(m: Rows, c: Rows, k: Rows) -> Result<Quartic, SystemError> {
+#[inline(always)]
+fn is_moderate<T: Lane>(entry: T) -> T::Mask {
+    let magnitude = Lane::abs(entry);
+    let limit = |value| entry.like(value);
+    (limit(SMALL).less_or_equal(magnitude) & magnitude.less_or_equal(limit(LARGE)))
+        | magnitude.less_or_equal(limit(0.0))
+}
+
+/// The quartic `det(M s^2 + C s + K) / det M`, and whether M is singular.
+#[inline(always)]
+fn quartic<T: Lane>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> (Quartic<T>, T::Mask) {
     let (forward, backward) = (m[0][0] * m[1][1], m[0][1] * m[1][0]);
     let det = forward - backward;
     // Below this the determinant is no more than the rounding of the entries.
-    if det.abs() <= 8.0 * f64::EPSILON * (forward.abs() + backward.abs()) {
-        return Err(SystemError::SingularMass);
-    }
-    let mixed = |x: Rows, y: Rows| (x[0][0] * y[1][1] - x[0][1] * y[1][0]) + (y[0][0] * x[1][1] - y[0][1] * x[1][0]);
-    let determinant = |x: Rows| x[0][0] * x[1][1] - x[0][1] * x[1][0];
-    let scale = 1.0 / det;
-    Ok(Quartic {
+    let rounding = det.like(8.0 * f64::EPSILON) * (Lane::abs(forward) + Lane::abs(backward));
+    let scale = det.like(1.0) / det;
+    let quartic = Quartic {
         a: mixed(m, c) * scale,
         b: (mixed(m, k) + determinant(c)) * scale,
         c: mixed(c, k) * scale,
         d: determinant(k) * scale,
-    })
+    };
+    (quartic, Lane::abs(det).less_or_equal(rounding))
+}
+
+/// What M s^2 + C s + K has of two of them in its determinant.
+#[inline(always)]
+fn mixed<T: Lane>(x: Rows<T>, y: Rows<T>) -> T {
+    (x[0][0] * y[1][1] - x[0][1] * y[1][0]) + (y[0][0] * x[1][1] - y[0][1] * x[1][0])
+}
+
+#[inline(always)]
+fn determinant<T: Lane>(x: Rows<T>) -> T {
+    x[0][0] * x[1][1] - x[0][1] * x[1][0]
+}
+
+#[inline]
+fn regular_quartic(m: Rows, c: Rows, k: Rows) -> Result<Quartic, SystemError> {
+    let (quartic, is_singular) = quartic(m, c, k);
+    if is_singular { Err(SystemError::SingularMass) } else { Ok(quartic) }
 }
 
 /// Eigenvalues of matrices of any scale: rows, columns and time are measured in units that bring all entries to at most
@@ -67,7 +107,7 @@ fn scaled(m: Rows, c: Rows, k: Rows) -> Result<[[Complex<f64>; 2]; 2], SystemErr
         let entry = |i: usize, j: usize| ldexp(matrix[i][j], row[i] + column[j] - power * unit);
         [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
     };
-    let roots = quartic(scale(m, 0), scale(c, 1), scale(k, 2))?.roots();
+    let roots = regular_quartic(scale(m, 0), scale(c, 1), scale(k, 2))?.roots();
     let eigenvalues = roots.map(|half| half.map(|root| Complex::new(ldexp(root.re, unit), ldexp(root.im, unit))));
     if eigenvalues.as_flattened().iter().any(|root| !(root.re.is_finite() && root.im.is_finite())) {
         return Err(SystemError::OutOfRange { quantity: "an eigenvalue" });

@@ -1,14 +1,25 @@
 //! The eigenvalues of the equations of motion.
 
 mod characteristic;
+pub(crate) mod field;
+#[cfg(feature = "batch")]
+mod four;
+#[cfg(feature = "std")]
+mod francis;
+#[cfg(feature = "std")]
+mod general;
+#[cfg(feature = "std")]
+mod hessenberg;
 mod quartic;
 mod resolvent;
-#[cfg(feature = "std")]
-mod schur;
 
 use crate::system::require_finite;
 use crate::{Complex, System, SystemError};
 
+#[cfg(feature = "batch")]
+pub(crate) use characteristic::{Rows, quick_eigenvalues};
+#[cfg(feature = "batch")]
+pub(crate) use four::Four;
 pub(crate) use quartic::Quartic;
 
 impl System<2> {
@@ -67,7 +78,7 @@ impl<const N: usize> System<N> {
             let system = System { m: two(&self.m), c: two(&self.c), k: two(&self.k) };
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
-        let mut eigenvalues = schur::eigenvalues(self)?;
+        let mut eigenvalues = general::eigenvalues(self)?.as_flattened().to_vec();
         eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
         Ok(eigenvalues)
     }

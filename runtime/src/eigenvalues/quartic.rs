@@ -3,20 +3,29 @@
 //! The factors are polished together, so that not only each root but all of them jointly belong to a quartic close to
 //! the given one: roots polished one by one drift apart where they nearly coincide.
 
+use super::field::{CubeRoot, Field};
 use super::resolvent::Resolvent;
+use crate::Complex;
+use crate::lane::Lane;
 use crate::numeric::{DoubleDouble, exponent, ldexp};
-use crate::{Complex, Number};
 
-/// The error of the factors, as [`Quartic::polish`] measures it, that is no more than rounding.
-const TOLERANCE: f64 = 8.0 * f64::EPSILON;
+/// The error of a coefficient of the product of the factors, relative to the size of its terms, that is only rounding.
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
+
+/// The sum of the errors of all four that is no more than rounding.
+const TOLERANCE: f64 = 4.0 * ROUNDING;
+
+/// The limits of the largest coefficient within which no intermediate result over- or underflows.
+const SMALL: f64 = 1e-12;
+const LARGE: f64 = 1e12;
 
 /// A monic quartic `x^4 + a x^3 + b x^2 + c x + d`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Quartic {
-    pub(crate) a: f64,
-    pub(crate) b: f64,
-    pub(crate) c: f64,
-    pub(crate) d: f64,
+pub(crate) struct Quartic<T = f64> {
+    pub(crate) a: T,
+    pub(crate) b: T,
+    pub(crate) c: T,
+    pub(crate) d: T,
 }
 
 /// A monic quadratic `x^2 + p x + q`.
@@ -26,26 +35,37 @@ pub(super) struct Quadratic<T = f64> {
     pub(super) q: T,
 }
 
+/// Two roots, by their real and imaginary parts: two real ones, ascending, or a conjugate pair, the negative imaginary
+/// part first.
+#[derive(Clone, Copy)]
+pub(super) struct Pair<T> {
+    pub(super) re: [T; 2],
+    pub(super) im: [T; 2],
+}
+
 impl Quartic {
     /// The four roots: in each half two real ones, ascending, or a conjugate pair, the negative imaginary part first.
     ///
     /// Real roots have an imaginary part of exactly zero and pairs are exactly conjugate. Finite if the coefficients are,
     /// unless a root itself overflows.
+    #[inline]
     pub(crate) fn roots(self) -> [[Complex<f64>; 2]; 2] {
-        let Self { a, b, c, d } = self;
-        let largest = a.abs().max(b.abs()).max(c.abs()).max(d.abs());
-        // Within these limits no intermediate result over- or underflows.
-        if (1e-12..1e12).contains(&largest) {
-            return self.factors().map(Quadratic::roots);
+        if self.is_moderate() {
+            return self.factors().map(Quadratic::complex_roots);
         }
+        self.scaled_roots()
+    }
+
+    #[cold]
+    fn scaled_roots(self) -> [[Complex<f64>; 2]; 2] {
+        let Self { a, b, c, d } = self;
         let unit = self.unit();
         let [a, b, c, d] = [(a, -unit), (b, -2 * unit), (c, -3 * unit), (d, -4 * unit)].map(|(x, e)| ldexp(x, e));
         let unscale = |root: Complex<f64>| Complex::new(ldexp(root.re, unit), ldexp(root.im, unit));
-        Self { a, b, c, d }.factors().map(|factor| factor.roots().map(unscale))
+        Self { a, b, c, d }.factors().map(|factor| factor.complex_roots().map(unscale))
     }
 
     /// The exponent of a power of two that is about the size of the largest root.
-    #[cold]
     fn unit(self) -> i32 {
         let degrees = [(self.a, 1), (self.b, 2), (self.c, 3), (self.d, 4)];
         let units = degrees.map(|(x, degree)| exponent(x).map(|e| e.div_euclid(degree) + 1));
@@ -55,16 +75,26 @@ impl Quartic {
     /// Two quadratic factors with real coefficients.
     #[inline]
     fn factors(self) -> [Quadratic; 2] {
-        let (factors, error) = self.polish(Resolvent::<f64>::new(self).factors());
-        if error <= TOLERANCE { factors } else { self.careful_factors(factors, error) }
+        let (factors, are_exact) = self.quick_factors();
+        if are_exact { factors } else { self.careful_factors(factors) }
     }
 
-    /// The factors where `f64` is not enough: close to three or four equal roots, or with roots of very different size.
+    /// The factors where a few steps in `f64` are not enough: close to three or four equal roots, or with roots of very
+    /// different size.
     #[cold]
-    fn careful_factors(self, mut factors: [Quadratic; 2], mut error: f64) -> [Quadratic; 2] {
-        for candidate in Resolvent::<DoubleDouble>::new(self).factors() {
+    fn careful_factors(self, factors: [Quadratic; 2]) -> [Quadratic; 2] {
+        let (mut factors, mut error) = self.polish(factors);
+        if error <= TOLERANCE {
+            return factors;
+        }
+        let Self { a, b, c, d } = self;
+        let [a, b, c, d] = [a, b, c, d].map(DoubleDouble::from);
+        for candidate in
+            [Resolvent::new(self).factors()].into_iter().chain(Resolvent::new(Quartic { a, b, c, d }).factors())
+        {
             let (candidate, candidate_error) = self.polish(candidate);
-            if candidate_error < error {
+            // What is not a number is no better than anything.
+            if candidate_error < error || !error.is_finite() {
                 (factors, error) = (candidate, candidate_error);
             }
         }
@@ -72,16 +102,20 @@ impl Quartic {
     }
 
     /// Newton's iteration for both factors at once, as long as it brings their product closer to the quartic.
-    #[inline]
     fn polish(self, mut factors: [Quadratic; 2]) -> ([Quadratic; 2], f64) {
         const STEPS: usize = 6;
-        let (mut residual, mut error) = self.residual(factors);
+        let measure = |factors| {
+            let (residual, size) = self.residual(factors);
+            let term = |i: usize| residual[i].abs() / (size[i] + f64::MIN_POSITIVE);
+            (residual, (term(0) + term(1)) + (term(2) + term(3)))
+        };
+        let (mut residual, mut error) = measure(factors);
         for _ in 0..STEPS {
-            if error <= 2.0 * f64::EPSILON {
+            if error <= ROUNDING {
                 break;
             }
             let next = newton(factors, residual);
-            let (next_residual, next_error) = self.residual(next);
+            let (next_residual, next_error) = measure(next);
             // Factors with a root in common may give what is not a number, which is not smaller either.
             if next_error < error {
                 (factors, residual, error) = (next, next_residual, next_error);
@@ -91,25 +125,62 @@ impl Quartic {
         }
         (factors, error)
     }
+}
 
-    /// The coefficients of the quartic less those of the product of the factors, and the sum of their magnitudes, each
-    /// relative to the size of the terms that it has in the roots.
-    #[inline]
-    fn residual(self, [s, t]: [Quadratic; 2]) -> ([f64; 4], f64) {
+impl<T: CubeRoot> Quartic<T> {
+    /// Whether no intermediate result over- or underflows.
+    #[inline(always)]
+    pub(super) fn is_moderate(self) -> T::Mask {
+        let larger = |x: T, y: T| T::select(x.less(y), y, x);
+        let largest =
+            larger(larger(Lane::abs(self.a), Lane::abs(self.b)), larger(Lane::abs(self.c), Lane::abs(self.d)));
+        self.a.like(SMALL).less_or_equal(largest) & largest.less(self.a.like(LARGE))
+    }
+
+    /// Two quadratic factors, and whether their product is the quartic but for rounding.
+    #[inline(always)]
+    pub(super) fn quick_factors(self) -> ([Quadratic<T>; 2], T::Mask) {
+        const STEPS: usize = 3;
+        let mut factors = Resolvent::new(self).factors();
+        let (mut residual, size) = self.residual(factors);
+        let mut are_exact = is_rounding(residual, size);
+        for _ in 0..STEPS {
+            if T::all(are_exact) {
+                break;
+            }
+            let [s, t] = newton(factors, residual);
+            let [before_s, before_t] = factors;
+            factors = [Quadratic::select(are_exact, before_s, s), Quadratic::select(are_exact, before_t, t)];
+            let (next, size) = self.residual(factors);
+            residual = next;
+            are_exact = is_rounding(residual, size);
+        }
+        (factors, are_exact)
+    }
+
+    /// The coefficients of the quartic less those of the product of the factors, and the size of the terms that each of
+    /// them has in the roots.
+    #[inline(always)]
+    fn residual(self, [s, t]: [Quadratic<T>; 2]) -> ([T; 4], [T; 4]) {
         let residual =
             [self.a - s.p - t.p, self.b - s.q - t.q - s.p * t.p, self.c - s.p * t.q - t.p * s.q, self.d - s.q * t.q];
         // Two roots may sum to zero, but then their size is not.
-        let (sp, tp) = (s.p.abs() + Number::sqrt(s.q.abs()), t.p.abs() + Number::sqrt(t.q.abs()));
-        let (sq, tq) = (s.q.abs(), t.q.abs());
-        let size = [sp + tp, sq + tq + sp * tp, sp * tq + tp * sq, sq * tq];
-        let term = |i: usize| residual[i].abs() / (size[i] + f64::MIN_POSITIVE);
-        (residual, (term(0) + term(1)) + (term(2) + term(3)))
+        let (sq, tq) = (Lane::abs(s.q), Lane::abs(t.q));
+        let (sp, tp) = (Lane::abs(s.p) + sq.sqrt(), Lane::abs(t.p) + tq.sqrt());
+        (residual, [sp + tp, sq + tq + sp * tp, sp * tq + tp * sq, sq * tq])
     }
 }
 
+/// Whether each residual is no more than rounding; what is not a number is more.
+#[inline(always)]
+fn is_rounding<T: Lane>(residual: [T; 4], size: [T; 4]) -> T::Mask {
+    let term = |i: usize| Lane::abs(residual[i]).less_or_equal(size[i] * size[i].like(ROUNDING));
+    (term(0) & term(1)) & (term(2) & term(3))
+}
+
 /// The factors moved so that, to first order, their product changes by `residual`.
-#[inline]
-fn newton([s, t]: [Quadratic; 2], [ra, rb, rc, rd]: [f64; 4]) -> [Quadratic; 2] {
+#[inline(always)]
+fn newton<T: Field>([s, t]: [Quadratic<T>; 2], [ra, rb, rc, rd]: [T; 4]) -> [Quadratic<T>; 2] {
     let (dp, dq) = (t.p - s.p, t.q - s.q);
     // With the change of t.p and t.q eliminated, two equations are left for that of s.p and s.q.
     let slope = dq - s.p * dp;
@@ -124,18 +195,40 @@ fn newton([s, t]: [Quadratic; 2], [ra, rb, rc, rd]: [f64; 4]) -> [Quadratic; 2] 
     [first, Quadratic { p: t.p + (ra - p), q: t.q + (rest - q - dp * p) }]
 }
 
-impl Quadratic {
-    #[inline]
-    fn roots(self) -> [Complex<f64>; 2] {
-        let half = 0.5 * self.p;
+impl<T: Lane> Quadratic<T> {
+    #[inline(always)]
+    fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self { p: T::select(mask, yes.p, no.p), q: T::select(mask, yes.q, no.q) }
+    }
+
+    /// Both roots.
+    #[inline(always)]
+    pub(super) fn roots(self) -> Pair<T> {
+        let zero = self.p.like(0.0);
+        let half = self.p.like(0.5) * self.p;
         let discriminant = half * half - self.q;
-        if discriminant < 0.0 {
-            let (re, im) = (0.0 - half, Number::sqrt(-discriminant));
-            return [Complex::new(re, -im), Complex::new(re, im)];
+        let is_pair = discriminant.less(zero);
+        let root = Lane::abs(discriminant).sqrt();
+        if T::all(is_pair) {
+            return Pair { re: [zero - half; 2], im: [-root, root] };
         }
-        let large = 0.0 - (half + Number::sqrt(discriminant).copysign(half));
-        let small = if large == 0.0 { 0.0 } else { self.q / large + 0.0 };
-        [Complex::new(large.min(small), 0.0), Complex::new(large.max(small), 0.0)]
+        let large = zero - (half + root.copysign(half));
+        // Both are zero if the larger one is; and zero is positive.
+        let small = T::select(Lane::abs(large).less_or_equal(zero), zero, self.q / large + zero);
+        let is_ascending = large.less(small);
+        let real = [T::select(is_ascending, large, small), T::select(is_ascending, small, large)];
+        let im = T::select(is_pair, root, zero);
+        let mean = zero - half;
+        Pair { re: [T::select(is_pair, mean, real[0]), T::select(is_pair, mean, real[1])], im: [zero - im, im] }
+    }
+}
+
+impl Quadratic {
+    /// Both roots as complex numbers.
+    #[inline]
+    pub(super) fn complex_roots(self) -> [Complex<f64>; 2] {
+        let Pair { re, im } = self.roots();
+        [Complex::new(re[0], im[0]), Complex::new(re[1], im[1])]
     }
 }
 
@@ -216,6 +309,14 @@ mod tests {
         }
     }
 
+    /// Newton's iteration for the resolvent cubic once left such a double root again, by the noise of its last step.
+    #[test]
+    fn a_biquadratic_that_was_lost() {
+        let (square, near) = (566.702001756334, -8.333203552743818e-13);
+        let other = square * (1.0 + near);
+        assert!(backward_error(Quartic { a: 0.0, b: square + other, c: 0.0, d: square * other }) < 16.0);
+    }
+
     #[test]
     fn roots_that_are_exact() {
         let assert_roots = |[a, b, c, d]: [f64; 4], expected: [(f64, f64); 4]| {
@@ -232,7 +333,7 @@ mod tests {
 
     #[test]
     fn coefficients_of_any_size() {
-        for scale in [1e-70, 1e-30, 1e30, 1e70] {
+        for scale in [1e-70, 1e-30, 1e30, 1e70_f64] {
             let quartic = Quartic { a: 0.0, b: -5.0 * scale * scale, c: 0.0, d: 4.0 * scale.powi(4) };
             let mut magnitudes =
                 quartic.roots().as_flattened().iter().map(|root| root.re.abs() / scale).collect::<Vec<_>>();

@@ -11,8 +11,9 @@
 //! So does the smallest of three, if all roots of the quartic are real; it is the better one where the other two nearly
 //! coincide.
 
+use super::field::{CubeRoot, Field};
 use super::quartic::{Quadratic, Quartic};
-use crate::Number;
+use crate::lane::Lane;
 use crate::numeric::{DoubleDouble, Real};
 
 /// The ratio of constant terms from which on it pays to compute one factor from the other.
@@ -23,10 +24,7 @@ const ABOVE: f64 = 1.0 + 1e-7;
 
 /// A quartic and its resolvent cubic, `f^3 - 3 m f - 2 n` with `y = b/3 + f`.
 pub(super) struct Resolvent<T> {
-    a: T,
-    b: T,
-    c: T,
-    d: T,
+    quartic: Quartic<T>,
     m: T,
     n: T,
     third: T,
@@ -34,71 +32,71 @@ pub(super) struct Resolvent<T> {
     discriminant: T,
 }
 
-impl<T: Real> Resolvent<T> {
-    #[inline]
-    pub(super) fn new(Quartic { a, b, c, d }: Quartic) -> Self {
-        let [a, b, c, d] = [a, b, c, d].map(T::from);
-        let third = b / T::from(3.0);
-        let e = a * c - T::from(4.0) * d;
-        let m = third * third - e / T::from(3.0);
-        let n = T::from(0.5) * (c * c + a * a * d - third * (e + T::from(12.0) * d - T::from(2.0) * third * third));
-        Self { a, b, c, d, m, n, third, discriminant: n * n - m * m * m }
+impl<T: Field> Resolvent<T> {
+    #[inline(always)]
+    pub(super) fn new(quartic: Quartic<T>) -> Self {
+        let Quartic { a, b, c, d } = quartic;
+        let constant = |value| a.constant(value);
+        let one_third = constant(1.0) / constant(3.0);
+        let third = b * one_third;
+        let e = a * c - constant(4.0) * d;
+        let m = third * third - e * one_third;
+        let n = constant(0.5) * (c * c + a * a * d - third * (e + constant(12.0) * d - constant(2.0) * third * third));
+        Self { quartic, m, n, third, discriminant: n * n - m * m * m }
     }
 
-    /// The two factors that belong to a root f, unless g or h is imaginary.
-    #[inline]
-    fn factors_at(&self, f: T) -> ([Quadratic<T>; 2], bool) {
-        let &Self { a, b, c, d, third, .. } = self;
-        let (zero, half) = (T::from(0.0), T::from(0.5));
+    /// The two factors that belong to a root f, the one with the larger constant term first; and whether g and h are real.
+    #[inline(always)]
+    fn factors_at(&self, f: T) -> ([Quadratic<T>; 2], T::Mask) {
+        let &Self { quartic: Quartic { a, b, c, d }, third, .. } = self;
+        let (zero, half) = (f.constant(0.0), f.constant(0.5));
         let y = third + f;
         let (half_a, half_y) = (half * a, half * y);
         let g_square = y - b + half_a * half_a;
         let h_square = half_y * half_y - d;
         let product = half * (a * half_y - c);
         // The square that cancelled less gives one of g and h; the other follows from their product.
-        let y_size = third.abs() + f.abs();
-        let g_size = y_size + b.abs() + half_a * half_a;
-        let h_size = half_y.abs() * y_size + d.abs();
-        let (g, h) = if h_square <= zero || g_square * h_size > h_square * g_size {
-            let g = g_square.sqrt();
-            (g, if g > zero { product / g } else { zero })
-        } else {
-            let h = h_square.sqrt();
-            (if h > zero { product / h } else { zero }, h)
-        };
-        // The factor with the larger constant term first.
-        let (p_large, q_large, p_small) = if h * half_y >= zero {
-            (half_a + g, half_y + h, half_a - g)
-        } else {
-            (half_a - g, half_y - h, half_a + g)
-        };
-        if q_large == zero {
-            return ([Quadratic { p: p_large, q: zero }, Quadratic { p: p_small, q: zero }], true);
-        }
+        let y_size = third.magnitude() + f.magnitude();
+        let g_size = y_size + b.magnitude() + half_a * half_a;
+        let h_size = half_y.magnitude() * y_size + d.magnitude();
+        let is_h_better = !h_square.at_most(zero) & (g_square * h_size).at_most(h_square * g_size);
+        let root = T::choose(is_h_better, h_square, g_square).root();
+        let other = T::choose(root.at_most(zero), zero, product / root);
+        let (g, h) = (T::choose(is_h_better, other, root), T::choose(is_h_better, root, other));
+        let is_plus_larger = zero.at_most(h * half_y);
+        let (g, h) = (T::choose(is_plus_larger, g, -g), T::choose(is_plus_larger, h, -h));
+        let (p_large, q_large, p_small) = (half_a + g, half_y + h, half_a - g);
         // The smaller constant term has cancelled, and its p as well if it is much smaller; c and d have not.
-        let q_small = d / q_large;
-        let is_much_smaller = q_small.abs() < T::from(MUCH_SMALLER) * q_large.abs();
-        let p_small = if is_much_smaller { (c - p_large * q_small) / q_large } else { p_small };
-        let factors = [Quadratic { p: p_large, q: q_large }, Quadratic { p: p_small, q: q_small }];
-        (factors, g_square >= zero && h_square >= zero)
+        let inverse = f.constant(1.0) / q_large;
+        let q_small = d * inverse;
+        let is_much_smaller = q_small.magnitude().at_most(f.constant(MUCH_SMALLER) * q_large.magnitude());
+        let p_small = T::choose(is_much_smaller, (c - p_large * q_small) * inverse, p_small);
+        // Both are zero if the larger one is.
+        let is_zero = q_large.magnitude().at_most(zero);
+        let small = Quadratic { p: T::choose(is_zero, half_a - g, p_small), q: T::choose(is_zero, zero, q_small) };
+        ([Quadratic { p: p_large, q: q_large }, small], zero.at_most(g_square) & zero.at_most(h_square))
     }
 }
 
-impl Resolvent<f64> {
+impl<T: CubeRoot> Resolvent<T> {
     /// The two factors.
-    #[inline]
-    pub(super) fn factors(&self) -> [Quadratic; 2] {
+    #[inline(always)]
+    pub(super) fn factors(&self) -> [Quadratic<T>; 2] {
         let &Self { m, n, discriminant, .. } = self;
-        if discriminant > 0.0 {
-            return self.factors_at(single_root(m, n, discriminant)).0;
+        let zero = m.like(0.0);
+        let has_three = discriminant.less_or_equal(zero);
+        // What no lane needs is left out.
+        let single = if T::all(has_three) { zero } else { single_root(m, Lane::abs(n), discriminant) };
+        let outer = if T::all(!has_three) { zero } else { outer_root(m, Lane::abs(n)) };
+        let f = T::select(has_three, outer, single).copysign(n);
+        let (factors, is_real) = self.factors_at(f);
+        // Of three, the smallest may belong to imaginary factors; the largest does not.
+        let is_wrong = has_three & n.less(zero) & !is_real;
+        if T::all(!is_wrong) {
+            return factors;
         }
-        if n < 0.0 {
-            let (factors, are_real) = self.factors_at(-largest_root(m, -n));
-            if are_real {
-                return factors;
-            }
-        }
-        self.factors_at(largest_root(m, n)).0
+        let largest = largest_root(m, n);
+        self.factors_at(T::select(is_wrong, largest, f)).0
     }
 }
 
@@ -107,10 +105,9 @@ impl Resolvent<DoubleDouble> {
     pub(super) fn factors(&self) -> [[Quadratic; 2]; 2] {
         let (m, n) = (self.m.to_f64(), self.n.to_f64());
         let discriminant = self.discriminant.to_f64();
-        let outer =
-            if discriminant > 0.0 { single_root(m, n, discriminant) } else { largest_root(m, n.abs()).copysign(n) };
+        let size = if discriminant > 0.0 { single_root(m, n.abs(), discriminant) } else { outer_root(m, n.abs()) };
         // Between two roots that nearly coincide the iteration may leave both; above the largest it cannot.
-        [outer, largest_root(m, n) * ABOVE].map(|f| {
+        [size.copysign(n), largest_root(m, n) * ABOVE].map(|f| {
             let (factors, _) = self.factors_at(self.polished(f));
             factors.map(|Quadratic { p, q }| Quadratic { p: p.to_f64(), q: q.to_f64() })
         })
@@ -121,13 +118,16 @@ impl Resolvent<DoubleDouble> {
         const STEPS: usize = 60;
         let three = DoubleDouble::from(3.0);
         let mut f = DoubleDouble::from(f);
+        let mut before = f64::INFINITY;
         for _ in 0..STEPS {
             let square = f * f;
             let (value, slope) = (f * (square - three * self.m) - self.n - self.n, three * (square - self.m));
             let step = value / slope;
-            // Where the slope is zero the step may not be a number, which is not larger either.
-            if step.abs().to_f64() > f.abs().to_f64() * f64::EPSILON * f64::EPSILON {
-                f = f - step;
+            let size = step.abs().to_f64();
+            // A step that is not shorter than the one before is noise: it could lead anywhere. Where the slope is zero it may
+            // not be a number, which is not shorter either.
+            if size < before && size > f.abs().to_f64() * f64::EPSILON * f64::EPSILON {
+                (f, before) = (f - step, size);
             } else {
                 break;
             }
@@ -136,57 +136,104 @@ impl Resolvent<DoubleDouble> {
     }
 }
 
-/// The only real root of `f^3 - 3 m f - 2 n`, for a positive discriminant.
-#[inline]
-fn single_root(m: f64, n: f64, discriminant: f64) -> f64 {
+/// The magnitude of the only real root of `f^3 - 3 m f - 2 n`, for a positive discriminant, from that of n.
+#[inline(always)]
+fn single_root<T: CubeRoot>(m: T, n: T, discriminant: T) -> T {
     // A sum of two terms whose product is m; where their signs differ they would cancel.
-    let cube = n.abs() + Number::sqrt(discriminant);
+    let cube = n + discriminant.root();
     let reciprocal = inverse_cube_root(cube);
     let (large, small) = (cube * reciprocal * reciprocal, m * reciprocal);
-    let f = if m > 0.0 { large + small } else { 2.0 * n.abs() / (large * large - m + small * small) };
-    f.copysign(n)
+    let is_sum = m.like(0.0).less(m);
+    if T::all(is_sum) {
+        return large + small;
+    }
+    T::select(is_sum, large + small, (n + n) / (large * large - m + small * small))
+}
+
+/// The largest magnitude of the three real roots of `f^3 - 3 m f - 2 n`, for a discriminant that is not positive, from
+/// the magnitude of n.
+#[inline(always)]
+fn outer_root<T: Lane>(m: T, n: T) -> T {
+    let zero = m.like(0.0);
+    let root = m.root();
+    let cosine = n / (m * root);
+    // Rounding may leave it a little above one.
+    let cosine = T::select(cosine.less(m.like(1.0)), cosine, m.like(1.0));
+    T::select(zero.less(m), root * twice_cosine_of_third(cosine), zero)
 }
 
 /// The largest of the three real roots of `f^3 - 3 m f - 2 n`, for a discriminant that is not positive.
-#[inline]
-fn largest_root(m: f64, n: f64) -> f64 {
-    if m <= 0.0 {
-        return 0.0;
-    }
-    let root = Number::sqrt(m);
-    let cosine = (n / (m * root)).clamp(-1.0, 1.0);
-    2.0 * root * (0.5 + third_of_angle(0.5 + 0.5 * cosine))
-}
-
-/// `x^(-1/3)` for a positive normal number, to a few units in the last place and without a division: several times faster
-/// than a correctly rounded cube root, of which nothing would be left in the end.
-#[inline]
-fn inverse_cube_root(x: f64) -> f64 {
-    // A third of the exponent, and a linear approximation of the mantissa that is right to 4 %.
-    const LINEAR: u64 = 0x553e_f0ff_289d_d796;
-    let mut root = f64::from_bits(LINEAR - x.to_bits() / 3);
-    // The error becomes its fourth power with each step.
-    for _ in 0..2 {
-        let h = 1.0 - x * root * (root * root);
-        root += root * h * ((1.0 / 3.0 + h * (2.0 / 9.0)) + h * h * (14.0 / 81.0));
-    }
-    root
+#[inline(always)]
+fn largest_root<T: Lane>(m: T, n: T) -> T {
+    let constant = |value| m.like(value);
+    let root = m.root();
+    let cosine = n / (m * root);
+    let cosine = T::select(cosine.less(constant(1.0)), cosine, constant(1.0));
+    let cosine = T::select(constant(-1.0).less(cosine), cosine, constant(-1.0));
+    let half_cosine = constant(0.5) + third_of_angle(constant(0.5) + constant(0.5) * cosine);
+    T::select(constant(0.0).less(m), (root + root) * half_cosine, constant(0.0))
 }
 
 /// `cos(acos(2 x - 1) / 3) - 1/2` for x in [0, 1].
 ///
 /// It is the root u of `u^2 (1 + 2/3 u) = x/3`, without the cancellation of the cosine near x = 0: a polynomial in
 /// `sqrt(x/3)` to six digits and one step of Halley's iteration.
-#[inline]
-fn third_of_angle(x: f64) -> f64 {
-    let square = x / 3.0;
-    let w = Number::sqrt(square);
-    let series = (0.999_998_25 - 0.333_113_36 * w)
-        + square * (0.273_085_70 - 0.257_508_55 * w)
-        + square * square * (0.195_737_48 - 0.075_921_859 * w);
+#[inline(always)]
+fn third_of_angle<T: Lane>(x: T) -> T {
+    let constant = |value| x.like(value);
+    let square = x * constant(1.0 / 3.0);
+    let w = square.sqrt();
+    let series = (constant(0.999_998_25) - constant(0.333_113_36) * w)
+        + square * (constant(0.273_085_70) - constant(0.257_508_55) * w)
+        + square * square * (constant(0.195_737_48) - constant(0.075_921_859) * w);
     let u = w * series;
-    let value = u * u * (1.0 + 2.0 / 3.0 * u) - square;
-    let (slope, half_curvature) = (2.0 * u * (1.0 + u), 1.0 + 2.0 * u);
+    let value = u * u * (constant(1.0) + constant(2.0 / 3.0) * u) - square;
+    let (slope, half_curvature) = (constant(2.0) * u * (constant(1.0) + u), constant(1.0) + constant(2.0) * u);
     let divisor = slope * slope - value * half_curvature;
-    if divisor > 0.0 { u - value * slope / divisor } else { u }
+    T::select(constant(0.0).less(divisor), u - value * slope / divisor, u)
+}
+
+/// `x^(-1/3)` for a positive normal number, to a few units in the last place and without a division: several times faster
+/// than a correctly rounded cube root, of which nothing would be left in the end.
+#[inline(always)]
+fn inverse_cube_root<T: CubeRoot>(x: T) -> T {
+    let constant = |value| x.like(value);
+    let mut root = x.inverse_cube_root_estimate();
+    // The error becomes its fourth power with each step.
+    for _ in 0..2 {
+        let h = constant(1.0) - x * root * (root * root);
+        let series = (constant(1.0 / 3.0) + h * constant(2.0 / 9.0)) + h * h * constant(14.0 / 81.0);
+        root = root + root * h * series;
+    }
+    root
+}
+
+/// `2 cos(acos(x) / 3)` for x in [0, 1], to 1e-14: its interpolant of degree 15 in the Chebyshev points.
+#[inline(always)]
+fn twice_cosine_of_third<T: Lane>(x: T) -> T {
+    const COEFFICIENTS: [f64; 16] = [
+        1.879_385_241_571_821_5,
+        0.131_643_614_544_898_06,
+        -0.012_862_827_975_927_013,
+        0.002_213_309_911_858_552_8,
+        -0.000_467_290_546_299_206_64,
+        0.000_109_828_833_415_630_47,
+        -2.758_265_608_623_184e-5,
+        7.246_609_674_858_31e-6,
+        -1.966_688_741_632_738_6e-6,
+        5.472_349_971_500_674e-7,
+        -1.561_011_416_816_043e-7,
+        4.500_095_673_460_225e-8,
+        -1.214_350_511_363_463_2e-8,
+        3.574_336_647_800_619e-9,
+        -1.675_676_757_722_238_2e-9,
+        5.054_221_440_171_932e-10,
+    ];
+    let t = (x + x) - x.like(1.0);
+    // In pairs, pairs of pairs and so on: the additions do not wait for each other.
+    let (t2, coefficient) = (t * t, |i: usize| x.like(COEFFICIENTS[i]));
+    let (t4, pair) = (t2 * t2, |i: usize| coefficient(i) + coefficient(i + 1) * t);
+    let (t8, four) = (t4 * t4, |i: usize| pair(i) + pair(i + 2) * t2);
+    let eight = |i: usize| four(i) + four(i + 4) * t4;
+    eight(0) + eight(8) * t8
 }

@@ -16,6 +16,7 @@ impl DoubleDouble {
     pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
 
     /// `a b`, exactly.
+    #[inline]
     pub(crate) fn product(a: f64, b: f64) -> Self {
         let hi = a * b;
         let (a_hi, a_lo) = split(a);
@@ -25,6 +26,26 @@ impl DoubleDouble {
 
     pub(crate) fn to_f64(self) -> f64 {
         self.hi
+    }
+
+    /// The product with one `f64`.
+    #[inline]
+    pub(crate) fn times(self, factor: f64) -> Self {
+        let product = Self::product(self.hi, factor);
+        quick_sum(product.hi, product.lo + self.lo * factor)
+    }
+
+    /// Twice the number, exactly.
+    #[inline]
+    pub(crate) fn doubled(self) -> Self {
+        Self { hi: 2.0 * self.hi, lo: 2.0 * self.lo }
+    }
+
+    /// The sum, to within 2^-104 of the magnitudes of both: not of the sum itself, and so with less work.
+    #[inline]
+    pub(crate) fn add_roughly(self, other: Self) -> Self {
+        let hi = sum(self.hi, other.hi);
+        quick_sum(hi.hi, hi.lo + (self.lo + other.lo))
     }
 }
 
@@ -36,6 +57,7 @@ impl From<f64> for DoubleDouble {
 
 impl Neg for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
@@ -43,6 +65,7 @@ impl Neg for DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         let hi = sum(self.hi, other.hi);
         let lo = sum(self.lo, other.lo);
@@ -53,6 +76,7 @@ impl Add for DoubleDouble {
 
 impl Sub for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -60,6 +84,7 @@ impl Sub for DoubleDouble {
 
 impl Mul for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let product = Self::product(self.hi, other.hi);
         quick_sum(product.hi, product.lo + (self.hi * other.lo + self.lo * other.hi))
@@ -78,6 +103,7 @@ impl Div for DoubleDouble {
 }
 
 /// `a + b`, exactly.
+#[inline]
 fn sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     let b_part = hi - a;
@@ -85,12 +111,14 @@ fn sum(a: f64, b: f64) -> DoubleDouble {
 }
 
 /// `a + b`, exactly, where |a| >= |b|.
+#[inline]
 fn quick_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
 /// Two parts of 26 bits each that sum to `a`.
+#[inline]
 fn split(a: f64) -> (f64, f64) {
     let t = 134_217_729.0 * a;
     let hi = t - (t - a);

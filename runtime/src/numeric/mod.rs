@@ -9,6 +9,10 @@ pub(crate) use real::Real;
 pub(crate) use scale::{equilibrate, exponent, ldexp};
 
 #[cfg(feature = "std")]
+pub(crate) mod fixed;
+#[cfg(feature = "std")]
+pub(crate) mod isolation;
+#[cfg(feature = "std")]
 mod polynomial;
 #[cfg(feature = "std")]
 mod roots;
@@ -18,6 +22,6 @@ mod sum;
 #[cfg(feature = "std")]
 pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
-pub(crate) use roots::{Root, positive_roots};
+pub(crate) use roots::{Root, candidates, positive_roots};
 #[cfg(feature = "std")]
 pub(crate) use sum::{NOISE, Sum};

@@ -23,6 +23,11 @@ pub(crate) struct Root {
 /// Without those that rounding the terms to `f64` might as well move to zero or to infinity: they come from a first or a
 /// last coefficient that should have cancelled to zero.
 pub(crate) fn positive_roots(polynomial: &Polynomial) -> Vec<Root> {
+    candidates(polynomial).into_iter().filter(Root::is_there).collect()
+}
+
+/// The roots in (0, infinity), ascending, with those that may be at zero or at infinity.
+pub(crate) fn candidates(polynomial: &Polynomial) -> Vec<Root> {
     let polynomial = polynomial.without_zero_roots();
     match polynomial.in_square() {
         Some(in_square) => roots_on_half_line(&in_square).into_iter().map(square_root).collect(),
@@ -30,10 +35,18 @@ pub(crate) fn positive_roots(polynomial: &Polynomial) -> Vec<Root> {
     }
 }
 
+impl Root {
+    /// Whether no rounding of the terms moves the root to zero or to infinity.
+    pub(crate) fn is_there(&self) -> bool {
+        self.error < self.at.to_f64()
+    }
+}
+
 fn square_root(root: Root) -> Root {
     let at = root.at.sqrt();
     // sqrt(x + e) - sqrt(x), without cancellation, for an error of any size.
     let error = root.error / (at.to_f64() + (root.at.to_f64() + root.error).sqrt());
+    let error = if root.is_there() { error } else { f64::INFINITY };
     Root { at, error, ..root }
 }
 
@@ -48,18 +61,14 @@ fn roots_on_half_line(polynomial: &Polynomial) -> Vec<Root> {
     let t = (0..=degree).map(|i| 1.0 + i as f64 / 16.0).find(no_root).unwrap_or(1.0);
     let stretched = polynomial.stretched(t);
     let scale = DoubleDouble::from(t);
-    let is_there = |root: &Root| root.error < root.at.to_f64();
-    let below = roots_in_unit_interval(&stretched).into_iter().filter(is_there);
-    let above = roots_in_unit_interval(&stretched.reversed()).into_iter().rev().filter(is_there);
+    let below = roots_in_unit_interval(&stretched).into_iter();
+    let above = roots_in_unit_interval(&stretched.reversed()).into_iter().rev();
     let below = below.map(|root| Root { at: root.at * scale, error: root.error * t, ..root });
     let above = above.map(|Root { at, error, before, after }| {
         let reciprocal = scale / at;
-        Root {
-            at: reciprocal,
-            error: error * reciprocal.to_f64() / (at.to_f64() - error),
-            before: after,
-            after: before,
-        }
+        let below = at.to_f64() - error;
+        let error = if below > 0.0 { error * reciprocal.to_f64() / below } else { f64::INFINITY };
+        Root { at: reciprocal, error, before: after, after: before }
     });
     below.chain(above).collect()
 }

@@ -20,6 +20,24 @@ pub(crate) struct Sum {
 impl Sum {
     pub(crate) const ZERO: Self = Self { value: DoubleDouble::ZERO, size: 0.0 };
 
+    /// `a b`.
+    #[inline]
+    pub(crate) fn product(a: f64, b: f64) -> Self {
+        DoubleDouble::product(a, b).into()
+    }
+
+    /// The product with one `f64`.
+    #[inline]
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self { value: self.value.times(factor), size: self.size * factor.abs() }
+    }
+
+    /// Twice the number.
+    #[inline]
+    pub(crate) fn doubled(self) -> Self {
+        Self { value: self.value.doubled(), size: 2.0 * self.size }
+    }
+
     /// -1, 0 or 1; zero if the terms cancel as far as the arithmetic can tell.
     pub(crate) fn sign(self) -> i8 {
         let value = self.value.to_f64();
@@ -34,12 +52,14 @@ impl Sum {
 }
 
 impl From<DoubleDouble> for Sum {
+    #[inline]
     fn from(value: DoubleDouble) -> Self {
         Self { value, size: value.to_f64().abs() }
     }
 }
 
 impl From<f64> for Sum {
+    #[inline]
     fn from(value: f64) -> Self {
         DoubleDouble::from(value).into()
     }
@@ -47,6 +67,7 @@ impl From<f64> for Sum {
 
 impl Neg for Sum {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self { value: -self.value, size: self.size }
     }
@@ -54,13 +75,15 @@ impl Neg for Sum {
 
 impl Add for Sum {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
-        Self { value: self.value + other.value, size: self.size + other.size }
+        Self { value: self.value.add_roughly(other.value), size: self.size + other.size }
     }
 }
 
 impl Sub for Sum {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -68,6 +91,7 @@ impl Sub for Sum {
 
 impl Mul for Sum {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self { value: self.value * other.value, size: self.size * other.size }
     }

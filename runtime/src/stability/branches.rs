@@ -1,6 +1,7 @@
 //! The order in which eigenvalues keep their places as the speed grows.
 
 use super::characteristic::Characteristic;
+use super::double_root;
 use crate::numeric::{DoubleDouble, Polynomial, positive_roots};
 use crate::{Complex, SystemError};
 
@@ -54,8 +55,7 @@ enum Key {
 /// If an end leaves the range of `f64`.
 pub(super) fn stretches(characteristic: &Characteristic) -> Result<Vec<Stretch>, SystemError> {
     let half = DoubleDouble::from(0.5);
-    let meetings: Vec<DoubleDouble> =
-        positive_roots(&characteristic.discriminant()).iter().map(|root| root.at).collect();
+    let meetings = double_root::speeds(characteristic);
     // At rest, too, two pairs may be symmetric about the imaginary axis, or both on it.
     let mut crossings = vec![DoubleDouble::ZERO];
     crossings.extend(positive_roots(&crossing(characteristic)).iter().map(|root| root.at));

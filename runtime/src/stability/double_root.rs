@@ -2,11 +2,14 @@
 
 use super::characteristic::Characteristic;
 use crate::Complex;
-use crate::numeric::{DoubleDouble, Real, Root, Sum};
+use crate::numeric::{DoubleDouble, Polynomial, Real, Root, Sum, candidates};
 
 /// How far polishing may move a speed, relative to it: more than the discriminant errs by, and less than the distance to
 /// another root that could be told from this one.
 const NEAR: f64 = 1e-12;
+
+/// The same where the terms of the discriminant cancel to their noise.
+const NEAR_NOISE: f64 = 1e-6;
 
 /// A double eigenvalue.
 pub(super) struct DoubleRoot {
@@ -16,8 +19,34 @@ pub(super) struct DoubleRoot {
     pub(super) unfolding: i8,
 }
 
+/// The speeds, ascending, at which the discriminant is zero, polished, with the double eigenvalues there.
+///
+/// A speed that is not certain from the discriminant, whose terms are large and cancel, may be so once it is polished.
+pub(super) fn all(characteristic: &Characteristic) -> Vec<(Root, DoubleRoot)> {
+    let discriminant = characteristic.discriminant();
+    let polished = |mut root: Root| {
+        let double_root = find(characteristic, &discriminant, &mut root);
+        root.is_there().then_some((root, double_root))
+    };
+    candidates(&discriminant).into_iter().filter_map(polished).collect()
+}
+
+/// The same speeds, polished only where they are not certain otherwise.
+pub(super) fn speeds(characteristic: &Characteristic) -> Vec<DoubleDouble> {
+    let discriminant = characteristic.discriminant();
+    let certain = |mut root: Root| {
+        if !root.is_there() {
+            find(characteristic, &discriminant, &mut root);
+        }
+        root.is_there().then_some(root.at)
+    };
+    candidates(&discriminant).into_iter().filter_map(certain).collect()
+}
+
 /// The double eigenvalue at a root of the discriminant; polishes a simple root.
-pub(super) fn find(characteristic: &Characteristic, root: &mut Root) -> DoubleRoot {
+///
+/// Near a real double eigenvalue `s^2 = -2 p_v v / p_ss`, both measured from there.
+fn find(characteristic: &Characteristic, discriminant: &Polynomial, root: &mut Root) -> DoubleRoot {
     let (x, y) = closest(characteristic, root.at);
     let eigenvalue = 0.5 * (x + y);
     // Two real eigenvalues, or a pair just off the real axis.
@@ -31,11 +60,12 @@ pub(super) fn find(characteristic: &Characteristic, root: &mut Root) -> DoubleRo
         return DoubleRoot { eigenvalue: real(eigenvalue.re), unfolding: 0 };
     }
     let mut point = Point { speed: root.at, eigenvalue: DoubleDouble::from(eigenvalue.re) };
-    if let Some((polished, error)) = point.polished(characteristic)
-        && (polished.speed - root.at).abs().to_f64() <= NEAR * root.at.to_f64()
-    {
-        point = polished;
-        *root = Root { at: point.speed, error, ..*root };
+    if let Some((polished, error)) = point.polished(characteristic) {
+        let moved = (polished.speed - root.at).abs().to_f64() / root.at.to_f64();
+        if moved <= NEAR || moved <= NEAR_NOISE && discriminant.at(polished.speed).sign() == 0 {
+            point = polished;
+            *root = Root { at: point.speed, error, ..*root };
+        }
     }
     let (by_eigenvalue, by_speed) = point.derivatives(characteristic);
     DoubleRoot { eigenvalue: real(point.eigenvalue.to_f64()), unfolding: by_speed[0].sign() * by_eigenvalue[2].sign() }

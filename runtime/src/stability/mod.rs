@@ -4,6 +4,7 @@ mod branches;
 mod characteristic;
 mod critical;
 mod double_root;
+mod fast;
 mod imaginary;
 mod modes;
 mod ranges;
@@ -69,6 +70,21 @@ impl Stability {
     /// If gravity or an entry is not finite, if the mass matrix is singular, or if a critical speed leaves the range of
     /// `f64`.
     pub fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
+        if let Some(stability) = Self::fast(coefficients, gravity) {
+            return Ok(stability);
+        }
+        Self::careful(coefficients, gravity)
+    }
+
+    /// What [`Stability::new`] gives where it is certain in `f64`; for tests of one against the other.
+    #[doc(hidden)]
+    pub fn fast<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Option<Self> {
+        fast::stability(coefficients, gravity)
+    }
+
+    /// What [`Stability::new`] gives where `f64` is not enough; for tests of one against the other.
+    #[doc(hidden)]
+    pub fn careful<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
         let characteristic = Characteristic::new(coefficients, gravity)?;
         let found = search::search(&characteristic)?;
         let verdicts = Verdicts::new(&characteristic, &found);

@@ -66,6 +66,23 @@ impl Verdicts {
         Self { stretches }
     }
 
+    /// With verdicts at rest and at the bounds, ascending, and a function for those between.
+    pub(super) fn between(
+        at_rest: Verdict,
+        bounds: &[(f64, Verdict)],
+        at: impl Fn(f64) -> Option<Verdict>,
+    ) -> Option<Self> {
+        let mut stretches = Vec::with_capacity(bounds.len() + 1);
+        let (mut speed, mut verdict) = (0.0, at_rest);
+        for &(next, next_verdict) in bounds {
+            stretches.push(Stretch { speed, at: verdict, above: at(0.5 * (speed + next))? });
+            (speed, verdict) = (next, next_verdict);
+        }
+        let above = at(if speed == 0.0 { 1.0 } else { 2.0 * speed })?;
+        stretches.push(Stretch { speed, at: verdict, above });
+        Some(Self { stretches })
+    }
+
     /// The verdict at a speed that is not negative.
     pub(super) fn at(&self, speed: f64) -> Verdict {
         let above = self.stretches.partition_point(|stretch| stretch.speed <= speed);

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::branches::count_pairs;
 use super::characteristic::Characteristic;
-use super::double_root;
+use super::double_root::{self, DoubleRoot};
 use super::imaginary::{Pair, imaginary_pairs};
 use super::ranges::is_same;
 use super::verdict::{Verdict, verdict};
@@ -34,8 +34,8 @@ pub(super) fn search(characteristic: &Characteristic) -> Result<Vec<Found>, Syst
     for root in positive_roots(&characteristic.hurwitz()) {
         weave(characteristic, root, &mut found)?;
     }
-    for root in positive_roots(&characteristic.discriminant()) {
-        found.push(double_root(characteristic, root)?);
+    for (root, double_root) in double_root::all(characteristic) {
+        found.push(meeting(characteristic, root, double_root)?);
     }
     found.sort_by(|x, y| x.at.partial_cmp(&y.at).unwrap_or(Ordering::Equal));
     for i in 0..found.len() {
@@ -115,9 +115,8 @@ fn weave(characteristic: &Characteristic, root: Root, found: &mut Vec<Found>) ->
     Ok(())
 }
 
-/// Where the discriminant is zero. Near a real double eigenvalue `s^2 = -2 p_v v / p_ss`, both measured from there.
-fn double_root(characteristic: &Characteristic, mut root: Root) -> Result<Found, SystemError> {
-    let at = double_root::find(characteristic, &mut root);
+/// Where the discriminant is zero.
+fn meeting(characteristic: &Characteristic, root: Root, at: DoubleRoot) -> Result<Found, SystemError> {
     let change = match at.unfolding {
         1 => Change::Merges,
         -1 => Change::Splits,

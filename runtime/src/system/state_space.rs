@@ -44,8 +44,7 @@ impl<const N: usize> System<N> {
     /// If the mass matrix is singular, an entry is not finite, or a block leaves the range of `f64`.
     pub fn state_space(&self) -> Result<StateSpace<N>, SystemError> {
         self.require_finite()?;
-        let (stiffness, damping, input) =
-            (self.solve(&-self.k)?, self.solve(&-self.c)?, self.solve(&Matrix::identity())?);
+        let [stiffness, damping, input] = self.solve([-self.k, -self.c, Matrix::identity()])?;
         for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping), ("M^-1", &input)] {
             if block.iter().any(|entry| !entry.is_finite()) {
                 return Err(SystemError::OutOfRange { quantity });
@@ -54,36 +53,50 @@ impl<const N: usize> System<N> {
         Ok(StateSpace { stiffness, damping, input })
     }
 
-    /// The solution X of `M X = B`, by elimination with pivots that are the largest relative to their rows.
+    /// The solutions X of `M X = B` for several B, by elimination with pivots that are the largest relative to their rows.
     ///
     /// M is singular if a pivot is no more than the rounding of the terms that were subtracted to form it, whatever the
     /// scale of its rows and columns.
-    fn solve(&self, b: &Matrix<f64, N>) -> Result<Matrix<f64, N>, SystemError> {
-        let (mut m, mut x) = (self.m, *b);
+    #[inline]
+    pub(crate) fn solve<const COUNT: usize>(
+        &self,
+        mut x: [Matrix<f64, N>; COUNT],
+    ) -> Result<[Matrix<f64, N>; COUNT], SystemError> {
+        let mut m = self.m;
         let mut terms = m.abs();
         for step in 0..N {
             let relative = |row: usize| {
-                let largest = (step..N).map(|column| m[(row, column)].abs()).fold(0.0, f64::max);
+                let largest = (step..N).fold(0.0, |largest: f64, column| largest.max(m[(row, column)].abs()));
                 if largest > 0.0 { m[(row, step)].abs() / largest } else { 0.0 }
             };
-            let pivot = (step..N).max_by(|&i, &j| relative(i).total_cmp(&relative(j))).unwrap_or(step);
-            for matrix in [&mut m, &mut x, &mut terms] {
-                matrix.swap_rows(step, pivot);
+            let (mut pivot, mut size) = (step, relative(step));
+            for row in step + 1..N {
+                let candidate = relative(row);
+                if candidate >= size {
+                    (pivot, size) = (row, candidate);
+                }
             }
+            m.swap_rows(step, pivot);
+            terms.swap_rows(step, pivot);
+            x.iter_mut().for_each(|x| x.swap_rows(step, pivot));
             if m[(step, step)].abs() <= 8.0 * f64::EPSILON * terms[(step, step)] {
                 return Err(SystemError::SingularMass);
             }
             for row in (0..N).filter(|&row| row != step) {
                 let factor = m[(row, step)] / m[(step, step)];
-                for column in 0..N {
+                for column in step + 1..N {
                     let product = factor * m[(step, column)];
                     m[(row, column)] -= product;
                     terms[(row, column)] += product.abs();
-                    x[(row, column)] -= factor * x[(step, column)];
+                }
+                for x in &mut x {
+                    for column in 0..N {
+                        x[(row, column)] -= factor * x[(step, column)];
+                    }
                 }
             }
         }
-        Ok(Matrix::from_fn(|row, column| x[(row, column)] / m[(row, row)]))
+        Ok(x.map(|x| Matrix::from_fn(|row, column| x[(row, column)] / m[(row, row)])))
     }
 }
 

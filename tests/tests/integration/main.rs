@@ -1,5 +1,7 @@
 //! Integration tests: results of generated code and of the runtime against facts from outside of both.
 
+mod batch;
+mod batch_eigenvalues;
 mod bicycles;
 #[cfg(feature = "compiler")]
 mod claims;
@@ -10,8 +12,10 @@ mod determinism;
 mod eigenvalues;
 #[cfg(feature = "compiler")]
 mod enormous;
+mod fast_stability;
 #[cfg(feature = "compiler")]
 mod generation;
+mod many_coordinates;
 mod mechanisms;
 mod modes;
 mod multibody;
@@ -21,8 +25,10 @@ mod operations;
 mod published;
 #[cfg(feature = "compiler")]
 mod regenerate;
+mod sensitivity;
 mod stability;
 mod state_space;
 mod textbook;
+mod trigonometry;
 #[cfg(feature = "compiler")]
 mod ui;

@@ -135,6 +135,7 @@ pub fn check(mut declaration: Declaration, report: &mut Report) -> Model {
         entries,
         symmetric,
         kinematics,
+        derivatives: declaration.derivatives,
         references,
     }
 }

@@ -16,7 +16,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
     let visibility = &model.visibility;
     let n = model.coordinates.len();
     let allow = allow();
-    let fields: Vec<Ident> = model.matrices.iter().map(|(matrix, _)| field(*matrix, model)).collect();
+    let fields = fields(model);
     let field_docs = model.matrices.iter().map(|(matrix, _)| {
         let proved = if model.symmetric.contains(matrix) { " Symmetric, proved." } else { "" };
         docs(&format!("{}{proved}", matrix.docs()))
@@ -78,6 +78,11 @@ fn needs(model: &Model) -> String {
     )
 }
 
+/// The fields of the struct of the matrices.
+pub fn fields(model: &Model) -> Vec<Ident> {
+    model.matrices.iter().map(|(matrix, _)| field(*matrix, model)).collect()
+}
+
 /// The field of a matrix, at the span of its declaration.
 fn field(matrix: MatrixName, model: &Model) -> Ident {
     let declared = model.references.matrices.iter().find(|(name, _)| *name == matrix);
@@ -85,22 +90,25 @@ fn field(matrix: MatrixName, model: &Model) -> Ident {
 }
 
 fn matrices_body(model: &Model, names: &Names, program: &Program, fields: &[Ident]) -> TokenStream {
-    let matrices = &names.matrices;
-    let n = model.coordinates.len();
     let body = Body::new(program, model, names);
     let statements = body.statements();
+    let matrices = literal(&body, &program.outputs, fields, model, names);
+    quote! { #statements #matrices }
+}
+
+/// The struct of the matrices, whose entries are the first of the outputs.
+pub fn literal(body: &Body, outputs: &[Value], fields: &[Ident], model: &Model, names: &Names) -> TokenStream {
+    let matrices = &names.matrices;
+    let n = model.coordinates.len();
     let rows = (0..fields.len()).map(|matrix| {
         let rows = (0..n).map(|row| {
             let first = (matrix * n + row) * n;
-            let entries = program.outputs[first..first + n].iter().map(|value| &body.values[*value]);
+            let entries = outputs[first..first + n].iter().map(|value| &body.values[*value]);
             quote! { [#(#entries),*] }
         });
         quote! { [#(#rows),*] }
     });
-    quote! {
-        #statements
-        #matrices { #(#fields: #rows,)* }
-    }
+    quote! { #matrices { #(#fields: #rows,)* } }
 }
 
 /// The values of a program that differ and are not always zero, each with the outputs that it is.

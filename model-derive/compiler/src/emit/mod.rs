@@ -1,5 +1,6 @@
 //! A checked model and its programs to Rust.
 
+mod derivatives;
 mod evaluator;
 mod info;
 mod kinematics;
@@ -44,7 +45,8 @@ pub fn outline(model: Model, driver: &Driver) -> TokenStream {
 }
 
 fn emit_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> TokenStream {
-    let names = Names::new(model, driver);
+    let derivatives = programs.and_then(|programs| programs.derivatives.as_ref());
+    let names = Names::new(model, derivatives, driver);
     let structure = structure::emit(model, &names);
     // Without coordinates, which is a mistake, there is no size of the matrices.
     let sized = !model.coordinates.is_empty();
@@ -55,8 +57,9 @@ fn emit_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> Tok
     let requirements = programs.map(|programs| &programs.requirements);
     let trait_impl = sized.then(|| trait_impl::emit(model, &names, matrices, requirements));
     let lanes = sized.then(|| lanes::emit(model, &names, matrices));
+    let derivatives = if sized { derivatives::emit(model, &names, derivatives) } else { None };
     let references = names.among_items.then(|| references::emit(model, &names));
-    quote! { #structure #evaluator #kinematics #trait_impl #lanes #references }
+    quote! { #structure #evaluator #kinematics #trait_impl #lanes #derivatives #references }
 }
 
 /// What generated items are allowed: names as in the formulas, and parts that a crate does not use.

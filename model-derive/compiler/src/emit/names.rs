@@ -6,6 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::Driver;
+use crate::derivatives::Derivatives;
 use crate::model::Model;
 use crate::program::{Program, Value};
 
@@ -16,6 +17,9 @@ pub struct Names {
     pub model: Ident,
     pub matrices: Ident,
     pub kinematics: Ident,
+    pub derivatives: Ident,
+    /// Names of derivatives; labels beyond the definitions of the model mean them.
+    derived: Vec<Ident>,
     /// The type parameter; another letter for a model that is called `T` itself.
     pub scalar: Ident,
     /// A second type parameter.
@@ -25,7 +29,7 @@ pub struct Names {
 }
 
 impl Names {
-    pub fn new(model: &Model, driver: &Driver) -> Self {
+    pub fn new(model: &Model, derivatives: Option<&Derivatives>, driver: &Driver) -> Self {
         let name = model.name.clone();
         let unless_taken =
             |letter: &str, instead: &str| format_ident!("{}", if name == letter { instead } else { letter });
@@ -36,6 +40,8 @@ impl Names {
             },
             matrices: format_ident!("{name}Matrices", span = name.span()),
             kinematics: format_ident!("{name}Kinematics", span = name.span()),
+            derivatives: format_ident!("{name}Derivatives", span = name.span()),
+            derived: derived(model, derivatives),
             scalar: unless_taken("T", "S"),
             other: unless_taken("U", "S"),
             model: name,
@@ -60,10 +66,11 @@ impl Names {
         let mut taken: HashSet<String> = HashSet::new();
         // For people to read, values that are definitions have their names.
         if !self.among_items {
+            let named: Vec<&Ident> = model.definitions.iter().map(|(name, _)| name).chain(&self.derived).collect();
             for (value, index) in &program.labels {
-                definitions.entry(*value).or_insert(&model.definitions[*index].0);
+                definitions.entry(*value).or_insert(named[*index]);
             }
-            taken.extend(model.definitions.iter().map(|(name, _)| name.to_string()));
+            taken.extend(named.iter().map(ToString::to_string));
         }
         move |value| match definitions.get(&value) {
             Some(definition) => (*definition).clone(),
@@ -71,4 +78,18 @@ impl Names {
             None => self.variable(&format!("t{value}")),
         }
     }
+}
+
+/// A name for each derivative that has one; one that a definition or an earlier derivative has is set apart.
+fn derived(model: &Model, derivatives: Option<&Derivatives>) -> Vec<Ident> {
+    let mut taken: HashSet<String> = model.definitions.iter().map(|(name, _)| name.to_string()).collect();
+    let names = derivatives.map_or(&[][..], |derivatives| &derivatives.names);
+    let unique = |name: &String| {
+        let mut unique = name.clone();
+        while !taken.insert(unique.clone()) {
+            unique.push('_');
+        }
+        format_ident!("{unique}")
+    };
+    names.iter().map(unique).collect()
 }

@@ -37,14 +37,7 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requiremen
     };
     let requirements = requirements.map(|program| validate_requirements(model, names, &info, program));
     let zero = quote!([[<#scalar as #runtime::Scalar>::from_f64(0.0); #n]; #n]);
-    let rows = MatrixName::ALL.map(|matrix| {
-        let field = format_ident!("{}", matrix.field());
-        if model.matrices.iter().any(|(declared, _)| *declared == matrix) {
-            quote!(#matrices.#field)
-        } else {
-            zero.clone()
-        }
-    });
+    let rows = all_matrices(model, &matrices, &zero);
     quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #runtime::Model<#n> for #name<#scalar> {
@@ -97,6 +90,15 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requiremen
             }
         }
     }
+}
+
+/// The rows of each of the six matrices, from the struct of the declared ones.
+pub fn all_matrices(model: &Model, matrices: &Ident, zero: &TokenStream) -> [TokenStream; 6] {
+    MatrixName::ALL.map(|matrix| {
+        let field = format_ident!("{}", matrix.field());
+        let declared = model.matrices.iter().any(|(declared, _)| *declared == matrix);
+        if declared { quote!(#matrices.#field) } else { zero.clone() }
+    })
 }
 
 fn validate_requirements(model: &Model, names: &Names, info: &Ident, program: &Program) -> TokenStream {

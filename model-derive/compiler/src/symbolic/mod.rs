@@ -2,7 +2,9 @@
 
 mod algebra;
 mod angles;
+mod derivatives;
 mod door;
+mod elimination;
 mod form;
 mod identity;
 mod import;
@@ -11,6 +13,7 @@ mod optimize;
 mod prove;
 mod sample;
 
+pub use derivatives::{Derived, Node, derive};
 pub use door::{Failure, enter};
 pub use form::{Engine, Form, Undefined};
 pub use identity::Sign;

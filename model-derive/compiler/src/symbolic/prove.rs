@@ -40,7 +40,7 @@ pub fn proofs(pairs: Vec<Equations>, depth: Depth) -> Result<Vec<Proof>, Failure
     })
 }
 
-fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<Proof, (Place, Undefined)> {
+pub(super) fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<Proof, (Place, Undefined)> {
     let system = System::new(engine, pair)?;
     let [left, right] = &system.outputs[..] else { unreachable!("a claim has two sides") };
     let mut difference = left.minus(right);

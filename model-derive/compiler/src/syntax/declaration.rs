@@ -32,6 +32,8 @@ pub struct Declaration {
     pub mechanism: Option<Mechanism>,
     /// What else is derived from it.
     pub kinematics: Option<Kinematics<Expression>>,
+    /// Where the derivatives of the matrices are asked for.
+    pub derivatives: Option<Span>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,
 }

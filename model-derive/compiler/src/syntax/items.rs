@@ -48,6 +48,7 @@ pub fn declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<D
         matrices: Vec::new(),
         mechanism: None,
         kinematics: None,
+        derivatives: None,
         unread: Vec::new(),
     };
     statements(&content, report, starts, |input, report| statement(input, &mut declaration, report));
@@ -82,8 +83,8 @@ fn statements(
 }
 
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
-                          `set name { … }`, `coordinates { … }`, `mechanism { … }`, `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, \
-                          `K0`, `K2`, with `symmetric` before it if that is to be proved";
+                          `set name { … }`, `coordinates { … }`, `mechanism { … }`, `derivatives;`, `source \"…\";` or a matrix `M`, `C0`, \
+                          `C1`, `Kc`, `K0`, `K2`, with `symmetric` before it if that is to be proved";
 
 fn statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
     let start = input.span();
@@ -122,15 +123,17 @@ fn starts(input: ParseStream<'_>) -> bool {
     let Some((word, _)) = input.cursor().ident() else { return false };
     let follows = input.peek2(syn::token::Brace) || input.peek2(syn::LitStr) || input.peek2(syn::Ident);
     let assigned = input.peek2(Token![=]) && !input.peek2(Token![==]);
+    let follows = follows || word == "derivatives" && input.peek2(Token![;]);
     word == "let" || KEYWORDS.iter().any(|keyword| word == keyword) && (follows || assigned)
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 14] = [
+const KEYWORDS: [&str; 15] = [
     "source",
     "parameters",
     "coordinates",
     "mechanism",
+    "derivatives",
     "require",
     "assert",
     "set",
@@ -164,6 +167,12 @@ fn statement_after(
         }),
         "coordinates" => coordinates(input, keyword, model, report),
         "mechanism" => mechanism(input, keyword, model, report),
+        "derivatives" => {
+            if model.derivatives.replace(keyword.span()).is_some() {
+                report.error(keyword, "a second `derivatives`: expected one, since it asks for all derivatives");
+            }
+            semicolon(input, "`;`", "`derivatives`, which asks for all of them,")
+        }
         "require" => {
             let value = expression(input)?;
             let Some(bound) = comparison(input)? else {

@@ -20,6 +20,12 @@ const EXPONENT_LIMIT: i32 = 400;
 const DIGIT_LIMIT: usize = 400;
 
 impl Decimal {
+    /// The shortest decimal that rounds to a number that is finite and not negative.
+    pub fn nearest(value: f64) -> Self {
+        let decimal = Self::from_literal(&Literal::f64_unsuffixed(value));
+        decimal.unwrap_or_else(|_| unreachable!("the shortest decimal has at most 17 digits"))
+    }
+
     /// The number that a literal writes.
     ///
     /// # Errors

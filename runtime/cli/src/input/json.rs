@@ -5,8 +5,9 @@ use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
 use super::document::{Document, Entry, File, Written};
 
-/// What the output of an analysis holds besides the parameters.
-const RESULTS: [&str; 4] = ["matrices", "critical_speeds", "stable_ranges", "eigenvalues"];
+/// What the output of an analysis, or of the sensitivity, holds besides the parameters.
+const RESULTS: [&str; 5] =
+    ["matrices", "matrix_standard_deviations", "critical_speeds", "stable_ranges", "eigenvalues"];
 
 /// Reads an object that holds an object `parameters`, or the parameters themselves.
 pub fn read(file: File) -> Document {

@@ -23,6 +23,7 @@ pub use self::names::nearest;
 pub use self::parameters::Design;
 pub use self::plausible::warnings;
 pub use self::shipped::DEFAULT_BICYCLE;
+pub use self::value::evaluated;
 
 /// Where the parameters come from.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

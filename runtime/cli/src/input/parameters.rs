@@ -36,8 +36,16 @@ pub struct Given {
     /// As it was written: a number, or an expression.
     pub written: String,
     pub value: f64,
-    /// The standard deviation of its measurement as it was written, unless it is 0.
-    pub deviation: Option<String>,
+    /// The standard deviation of its measurement, unless it is 0.
+    pub deviation: Option<Deviation>,
+}
+
+/// A standard deviation above 0.
+#[derive(Clone, Debug)]
+pub struct Deviation {
+    /// As it was written: a number, or an expression.
+    pub written: String,
+    pub value: f64,
 }
 
 impl Design {

@@ -4,7 +4,7 @@ use carvallo::ParameterInfo;
 
 use super::document::{Entry, Written};
 use super::expression::{Mistake, evaluate};
-use super::parameters::Given;
+use super::parameters::{Deviation, Given};
 use crate::failure::Problem;
 use crate::number::{self, shortest, with_unit};
 
@@ -27,7 +27,7 @@ pub fn judge(entry: &Entry, info: &ParameterInfo) -> Result<Given, Vec<Problem>>
         }
     };
     let deviation = entry.deviation.as_ref().and_then(|deviation| match read(deviation, info) {
-        Ok((deviation, written)) if deviation >= 0.0 => (deviation > 0.0).then_some(written),
+        Ok((value, written)) if value >= 0.0 => (value > 0.0).then_some(Deviation { written, value }),
         Ok((deviation, _)) => {
             problem(format!("the standard deviation of `{name}` is {}; it must be >= 0", shortest(deviation)));
             None
@@ -38,6 +38,14 @@ pub fn judge(entry: &Entry, info: &ParameterInfo) -> Result<Given, Vec<Problem>>
         }
     });
     if problems.is_empty() { Ok(Given { written, value, deviation }) } else { Err(problems) }
+}
+
+/// The value of a number or an expression for a parameter, whether or not it lies in its domain.
+///
+/// # Errors
+/// What was found and what was expected, as the end of a sentence.
+pub fn evaluated(text: &str, info: &ParameterInfo) -> Result<f64, String> {
+    read(&Written::Text(text.trim().to_owned()), info).map(|(value, _)| value)
 }
 
 /// How to write an angle in degrees, where a plain number would be one that the parameter can have.

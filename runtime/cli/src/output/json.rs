@@ -71,12 +71,12 @@ fn parts(value: &Complex<f64>) -> String {
 }
 
 /// An array on one line.
-fn list(items: impl Iterator<Item = String>) -> String {
+pub fn list(items: impl Iterator<Item = String>) -> String {
     format!("[{}]", items.collect::<Vec<_>>().join(", "))
 }
 
 /// An array or object with one item a line.
-fn lines(open: char, items: impl IntoIterator<Item = String>, close: char) -> String {
+pub fn lines(open: char, items: impl IntoIterator<Item = String>, close: char) -> String {
     let items: Vec<String> = items.into_iter().collect();
     if items.is_empty() { format!("{open}{close}") } else { format!("{open}\n{}\n  {close}", items.join(",\n")) }
 }

@@ -6,6 +6,7 @@ mod json;
 mod list;
 mod models;
 mod parameters;
+pub mod sensitivity;
 mod sketch;
 mod sorted;
 mod table;

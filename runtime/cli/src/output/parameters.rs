@@ -26,7 +26,7 @@ pub fn parameters(design: &Design) -> String {
         .map(|(info, given)| {
             let value = number(&given.written);
             let entry = match &given.deviation {
-                Some(deviation) => format!("{{ value = {value}, std = {} }}", number(deviation)),
+                Some(deviation) => format!("{{ value = {value}, std = {} }}", number(&deviation.written)),
                 None => value,
             };
             let unit = unit(info.unit);

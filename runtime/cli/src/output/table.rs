@@ -6,6 +6,7 @@ use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, Stability, Stable
 
 use super::{FAINT, GOOD, HEADING, equations, is_stable, sorted};
 use crate::analysis::{Analysis, ModeRow, Row, Rows};
+use crate::input::Design;
 use crate::number::{fixed, shortest};
 
 /// How wide a line may become where that can be helped.
@@ -14,7 +15,7 @@ pub const LINE: usize = 124;
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn table(analysis: &Analysis, rows: &Rows) -> String {
     let mut text = String::new();
-    heading(analysis, &mut text);
+    heading(&analysis.design, &mut text);
     equations::equations(&analysis.design, &mut text);
     if analysis.design.model.depends_on_speed() {
         critical_speeds(analysis, &mut text);
@@ -26,8 +27,8 @@ pub fn table(analysis: &Analysis, rows: &Rows) -> String {
     text
 }
 
-fn heading(analysis: &Analysis, text: &mut String) {
-    let design = &analysis.design;
+/// What it is, and where its parameters come from.
+pub fn heading(design: &Design, text: &mut String) {
     let kind = design.kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default();
     let _ = writeln!(text, "{HEADING}{}{HEADING:#}{kind}", design.title());
     if let Some(source) = &design.source {
@@ -56,11 +57,7 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
         };
         let change = match change {
             Change::Stabilizes if marginal == Some(*speed) => "is unstable no longer",
-            Change::Stabilizes => "becomes stable",
-            Change::Destabilizes => "becomes unstable",
-            Change::Merges => "two real eigenvalues become an oscillation",
-            Change::Splits => "an oscillation becomes two real eigenvalues",
-            Change::Touches => "nothing changes for longer",
+            change => self::change(*change),
         };
         let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
     }
@@ -79,6 +76,17 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
     }
     if ranges.is_empty() && marginal.is_none() {
         let _ = writeln!(text, "  stable by itself at no speed");
+    }
+}
+
+/// What changes at a critical speed.
+pub fn change(change: Change) -> &'static str {
+    match change {
+        Change::Stabilizes => "becomes stable",
+        Change::Destabilizes => "becomes unstable",
+        Change::Merges => "two real eigenvalues become an oscillation",
+        Change::Splits => "an oscillation becomes two real eigenvalues",
+        Change::Touches => "nothing changes for longer",
     }
 }
 

@@ -74,8 +74,13 @@ pub fn margin(range: (f64, f64)) -> f32 {
     title_distance(range) + 32.0
 }
 
+/// The ticks of a range, each with what stands at it.
+pub fn labels(range: (f64, f64)) -> impl Iterator<Item = (f64, String)> {
+    ticks(range).map(move |tick| (tick, label(tick, range)))
+}
+
 /// What stands at a tick.
-fn label(value: f64, range: (f64, f64)) -> String {
+pub fn label(value: f64, range: (f64, f64)) -> String {
     tick_text(value, step(range)).replace('-', "−")
 }
 
@@ -96,7 +101,8 @@ fn step((low, high): (f64, f64)) -> f64 {
         }
 }
 
-fn ticks(range: (f64, f64)) -> impl Iterator<Item = f64> {
+/// Round numbers in a range.
+pub fn ticks(range: (f64, f64)) -> impl Iterator<Item = f64> {
     let step = step(range);
     let first = (range.0 / step - 1e-9).ceil();
     let last = (range.1 / step + 1e-9).floor();

@@ -6,12 +6,14 @@ mod curves;
 mod eigenvalues;
 mod font;
 mod labels;
+mod map;
 mod marks;
 mod ordered;
 mod png;
 mod scene;
 mod side_view;
 mod svg;
+mod tornado;
 
 use std::path::Path;
 
@@ -19,8 +21,10 @@ use crate::failure::Failure;
 
 pub use self::curves::extent;
 pub use self::eigenvalues::eigenvalues;
+pub use self::map::{MapAxis, MapCell, map};
 pub use self::scene::Scene;
 pub use self::side_view::side_view;
+pub use self::tornado::tornado;
 
 /// Writes a drawing in the format that the ending of the path names: PNG, or else SVG.
 ///

@@ -92,6 +92,17 @@ impl Scene {
         self.add(builder, paint, color);
     }
 
+    /// Filled rectangles of one colour, each left, top, right, bottom, as one path.
+    pub fn rectangles(&mut self, rectangles: &[[f32; 4]], color: Color) {
+        let mut builder = PathBuilder::new();
+        for &[left, top, right, bottom] in rectangles {
+            if let Some(rectangle) = Rect::from_ltrb(left, top, right, bottom) {
+                builder.push_rect(rectangle);
+            }
+        }
+        self.add(builder, Paint::Fill, color);
+    }
+
     /// Text with its baseline at the point.
     pub fn text(&mut self, (x, y): (f32, f32), anchor: Anchor, size: f32, color: Color, text: &str) {
         let shift = match anchor {

@@ -9,7 +9,9 @@ mod mistakes_of_models;
 mod models;
 mod pictures;
 mod process;
+mod sensitivity;
 mod show;
+mod sweep;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 use crate::Directory;
 
 /// The texts of a picture; they are drawn as outlines and labelled for readers that cannot see them.
-fn texts(svg: &str) -> Vec<String> {
+pub fn texts(svg: &str) -> Vec<String> {
     let labels = svg.split("aria-label=\"").skip(1);
     labels.filter_map(|rest| rest.split_once('"')).map(|(text, _)| text.to_owned()).collect()
 }
@@ -52,6 +52,27 @@ fn eigenvalues_without_names_of_modes_have_two_labels() {
     assert!(has(&of_three, "Eigenvalues of ThreePipes hose against speed"), "{of_three:?}");
     assert!(has(&of_two, "stable") && has(&of_two, "capsize 5.6256"), "{of_two:?}");
     assert!(!has(&of_three, "stable"), "{of_three:?}");
+}
+
+#[test]
+fn a_bar_chart_has_a_legend_and_every_parameter_with_its_step() {
+    let texts = picture(&["sensitivity"]);
+    for expected in [
+        "Sensitivity of benchmark: what 1 % of each parameter changes",
+        "weave speed, 4.2924 m/s",
+        "capsize speed, 6.0243 m/s",
+        "λ",
+        "+0.00314 rad",
+        "IRxx",
+        "−0.009 m",
+        "+0.85 kg",
+    ] {
+        assert!(texts.iter().any(|text| text == expected), "{expected} is not in {texts:?}");
+    }
+    assert!(texts.iter().any(|text| text.starts_with("change of the critical speed (m/s)")), "{texts:?}");
+    assert!(!texts.iter().any(|text| text == "IByy" || text.contains('*')), "{texts:?}");
+    let texts = picture(&["sensitivity", "--set", "IFyy=0"]);
+    assert!(texts.iter().any(|text| text.starts_with("* +")) && !texts.iter().any(|text| text.contains("capsize")));
 }
 
 #[test]

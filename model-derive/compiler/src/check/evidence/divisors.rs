@@ -60,6 +60,9 @@ pub fn requirements(checked: &Checked<'_>, scope: &mut Scope, report: &mut Repor
     let written = declaration.matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
     let written = written.chain(declaration.kinematics.iter().flat_map(|kinematics| kinematics.formulas()));
     search.settle(Origin::Matrices, search.equations(entries).origins, written);
+    if declaration.derivatives.is_some() {
+        search.refuse_roots_of_zero();
+    }
     let written = declaration.requirements.iter().map(|requirement| &requirement.value);
     search.settle(Origin::Requirements, search.equations(conditions).origins, written);
     // At run time nothing depends on a claim, so only what never has a value is a mistake there.
@@ -84,6 +87,8 @@ struct Search<'a> {
     /// The values at the samples of what requirements bound, the declared ones first.
     known: Vec<Vec<Interval>>,
     found: Vec<Requirement>,
+    /// What the matrices take the root of, with where they do.
+    radicands: Vec<(Region, Expr, String)>,
 }
 
 impl<'a> Search<'a> {
@@ -103,7 +108,7 @@ impl<'a> Search<'a> {
         let sources = checked.resolved.sources(checked.declaration);
         let samples = Samples::new(checked.domains, checked.definitions);
         let known = checked.requirements.iter().map(|requirement| samples.of(&requirement.value)).collect();
-        Self { checked, scope, report, new, sources, ranges, samples, known, found: Vec::new() }
+        Self { checked, scope, report, new, sources, ranges, samples, known, found: Vec::new(), radicands: Vec::new() }
     }
 
     /// Takes up what formulas and the definitions that they use need.
@@ -116,6 +121,9 @@ impl<'a> Search<'a> {
         for Need { formula, region, domain } in parts {
             let value = resolve::expression(&formula, self.scope, self.report).renumbered(&self.new);
             let values = self.ranges.of(&value);
+            if !domain.nonzero && origin == Origin::Matrices {
+                self.radicands.push((region, value.clone(), resolve::text(&formula)));
+            }
             if meets(values, domain) {
                 continue;
             }
@@ -127,6 +135,19 @@ impl<'a> Search<'a> {
                 self.ranges.add_fact(&value, domain.into());
                 self.known.push(self.samples.of(&value));
                 self.found.push(Requirement { text: resolve::text(&formula), region, value, domain, origin });
+            }
+        }
+    }
+
+    /// Reports roots of what nothing keeps from zero: they have no derivative there.
+    fn refuse_roots_of_zero(&mut self) {
+        for (region, value, text) in std::mem::take(&mut self.radicands) {
+            if !self.ranges.of(&value).excludes_zero() && !self.is_implied(&value, Domain::NONZERO) {
+                let message = format!(
+                    "the root of `{text}` has no derivative where that is 0: expected a domain or `require {text} > 0;`, \
+                     since the model asks for `derivatives`"
+                );
+                self.report.error(region, message);
             }
         }
     }

@@ -1,0 +1,68 @@
+//! The derivatives of the matrices of a model with respect to its parameters.
+
+use crate::equations::Equations;
+use crate::model::Model;
+use crate::program::{Counts, Program};
+use crate::symbolic::{self, Derived, Failure, Node};
+
+/// The program of values and derivatives, and what its outputs are.
+#[derive(Debug)]
+pub struct Derivatives {
+    /// Computes the entries of the matrices, row by row, and then the derivatives.
+    pub program: Program,
+    /// For each derivative the position of the entry and that of the parameter: all that are not zero for all parameters,
+    /// by parameters.
+    pub partials: Vec<(usize, usize)>,
+    /// The names of values that are derivatives of definitions; labels beyond the definitions of the model mean them.
+    pub names: Vec<String>,
+}
+
+/// The cheapest program found.
+///
+/// # Errors
+/// If the engine cannot be had or fails.
+pub fn compile(model: &Model, matrices: &Program) -> Result<Derivatives, Failure> {
+    let [formulas, values] = [Equations::of_matrices(model), Equations::of_program(model, matrices)];
+    let derived = symbolic::derive(vec![formulas, values], model.definitions.len())?;
+    // The constants of a program are rounded, those of the formulas are not: what is zero is proved there.
+    let exact = derived[0].partials.clone();
+    let same: Vec<Derived> = derived.into_iter().filter(|derived| derived.partials == exact).collect();
+    let programs = symbolic::compile(same.iter().map(|derived| derived.equations.clone()).collect())?;
+    let all = same.into_iter().zip(programs);
+    let Some((derived, program)) = all.min_by_key(|(_, program)| Counts::of(program).cost()) else {
+        unreachable!("the derivatives of the formulas are among them")
+    };
+    Ok(named(model, derived, program))
+}
+
+/// With a name for each value that is the derivative of something with a name: `mu_c` for that of `mu` by `c`.
+fn named(model: &Model, derived: Derived, mut program: Program) -> Derivatives {
+    let Derived { equations, partials, definitions } = derived;
+    let entries: Vec<String> = model
+        .matrices
+        .iter()
+        .flat_map(|(matrix, rows)| {
+            let size = rows.len();
+            (0..size * size).map(move |at| format!("{}{}{}", matrix.name(), at / size + 1, at % size + 1))
+        })
+        .collect();
+    let name = |node: &Node| match *node {
+        Node::Parameter(index) => Some(model.parameters[index].name.to_string()),
+        Node::Definition(index) => model.definitions.get(equations.origins[index]).map(|(name, _)| name.to_string()),
+        Node::Output(index) => entries.get(index).cloned(),
+    };
+    let mut names = Vec::new();
+    let mut labels = Vec::new();
+    for (value, origin) in program.labels {
+        if origin < model.definitions.len() {
+            labels.push((value, origin));
+        } else if let Some([of, with]) = definitions.get(&origin)
+            && let (Some(of), Some(with)) = (name(of), name(with))
+        {
+            labels.push((value, model.definitions.len() + names.len()));
+            names.push(format!("{of}_{with}"));
+        }
+    }
+    program.labels = labels;
+    Derivatives { program, partials, names }
+}

@@ -1,0 +1,162 @@
+//! The struct of the derivatives, the function that computes them, and what implements the runtime's trait.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::evaluator::{self, Body};
+use super::names::Names;
+use super::{allow, docs, trait_impl};
+use crate::derivatives::Derivatives;
+use crate::model::Model;
+use crate::program::Counts;
+use crate::syntax::MatrixName;
+
+/// Nothing for a model that does not ask for derivatives.
+pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> Option<TokenStream> {
+    model.derivatives?;
+    let Names { runtime, model: name, matrices, derivatives, scalar, .. } = names;
+    let visibility = &model.visibility;
+    let allow = allow();
+    let partials = computed.map_or(&[][..], |computed| &computed.partials);
+    let count = Literal::usize_unsuffixed(partials.len());
+    let table = table(model, partials, runtime);
+    let struct_docs = docs(&format!(
+        "The derivatives of the matrices of [`{name}`] with respect to its parameters, in SI units: those that are not \
+         zero for all parameters.",
+    ));
+    let counts = computed.map(|computed| format!(":\n{}", Counts::of(&computed.program))).unwrap_or_default();
+    let function_docs = docs(&format!(
+        "The coefficient matrices and their derivatives, from one straight-line program{counts}.\n\n\
+         The parameters are not validated; at valid ones every derivative exists."
+    ));
+    let body = match computed {
+        Some(computed) => body(model, names, computed),
+        // Beside a mistake in the declaration: nothing ever runs it.
+        None => quote!(loop {}),
+    };
+    let with_respect_to = with_respect_to(model, names, partials.len());
+    let differentiable = differentiable(model, names, partials.len());
+    Some(quote! {
+        #struct_docs
+        #allow
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #visibility struct #derivatives<#scalar = ::core::primitive::f64> {
+            /// The value of each derivative in [`Self::PARTIALS`].
+            pub values: [#scalar; #count],
+        }
+
+        #allow
+        impl #derivatives {
+            /// Which derivatives there are, by parameters.
+            pub const PARTIALS: &'static [#runtime::Partial; #count] = &[#(#table),*];
+        }
+
+        #allow
+        impl<#scalar: #runtime::Scalar> #derivatives<#scalar> {
+            #with_respect_to
+        }
+
+        #allow
+        impl<#scalar: #runtime::Number> #name<#scalar> {
+            #function_docs
+            // Lanes are fast only inside the function that was compiled for them.
+            #[inline(always)]
+            #[must_use]
+            pub fn matrices_and_derivatives(&self) -> (#matrices<#scalar>, #derivatives<#scalar>) {
+                #body
+            }
+        }
+
+        #differentiable
+    })
+}
+
+/// The entry and the parameter of each derivative.
+fn table(model: &Model, partials: &[(usize, usize)], runtime: &TokenStream) -> Vec<TokenStream> {
+    let n = model.coordinates.len();
+    let partial = |(entry, parameter): &(usize, usize)| {
+        let matrix = format_ident!("{}", model.matrices[entry / (n * n)].0.name());
+        let [row, column, parameter] =
+            [entry / n % n, entry % n, *parameter].map(|position| Literal::usize_unsuffixed(position));
+        quote!(#runtime::Partial::new(#runtime::MatrixName::#matrix, #row, #column, #parameter))
+    };
+    partials.iter().map(partial).collect()
+}
+
+fn body(model: &Model, names: &Names, computed: &Derivatives) -> TokenStream {
+    let Derivatives { program, partials, .. } = computed;
+    let derivatives = &names.derivatives;
+    let body = Body::new(program, model, names);
+    let statements = body.statements();
+    let matrices = evaluator::literal(&body, &program.outputs, &evaluator::fields(model), model, names);
+    let values = program.outputs[program.outputs.len() - partials.len()..].iter().map(|value| &body.values[*value]);
+    quote! {
+        #statements
+        (#matrices, #derivatives { values: [#(#values),*] })
+    }
+}
+
+/// All matrices derived with respect to one parameter.
+fn with_respect_to(model: &Model, names: &Names, count: usize) -> TokenStream {
+    let Names { runtime, matrices: all, derivatives, scalar, .. } = names;
+    let [parameter, matrices, position, partial, matrix, zero] =
+        ["parameter", "matrices", "position", "partial", "matrix", "zero"].map(|name| names.variable(name));
+    let [n, parameters, count] =
+        [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);
+    let fields = evaluator::fields(model);
+    let arms = model.matrices.iter().zip(&fields).map(|((matrix, _), field)| {
+        let matrix = format_ident!("{}", matrix.name());
+        quote!(#runtime::MatrixName::#matrix => &mut #matrices.#field,)
+    });
+    let rest = (model.matrices.len() < MatrixName::ALL.len()).then(|| quote!(_ => continue,));
+    quote! {
+        /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+        /// if there is no such parameter.
+        #[must_use]
+        pub fn with_respect_to(
+            &self,
+            #parameter: ::core::primitive::usize,
+        ) -> ::core::option::Option<#all<#scalar>> {
+            if #parameter >= #parameters {
+                return ::core::option::Option::None;
+            }
+            let #zero = <#scalar as #runtime::Scalar>::from_f64(0.0);
+            let mut #matrices = #all { #(#fields: [[#zero; #n]; #n],)* };
+            for #position in 0..#count {
+                let #partial = <#derivatives>::PARTIALS[#position];
+                if #partial.parameter != #parameter {
+                    continue;
+                }
+                let #matrix = match #partial.matrix { #(#arms)* #rest };
+                #matrix[#partial.row][#partial.column] = self.values[#position];
+            }
+            ::core::option::Option::Some(#matrices)
+        }
+    }
+}
+
+fn differentiable(model: &Model, names: &Names, count: usize) -> TokenStream {
+    let Names { runtime, model: name, derivatives, scalar, .. } = names;
+    let allow = allow();
+    let [n, parameters, count] =
+        [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);
+    let [matrices, values, all, position] =
+        ["matrices", "derivatives", "all", "position"].map(|name| names.variable(name));
+    let zero = quote!([[<#scalar as #runtime::Scalar>::from_f64(0.0); #n]; #n]);
+    let rows = trait_impl::all_matrices(model, &matrices, &zero);
+    quote! {
+        #allow
+        impl<#scalar: #runtime::Scalar> #runtime::Differentiable<#n> for #name<#scalar> {
+            type Derivatives = [#runtime::Coefficients<#scalar, #n>; #parameters];
+
+            fn coefficients_and_derivatives(&self) -> (#runtime::Coefficients<#scalar, #n>, Self::Derivatives) {
+                let (#matrices, #values) = self.matrices_and_derivatives();
+                let mut #all = [#runtime::Coefficients::from_rows([#zero; 6]); #parameters];
+                for #position in 0..#count {
+                    <#derivatives>::PARTIALS[#position].write(#values.values[#position], &mut #all);
+                }
+                (#runtime::Coefficients::from_rows([#(#rows),*]), #all)
+            }
+        }
+    }
+}

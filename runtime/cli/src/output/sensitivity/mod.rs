@@ -1,0 +1,24 @@
+//! How critical speeds change with the parameters, in each of the formats.
+
+mod csv;
+mod deviations;
+mod json;
+mod table;
+
+use carvallo::CriticalKind;
+
+pub use self::csv::csv;
+pub use self::json::json;
+pub use self::table::table;
+
+use crate::sensitivity::Changes;
+
+/// The name of each critical speed: its kind, with a number if there are more of the kind.
+fn names(changes: &Changes) -> Vec<String> {
+    let kinds: Vec<CriticalKind> = changes.critical_speeds.iter().map(|critical| critical.speed.kind).collect();
+    let name = |(index, kind): (usize, &CriticalKind)| {
+        let count = |kinds: &[CriticalKind]| kinds.iter().filter(|other| *other == kind).count();
+        if count(&kinds) == 1 { kind.to_string() } else { format!("{kind} {}", count(&kinds[..=index])) }
+    };
+    kinds.iter().enumerate().map(name).collect()
+}

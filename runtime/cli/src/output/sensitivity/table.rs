@@ -1,0 +1,118 @@
+//! The ranking for people, at a terminal.
+
+use std::fmt::Write as _;
+
+use carvallo::CriticalKind;
+
+use super::super::table::{change, heading, width};
+use super::super::{FAINT, HEADING};
+use super::deviations;
+use crate::number::{fixed, shortest, unit};
+use crate::sensitivity::{Changes, Step};
+
+/// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
+pub fn table(changes: &Changes) -> String {
+    let mut text = String::new();
+    heading(&changes.design, &mut text);
+    critical_speeds(changes, &mut text);
+    if !changes.ranked().is_empty() {
+        ranking(changes, &mut text);
+    }
+    if changes.deviations.is_some() {
+        deviations::deviations(changes, &mut text);
+    }
+    text
+}
+
+/// The weave and capsize speeds, and that there is none, or none that can be ranked by.
+fn critical_speeds(changes: &Changes, text: &mut String) {
+    let _ = writeln!(text, "\n{HEADING}Weave and capsize speeds{HEADING:#} (m/s)");
+    let none = |kind: CriticalKind| !changes.critical_speeds.iter().any(|critical| critical.speed.kind == kind);
+    let all = changes.critical_speeds.iter().filter(|critical| critical.speed.kind != CriticalKind::DoubleRoot);
+    let values: Vec<String> = all.clone().map(|critical| shortest(critical.speed.speed)).collect();
+    let column = width(&values, 20);
+    for (critical, value) in all.zip(&values) {
+        let reason = critical.derivatives.as_ref().err();
+        let reason = reason.map(|reason| format!("; not ranked: {reason}")).unwrap_or_default();
+        let (kind, change) = (critical.speed.kind.to_string(), change(critical.speed.change));
+        let _ = writeln!(text, "  {kind:<13}{value:<column$}{FAINT}{change}{reason}{FAINT:#}");
+    }
+    for (kind, meaning) in [(CriticalKind::Weave, "weave"), (CriticalKind::Capsize, "capsize")] {
+        if none(kind) {
+            let _ = writeln!(text, "  {meaning:<13}{:<column$}{FAINT}there is no such speed{FAINT:#}", "-");
+        }
+    }
+    if changes.stability.stable_ranges.is_empty() {
+        let _ = writeln!(text, "  stable by itself at no speed");
+    }
+}
+
+fn ranking(changes: &Changes, text: &mut String) {
+    let (info, ranked, order) = (changes.design.info(), changes.ranked(), changes.order());
+    let _ = writeln!(
+        text,
+        "\n{HEADING}What 1 % of a parameter changes{HEADING:#} (m/s), and the derivative (m/s per unit); the largest effect first"
+    );
+    let signed = |value: f64, decimals: usize| {
+        if value == 0.0 {
+            return "0".to_owned();
+        }
+        let sign = if value >= 0.0 { "+" } else { "" };
+        format!("{sign}{}", fixed(value, decimals))
+    };
+    // The header and the lines of each column.
+    let lines =
+        |cell: &dyn Fn(usize) -> String| order.iter().map(|&parameter| cell(parameter)).collect::<Vec<String>>();
+    let values = changes.design.values();
+    let mut columns = vec![
+        (String::new(), lines(&|i| info.parameters[i].name.to_owned())),
+        ("value".to_owned(), lines(&|i| shortest(values[i]))),
+        (
+            "1 % is".to_owned(),
+            lines(&|i| match changes.steps[i] {
+                Step::OfValue(step) => signed(step, 6),
+                Step::OfScale(step) => format!("*{}", signed(step, 6)),
+                Step::Unknown => "-".to_owned(),
+            }),
+        ),
+        ("unit".to_owned(), lines(&|i| unit(info.parameters[i].unit))),
+    ];
+    for (critical, derivatives) in &ranked {
+        let name = format!("{} {}", critical.kind, fixed(critical.speed, 4));
+        let effect = |i| changes.effect(derivatives, i).map_or("-".to_owned(), |effect| signed(effect, 6));
+        columns.push((name, lines(&effect)));
+        columns.push(("per unit".to_owned(), lines(&|i| signed(derivatives.speed[i], 6))));
+    }
+    let widths: Vec<usize> = columns.iter().map(|(header, lines)| width(lines.iter().chain([header]), 8)).collect();
+    let row = |cell: &dyn Fn(usize) -> String| {
+        let mut line = String::new();
+        for (column, width) in widths.iter().enumerate() {
+            let cell = cell(column);
+            // Names and units begin below each other, numbers end so.
+            let _ = match column {
+                0 => write!(line, "  {cell:<width$}"),
+                3 => write!(line, "  {cell:<0$}", width - 2),
+                _ => write!(line, "{cell:>width$}"),
+            };
+        }
+        line.trim_end().to_owned()
+    };
+    let _ = writeln!(text, "{FAINT}{}{FAINT:#}", row(&|column| columns[column].0.clone()));
+    for index in 0..order.len() {
+        let _ = writeln!(text, "{}", row(&|column| columns[column].1[index].clone()));
+    }
+    let without: Vec<&str> =
+        (0..values.len()).filter(|i| !order.contains(i)).map(|i| info.parameters[i].name).collect();
+    if !without.is_empty() {
+        let _ = writeln!(text, "  without effect: {}", without.join(", "));
+    }
+    if order.iter().any(|&i| matches!(changes.steps[i], Step::OfScale(_))) {
+        let _ = writeln!(
+            text,
+            "  * zero itself, so 1 % of the median size of the others in the same unit; of an angle, of a radian"
+        );
+    }
+    if order.iter().any(|&i| changes.steps[i] == Step::Unknown) {
+        let _ = writeln!(text, "  - zero, as all others in the same unit are: there is only the derivative");
+    }
+}

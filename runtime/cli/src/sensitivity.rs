@@ -1,0 +1,155 @@
+//! How the critical speeds of a design change with its parameters.
+
+use carvallo::{
+    Coefficients, Complex, CriticalDerivative, CriticalKind, CriticalSpeed, NotDifferentiable, ParameterInfo,
+    Stability, SystemError, standard_deviation,
+};
+
+use crate::analysis::extremes;
+use crate::failure::Failure;
+use crate::input::Design;
+
+/// A design with the derivatives of its critical speeds.
+pub struct Changes {
+    pub design: Design,
+    pub stability: Stability,
+    /// What 1 % is, for each parameter in the order of the model.
+    pub steps: Vec<Step>,
+    /// All of them, ascending.
+    pub critical_speeds: Vec<Critical>,
+    /// The standard deviations of the parameters, zero where there is none; `None` if there are none at all.
+    pub deviations: Option<Vec<f64>>,
+    /// The standard deviations of the entries of the matrices, if parameters have any.
+    pub matrix_deviations: Option<Coefficients<f64, 2>>,
+}
+
+/// The change of a parameter whose effect is told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// 1 % of its value, with its sign.
+    OfValue(f64),
+    /// The parameter is zero: 1 % of the median size of the others in the same unit, or of a radian.
+    OfScale(f64),
+    /// The parameter is zero, and so are the others in the same unit.
+    Unknown,
+}
+
+/// A critical speed with its derivatives.
+pub struct Critical {
+    pub speed: CriticalSpeed,
+    pub derivatives: Result<Derivatives, NotDifferentiable>,
+}
+
+/// The derivatives of a critical speed with respect to each parameter, in m/s per unit, and of its eigenvalue.
+pub struct Derivatives {
+    pub speed: Vec<f64>,
+    pub eigenvalue: Vec<Complex<f64>>,
+    pub condition: f64,
+    /// In m/s, if parameters have standard deviations.
+    pub deviation: Option<f64>,
+}
+
+impl Step {
+    /// The change in the unit of the parameter.
+    pub fn size(self) -> Option<f64> {
+        match self {
+            Self::OfValue(step) | Self::OfScale(step) => Some(step),
+            Self::Unknown => None,
+        }
+    }
+}
+
+impl Derivatives {
+    /// The share of the variance of the critical speed that comes from each parameter; zero if there is no variance.
+    pub fn variance_shares(&self, deviations: &[f64]) -> Vec<f64> {
+        let total = self.deviation.filter(|&total| total > 0.0);
+        let share = |(by, deviation): (&f64, &f64)| total.map_or(0.0, |total| (by * (deviation / total)).powi(2));
+        self.speed.iter().zip(deviations).map(share).collect()
+    }
+}
+
+impl Changes {
+    /// # Errors
+    /// If the model has no derivatives, or the equations of motion have no answer.
+    pub fn new(design: Design) -> Result<Self, Failure> {
+        let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
+        let differentiate = design.model.differentiate()?;
+        let Some(coefficients) = design.equations.of_two() else {
+            let name = design.info().name;
+            return Err(Failure::Run(format!("{name}: critical speeds are computed for two coordinates only")));
+        };
+        let stability = Stability::new(coefficients, design.gravity().unwrap_or(0.0)).map_err(fail)?;
+        let sensitivity = differentiate(&design.values()).map_err(fail)?;
+        let deviations: Vec<f64> = design
+            .parameters
+            .iter()
+            .map(|given| given.deviation.as_ref().map_or(0.0, |deviation| deviation.value))
+            .collect();
+        let deviations = deviations.iter().any(|&deviation| deviation > 0.0).then_some(deviations);
+        let critical = |&speed: &CriticalSpeed| {
+            let derivatives = match sensitivity.critical_speed(&speed)? {
+                CriticalDerivative::None(reason) => Err(reason),
+                CriticalDerivative::Smooth { speed, eigenvalue, condition } => {
+                    let deviation = deviations.as_ref().map(|deviations| standard_deviation(&speed, deviations));
+                    Ok(Derivatives { deviation: deviation.transpose()?, speed, eigenvalue, condition })
+                }
+            };
+            Ok(Critical { speed, derivatives })
+        };
+        let critical_speeds = stability.critical_speeds.iter().map(critical).collect::<Result<_, _>>().map_err(fail)?;
+        let of_matrices = deviations.as_ref().map(|deviations| sensitivity.matrix_deviations(deviations));
+        let matrix_deviations = of_matrices.transpose().map_err(fail)?;
+        let steps = steps(design.info().parameters, &design.values());
+        Ok(Self { steps, critical_speeds, deviations, matrix_deviations, stability, design })
+    }
+
+    /// The weave and capsize speeds that have derivatives, weave first, and these.
+    pub fn ranked(&self) -> Vec<(&CriticalSpeed, &Derivatives)> {
+        let of = |kind: CriticalKind| {
+            let of_kind = self.critical_speeds.iter().filter(move |critical| critical.speed.kind == kind);
+            of_kind.filter_map(|critical| Some((&critical.speed, critical.derivatives.as_ref().ok()?)))
+        };
+        of(CriticalKind::Weave).chain(of(CriticalKind::Capsize)).collect()
+    }
+
+    /// The effect of 1 % of a parameter on a critical speed, in m/s; none if it leaves the range of doubles.
+    pub fn effect(&self, derivatives: &Derivatives, parameter: usize) -> Option<f64> {
+        let effect = derivatives.speed[parameter] * self.steps[parameter].size()?;
+        effect.is_finite().then_some(effect)
+    }
+
+    /// The parameters that have an effect on weave or capsize speeds, the largest effect first; those whose 1 % is not
+    /// known come last.
+    pub fn order(&self) -> Vec<usize> {
+        let ranked = self.ranked();
+        let largest = |parameter: usize| {
+            let effects = ranked.iter().filter_map(|(_, derivatives)| self.effect(derivatives, parameter));
+            effects.map(f64::abs).fold(-1.0, f64::max)
+        };
+        let has_effect = |&parameter: &usize| ranked.iter().any(|(_, derivatives)| derivatives.speed[parameter] != 0.0);
+        let mut order: Vec<usize> = (0..self.steps.len()).filter(has_effect).collect();
+        order.sort_by(|&a, &b| largest(b).total_cmp(&largest(a)));
+        order
+    }
+}
+
+/// What 1 % of each parameter is.
+fn steps(parameters: &[ParameterInfo], values: &[f64]) -> Vec<Step> {
+    let step = |(info, &value): (&ParameterInfo, &f64)| match (value, scale(info.unit, parameters, values)) {
+        (0.0, Some(scale)) => Step::OfScale(scale / 100.0),
+        (0.0, None) => Step::Unknown,
+        (value, _) => Step::OfValue(value / 100.0),
+    };
+    parameters.iter().zip(values).map(step).collect()
+}
+
+/// What a parameter in a unit may be measured by: the median size of those in it that are not zero; of angles a radian.
+fn scale(unit: &str, parameters: &[ParameterInfo], values: &[f64]) -> Option<f64> {
+    if unit == "rad" {
+        return Some(1.0);
+    }
+    let of_unit = parameters.iter().zip(values).filter(|(info, value)| info.unit == unit && **value != 0.0);
+    let mut sizes: Vec<f64> = of_unit.map(|(_, value)| value.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() / 2).copied()
+}

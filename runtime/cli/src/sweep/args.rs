@@ -1,0 +1,115 @@
+//! The command line of a sweep.
+
+use std::path::PathBuf;
+
+use clap::{Arg, ArgAction, ArgMatches, value_parser};
+
+use crate::input;
+
+/// What to sweep, as it was asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// The design that gives all parameters that do not vary.
+    pub base: input::Request,
+    pub vary: Vec<String>,
+    pub random: Vec<String>,
+    pub samples: Option<u64>,
+    pub seed: u64,
+    pub designs: Option<PathBuf>,
+    /// The speeds of the eigenvalues.
+    pub eigenvalues: Option<String>,
+    pub output: Option<PathBuf>,
+    pub restart: bool,
+    pub map: Option<PathBuf>,
+}
+
+const HELP: &str = "\
+Designs:
+  --vary w=0.9:1.2:0.01              from, to and step; both ends belong to it
+  --vary 'lam=10 deg:30 deg:41 points'
+                                     from, to and the number of points
+  --vary mB=60,75,90                 a list; values may be expressions, as everywhere
+                                     Several --vary make every combination; the first one varies slowest
+  --random 'c=0.02..0.12' --samples 1000
+                                     uniform between two values
+  --random 'mB=85+-5' --samples 1000 normal, by its mean and standard deviation; also +/- and ±
+                                     Beside --vary, each combination gets the same samples
+  --designs bikes.csv                a row for each design; columns are named like parameters, and `name` and `id` are
+                                     copied. Parameters without a column are those of DESIGN
+
+Columns of the result, in SI units (speeds in m/s, eigenvalues in 1/s):
+  the parameters that vary, or all columns of the file
+  weave_count, weave_1, weave_2, …   critical speeds, ascending; in the same way capsize_… and double_root_…
+  stable_count, stable_from_1, stable_to_1, …
+                                     stable ranges; one without end has a stable_from and an empty stable_to
+  verdict_at_V, eigenvalue_1_re_at_V, eigenvalue_1_im_at_V, …
+                                     with --eigenvalues, for each speed V, sorted by their real parts
+  error                              why a design has no results; everything else in its row is then empty
+Critical speeds and stable ranges are for models with two coordinates; sweeps of others need --eigenvalues.
+
+A sweep that was interrupted goes on where it stopped when the same command runs again: until it is finished,
+FILE.partial and FILE.journal stand beside FILE. All cores are used (RAYON_NUM_THREADS=1 for one of them); the result
+has the same bytes with any number of them.
+
+Examples:
+  carvallo sweep --vary mB=60:100:1 > mass.csv
+  carvallo sweep pista --vary c=0.02:0.12:0.001 --vary 'lam=10 deg:30 deg:0.2 deg' --map map.png --output map.parquet
+  carvallo sweep --random 'mB=85+-5' --random 'zB=-0.95..-0.85' --samples 100000 --seed 1 --output random.csv
+  carvallo sweep --designs bikes.csv --eigenvalues 3,5,7 --output results.parquet
+
+Exit codes: 0 done, also where single designs have an error (their number is told); 1 a file cannot be read or written;
+2 wrong usage or input.";
+
+/// The subcommand; the arguments for its base design are those of the others.
+pub fn command(base: [Arg; 4]) -> clap::Command {
+    let file = |name: &'static str| Arg::new(name).long(name).value_name("FILE").value_parser(value_parser!(PathBuf));
+    let several = |name: &'static str| Arg::new(name).long(name).action(ArgAction::Append).allow_hyphen_values(true);
+    let number = |name: &'static str| Arg::new(name).long(name).value_parser(value_parser!(u64));
+    clap::Command::new("sweep")
+        .about("Critical speeds, stable ranges and eigenvalues of many designs, to CSV or Parquet")
+        .after_help(HELP)
+        .args(base)
+        .arg(
+            several("vary")
+                .value_name("NAME=VALUES")
+                .help("Varies a parameter: LOW:HIGH:STEP, LOW:HIGH:N points, or a list"),
+        )
+        .arg(several("random").value_name("NAME=VALUES").help("Draws a parameter: LOW..HIGH, or MEAN+-DEVIATION"))
+        .arg(number("samples").value_name("COUNT").help("How many designs to draw"))
+        .arg(number("seed").value_name("SEED").default_value("0").help("Another seed draws other designs"))
+        .arg(file("designs").conflicts_with_all(["vary", "random"]).help("Reads the designs; .csv or .parquet"))
+        .arg(
+            Arg::new("eigenvalues")
+                .long("eigenvalues")
+                .value_name("SPEEDS")
+                .allow_hyphen_values(true)
+                .help("Also the eigenvalues at these speeds in m/s: LOW:HIGH:STEP, a list, or one"),
+        )
+        .arg(file("output").help("Where the results go; .csv or .parquet [default: CSV to stdout]"))
+        .arg(
+            Arg::new("restart")
+                .long("restart")
+                .action(ArgAction::SetTrue)
+                .requires("output")
+                .help("Begins anew, and replaces FILE, where there is a finished or interrupted sweep"),
+        )
+        .arg(file("map").help("Draws the stable ranges over two varied parameters; .svg or .png"))
+}
+
+/// What was asked for; nothing is judged yet.
+pub fn request(matches: &ArgMatches, base: input::Request) -> Request {
+    let several = |name| matches.get_many::<String>(name).into_iter().flatten().cloned().collect();
+    let file = |name| matches.get_one::<PathBuf>(name).cloned();
+    Request {
+        base,
+        vary: several("vary"),
+        random: several("random"),
+        samples: matches.get_one("samples").copied(),
+        seed: matches.get_one("seed").copied().unwrap_or_default(),
+        designs: file("designs"),
+        eigenvalues: matches.get_one("eigenvalues").cloned(),
+        output: file("output"),
+        restart: matches.get_flag("restart"),
+        map: file("map"),
+    }
+}

@@ -1,0 +1,209 @@
+//! A parameter that takes one value after the other: `w=0.9:1.2:0.01`, `w=0.9:1.2:31 points`, `mB=60,75,90`.
+
+use carvallo::{ModelInfo, ParameterInfo};
+
+use crate::input::{evaluated, nearest};
+use crate::number::with_unit;
+
+/// More than this many values of one parameter are taken for a slip in the step.
+const MAX_POINTS: f64 = 1_000_000.0;
+
+/// A parameter and the values that it takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Where the parameter is among those of the model.
+    pub position: usize,
+    pub values: Vec<f64>,
+}
+
+impl Axis {
+    /// # Errors
+    /// What is wrong. Some values outside of the parameter's domain are not: they are designs without a result.
+    pub fn parse(text: &str, info: &ModelInfo) -> Result<Self, String> {
+        let expected = "expected NAME=LOW:HIGH:STEP, NAME=LOW:HIGH:N points or NAME=a,b,c, such as w=0.9:1.2:0.01";
+        let (position, parameter, values) = split(text, info, expected)?;
+        let values = match values.split(':').collect::<Vec<_>>()[..] {
+            [list] => list.split(',').map(|value| number(value, parameter)).collect::<Result<Vec<f64>, _>>()?,
+            [low, high, last] => {
+                let range = Range::parse(low, high, parameter)?;
+                match last.trim_end().strip_suffix("points").or_else(|| last.trim_end().strip_suffix("point")) {
+                    Some(count) => range.points(count)?,
+                    None => range.steps(low, last, parameter)?,
+                }
+            }
+            _ => return Err(expected.to_owned()),
+        };
+        any_possible(&values, parameter)?;
+        Ok(Self { position, values })
+    }
+}
+
+/// The parameter that stands before an equals sign, and what stands behind it.
+///
+/// # Errors
+/// If there is no equals sign, or no such parameter.
+pub fn split<'a>(
+    text: &'a str,
+    info: &ModelInfo,
+    expected: &str,
+) -> Result<(usize, &'static ParameterInfo, &'a str), String> {
+    let (name, values) = text.split_once('=').ok_or(expected)?;
+    let position = position(name.trim(), info)?;
+    Ok((position, &info.parameters[position], values))
+}
+
+/// # Errors
+/// If it is no parameter: the one that was probably meant.
+pub fn position(name: &str, info: &ModelInfo) -> Result<usize, String> {
+    info.position(name).ok_or_else(|| {
+        let hint = nearest(name, info.parameters.iter().map(|parameter| parameter.name));
+        let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
+        format!("`{name}` is not a parameter of {}{hint}", info.name)
+    })
+}
+
+/// # Errors
+/// If it is no number: what was expected.
+pub fn number(text: &str, info: &ParameterInfo) -> Result<f64, String> {
+    evaluated(text, info).map_err(|found| format!("a value of `{}` is {found}", info.name))
+}
+
+/// # Errors
+/// If all values lie outside of the domain of the parameter: then a slip is more likely than a sweep without results.
+pub fn any_possible(values: &[f64], info: &ParameterInfo) -> Result<(), String> {
+    let ParameterInfo { name, unit, domain, .. } = info;
+    if values.iter().any(|value| domain.contains(*value)) {
+        return Ok(());
+    }
+    let degrees = values.iter().any(|value| domain.contains(value.to_radians()));
+    let hint = if *unit == "rad" && degrees { " (for degrees write `18 deg`)" } else { "" };
+    let first = values.first().map(|value| with_unit(*value, unit)).unwrap_or_default();
+    Err(format!("no value of `{name}` is possible, such as {first}; it must be {domain}{hint}"))
+}
+
+struct Range {
+    low: f64,
+    high: f64,
+}
+
+impl Range {
+    fn parse(low: &str, high: &str, info: &ParameterInfo) -> Result<Self, String> {
+        let (low, high) = (number(low, info)?, number(high, info)?);
+        if low > high {
+            let [low, high] = [low, high].map(|value| with_unit(value, info.unit));
+            return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
+        }
+        Ok(Self { low, high })
+    }
+
+    fn points(&self, count: &str) -> Result<Vec<f64>, String> {
+        let Self { low, high } = *self;
+        let count = count.trim();
+        match count.parse::<u32>() {
+            Ok(count) if count >= 2 && f64::from(count) <= MAX_POINTS => {
+                let share = |index: u32| f64::from(index) / f64::from(count - 1);
+                let at = |index: u32| low + (high - low) * share(index);
+                // The end as it was written, free of rounding.
+                Ok((0..count - 1).map(at).chain([high]).collect())
+            }
+            _ => Err(format!("the number of points is `{count}`; it must be a whole number from 2 to {MAX_POINTS}")),
+        }
+    }
+
+    fn steps(&self, low: &str, step: &str, info: &ParameterInfo) -> Result<Vec<f64>, String> {
+        let written = [low, step].map(Decimal::parse);
+        let step_text = step.trim();
+        let step = evaluated(step, info).map_err(|found| format!("the step of `{}` is {found}", info.name))?;
+        if step <= 0.0 {
+            return Err(format!("the step is `{step_text}`; it must be > 0"));
+        }
+        // The end belongs to the range also if the division falls just short of it.
+        let steps = ((self.high - self.low) / step + 1e-9).floor();
+        if steps >= MAX_POINTS {
+            return Err(format!("the range has more than {MAX_POINTS} points"));
+        }
+        let at = |index: u32| {
+            let written = match &written {
+                [Some(low), Some(step)] if low.unit == step.unit => low.and_steps(index, step),
+                _ => None,
+            };
+            let value = written.and_then(|text| evaluated(&text, info).ok());
+            value.unwrap_or(self.low + f64::from(index) * step) + 0.0
+        };
+        Ok((0..=steps as u32).map(at).collect())
+    }
+}
+
+/// A plain decimal number with its unit, so that the values of a range are those that one would write: 0.3 rather than
+/// 0.30000000000000004, and `18 deg` rather than eighteen times a degree.
+struct Decimal<'a> {
+    value: f64,
+    decimals: usize,
+    unit: &'a str,
+}
+
+impl<'a> Decimal<'a> {
+    fn parse(text: &'a str) -> Option<Self> {
+        let text = text.trim();
+        let end = text.find(|c: char| !c.is_ascii_digit() && !"+-.".contains(c)).unwrap_or(text.len());
+        let (number, unit) = text.split_at(end);
+        let (_, decimals) = number.split_once('.').unwrap_or((number, ""));
+        let is_plain = ["", "deg", "°"].contains(&unit.trim()) && decimals.len() <= 15;
+        let value = number.trim().parse().ok().filter(|_| is_plain)?;
+        Some(Self { value, decimals: decimals.len(), unit: unit.trim() })
+    }
+
+    fn and_steps(&self, index: u32, step: &Self) -> Option<String> {
+        let value = self.value + f64::from(index) * step.value;
+        let decimals = self.decimals.max(step.decimals);
+        // Beyond this a double has not so many decimals.
+        (value.abs() < 1e9).then(|| format!("{value:.decimals$} {}", self.unit))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Axis;
+    use crate::model::WHIPPLE;
+
+    fn values(text: &str) -> Vec<f64> {
+        Axis::parse(text, WHIPPLE.info).map(|axis| axis.values).unwrap_or_default()
+    }
+
+    #[test]
+    fn ranges_have_the_values_that_one_would_write() {
+        assert_eq!(values("w=0.9:1.2:0.1"), [0.9, 1.0, 1.1, 1.2]);
+        assert_eq!(values("c=-0.1:0.1:0.1"), [-0.1, 0.0, 0.1]);
+        assert!(values("c=-0.1:0.1:0.1")[1].is_sign_positive());
+        let degrees = |degrees: f64| degrees * std::f64::consts::PI / 180.0;
+        assert_eq!(values("lam=17 deg:19deg:1 deg"), [17.0, 18.0, 19.0].map(degrees));
+        assert_eq!(values("w=1:2:5 points"), [1.0, 1.25, 1.5, 1.75, 2.0]);
+        assert_eq!(values("w=1:2:2points"), [1.0, 2.0]);
+        assert_eq!(values("w=1,3/2, 2"), [1.0, 1.5, 2.0]);
+        assert_eq!(values("mB=85"), [85.0]);
+        assert_eq!(values("lam=0:pi/2:pi/4"), [0.0, std::f64::consts::FRAC_PI_4, std::f64::consts::FRAC_PI_2]);
+    }
+
+    #[test]
+    fn mistakes_are_named() {
+        for (text, message) in [
+            ("w", "expected NAME=LOW:HIGH:STEP, NAME=LOW:HIGH:N points or NAME=a,b,c, such as w=0.9:1.2:0.01"),
+            ("ww=1,2", "`ww` is not a parameter of Whipple; did you mean `w`?"),
+            ("mb=1,2", "`mb` is not a parameter of Whipple; did you mean `mB`?"),
+            ("w=1:2:0", "the step is `0`; it must be > 0"),
+            ("w=2:1:0.1", "the range ends at 1 m, before it begins at 2 m; it must ascend"),
+            ("w=1:2:1 points", "the number of points is `1`; it must be a whole number from 2 to 1000000"),
+            ("w=1:2:1e-9", "the range has more than 1000000 points"),
+            ("w=1,,2", "a value of `w` is empty; expected a number, or an expression such as `pi/10`"),
+            ("w=-2:-1:0.5", "no value of `w` is possible, such as -2 m; it must be > 0"),
+            (
+                "lam=10:30:1",
+                "no value of `lam` is possible, such as 10 rad; it must be > -1.5707963267948966 and < \
+                 1.5707963267948966 (for degrees write `18 deg`)",
+            ),
+            ("w=1 kg", "a value of `w` is `1 kg`; no unit is accepted here: `w` is in m"),
+        ] {
+            assert_eq!(Axis::parse(text, WHIPPLE.info), Err(message.to_owned()), "{text}");
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Designs from values and distributions: each by its number.
+
+use super::axis::Axis;
+use super::columns::Column;
+use super::evaluate::Designs;
+use super::random::{Draws, Random};
+
+/// Every combination of the values, each with every sample.
+pub struct Generator {
+    /// The first one varies slowest.
+    pub vary: Vec<Axis>,
+    pub random: Vec<Random>,
+    /// How many there are of each combination; 1 where nothing is drawn.
+    pub samples: u64,
+    pub seed: u64,
+}
+
+impl Generator {
+    /// The number of designs, unless it is too large to be counted.
+    pub fn total(&self) -> Option<u64> {
+        self.vary.iter().try_fold(self.samples, |total, axis| total.checked_mul(axis.values.len() as u64))
+    }
+
+    /// Where the parameters of its columns are among those of the model.
+    pub fn positions(&self) -> impl Iterator<Item = usize> {
+        let random = self.random.iter().map(|random| random.position);
+        self.vary.iter().map(|axis| axis.position).chain(random)
+    }
+
+    /// So many designs from the one with a number on.
+    pub fn designs(&self, first: u64, rows: usize) -> Designs {
+        let numbers = || first..first + rows as u64;
+        let mut columns = Vec::with_capacity(self.vary.len() + self.random.len());
+        // How many designs have the same value one after the other.
+        let mut run = self.samples;
+        for Axis { values, .. } in self.vary.iter().rev() {
+            let value = |number: u64| values[(number / run % values.len() as u64) as usize];
+            columns.push(Column::Numbers(numbers().map(|number| Some(value(number))).collect()));
+            run *= values.len() as u64;
+        }
+        columns.reverse();
+        for random in &self.random {
+            let mut draws: Draws = random.draws(self.seed);
+            let sample = |number: u64| Some(draws.sample(number % self.samples));
+            columns.push(Column::Numbers(numbers().map(sample).collect()));
+        }
+        Designs { rows, columns, faults: vec![None; rows] }
+    }
+}

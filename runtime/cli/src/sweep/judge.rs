@@ -1,0 +1,163 @@
+//! Everything that can be wrong with a request, told at once.
+
+use std::path::{Path, PathBuf};
+
+use carvallo::ModelInfo;
+
+use super::args::Request;
+use super::axis::Axis;
+use super::map::MAX_CELLS;
+use super::random::Random;
+use super::write::Format;
+use crate::failure::{Failure, Place, Problem};
+use crate::number::shortest;
+use crate::speeds;
+
+/// More speeds than this would make tables that nobody reads.
+const MAX_SPEEDS: usize = 100;
+
+/// What was asked for, with everything in it that can be judged without reading a file.
+pub struct Judged {
+    pub vary: Vec<Axis>,
+    pub random: Vec<Random>,
+    pub speeds: Vec<f64>,
+    pub format: Format,
+    pub file: Option<(PathBuf, Format)>,
+}
+
+/// # Errors
+/// Everything that is wrong with the request for a model.
+pub fn judge(request: &Request, info: &ModelInfo) -> Result<Judged, Failure> {
+    let mut judge = Judge::default();
+    let (vary, random) = judge.parameters(request, info);
+    let format = request.output.as_deref().map_or(Format::Csv, |path| judge.table("--output", path));
+    let file = request.designs.clone().map(|path| {
+        let format = judge.table("--designs", &path);
+        (path, format)
+    });
+    judge.paths(request);
+    let speeds = request.eigenvalues.as_ref().map(|text| judge.speeds(text)).unwrap_or_default();
+    if info.coordinates.len() != 2 && request.eigenvalues.is_none() {
+        let (name, count) = (info.name, info.coordinates.len());
+        judge.problem(
+            Place::Nowhere,
+            format!("critical speeds are for two coordinates, and {name} has {count}: give --eigenvalues SPEEDS"),
+        );
+    }
+    if let Some(path) = &request.map {
+        judge.map(path, request, info, &vary);
+    }
+    if judge.problems.is_empty() {
+        Ok(Judged { vary, random, speeds, format, file })
+    } else {
+        Err(Failure::Input(judge.problems))
+    }
+}
+
+/// Collects what is wrong.
+#[derive(Default)]
+struct Judge {
+    problems: Vec<Problem>,
+}
+
+impl Judge {
+    fn problem(&mut self, place: Place, message: impl Into<String>) {
+        self.problems.push(Problem { place, message: message.into() });
+    }
+
+    fn option(&mut self, option: &str, value: &str, message: impl Into<String>) {
+        self.problem(Place::Option(format!("{option} {value}")), message);
+    }
+
+    /// What varies and what is drawn.
+    fn parameters(&mut self, request: &Request, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
+        let vary = self.each("--vary", &request.vary, |text| Axis::parse(text, info));
+        let random = self.each("--random", &request.random, |text| Random::parse(text, info));
+        let varied = request.vary.iter().map(|text| ("--vary", text));
+        let settings = request.base.overrides.iter().map(|(option, name, _)| (option.clone(), name.as_str()));
+        let mut given: Vec<(String, &str)> = settings.collect();
+        for (option, text) in varied.chain(request.random.iter().map(|text| ("--random", text))) {
+            let name = text.split('=').next().unwrap_or_default().trim();
+            if let Some((first, _)) = given.iter().find(|(_, other)| *other == name) {
+                let message = format!("`{name}` is given twice; first at {first}");
+                self.option(option, text, message);
+            }
+            given.push((format!("{option} {text}"), name));
+        }
+        match (request.samples, request.random.is_empty()) {
+            (None, false) => self.problem(Place::Nowhere, "--random needs --samples COUNT"),
+            (Some(_), true) => self.problem(Place::Nowhere, "--samples needs --random NAME=VALUES"),
+            (Some(0), false) => self.option("--samples", "0", "expected at least 1"),
+            _ => {}
+        }
+        if request.vary.is_empty() && request.random.is_empty() && request.designs.is_none() {
+            self.problem(Place::Nowhere, "nothing varies: expected --vary, --random or --designs");
+        }
+        (vary, random)
+    }
+
+    fn each<V>(&mut self, option: &str, texts: &[String], parse: impl Fn(&str) -> Result<V, String>) -> Vec<V> {
+        let mut values = Vec::new();
+        for text in texts {
+            match parse(text) {
+                Ok(value) => values.push(value),
+                Err(message) => self.option(option, text, message),
+            }
+        }
+        values
+    }
+
+    /// The format of a table by the ending of its name.
+    fn table(&mut self, option: &str, path: &Path) -> Format {
+        Format::of(path).unwrap_or_else(|| {
+            self.option(option, &path.display().to_string(), "the name must end in .csv or .parquet");
+            Format::Csv
+        })
+    }
+
+    /// Whether the results would replace the designs.
+    fn paths(&mut self, request: &Request) {
+        if let (Some(designs), Some(output)) = (&request.designs, &request.output)
+            && let (Ok(from), Ok(to)) = (designs.canonicalize(), output.canonicalize())
+            && from == to
+        {
+            self.option("--output", &output.display().to_string(), "the designs are read from this file");
+        }
+    }
+
+    /// The speeds of eigenvalues.
+    fn speeds(&mut self, text: &str) -> Vec<f64> {
+        let speeds = speeds::parse(text).and_then(|speeds| {
+            if speeds.len() > MAX_SPEEDS {
+                return Err(format!("there are {} speeds; there must be at most {MAX_SPEEDS}", speeds.len()));
+            }
+            match speeds.iter().enumerate().find(|(index, speed)| speeds[..*index].contains(speed)) {
+                Some((_, speed)) => Err(format!("the speed {} is given twice", shortest(*speed))),
+                None => Ok(speeds),
+            }
+        });
+        speeds.unwrap_or_else(|message| {
+            self.option("--eigenvalues", text, message);
+            Vec::new()
+        })
+    }
+
+    /// Whether there is a map to draw.
+    fn map(&mut self, path: &Path, request: &Request, info: &ModelInfo, vary: &[Axis]) {
+        let path = path.display().to_string();
+        if ![".svg", ".png"].iter().any(|ending| path.to_lowercase().ends_with(ending)) {
+            self.option("--map", &path, "the name must end in .svg or .png");
+        }
+        if info.coordinates.len() != 2 {
+            self.option("--map", &path, format!("{} has no stable ranges: they are for two coordinates", info.name));
+        } else if request.vary.len() != 2 || !request.random.is_empty() {
+            self.option("--map", &path, "a map needs two parameters that vary by --vary, and no others");
+        } else if let [x, y] = vary {
+            if [x, y].iter().any(|axis| axis.values.iter().all(|value| *value == axis.values[0])) {
+                self.option("--map", &path, "a map needs at least two values of each parameter");
+            } else if x.values.len() * y.values.len() > MAX_CELLS {
+                self.option("--map", &path, format!("a map shows at most {MAX_CELLS} designs"));
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! The columns of the results: as many for every design.
+
+use carvallo::ModelInfo;
+
+use super::columns::Heading;
+use crate::number::shortest;
+
+const SPEED: &str = "m/s";
+const RATE: &str = "1/s";
+
+/// How many columns there are of each kind, beside those of the designs and of the errors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layout {
+    /// For models with two coordinates.
+    pub critical: Option<Most>,
+    /// The speeds of the eigenvalues.
+    pub speeds: Vec<f64>,
+    /// The number of eigenvalues at each of them.
+    pub eigenvalues: usize,
+}
+
+/// The most that there can be for a model.
+///
+/// They are the degrees, in the speed, of the polynomials that have the critical speeds as their roots (see
+/// [`carvallo::Stability`]). Without a matrix C0 these are even in the speed, or odd, so that at most half of their roots
+/// are positive. A stable range ends at weave and capsize speeds only.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Most {
+    pub weave: usize,
+    pub capsize: usize,
+    pub double_root: usize,
+    pub stable: usize,
+}
+
+impl Most {
+    fn of(info: &ModelInfo) -> Self {
+        let divisor = if info.matrices.contains(&"C0") { 1 } else { 2 };
+        let [weave, capsize, double_root] = [6, 4, 12].map(|degree| degree / divisor);
+        Self { weave, capsize, double_root, stable: weave + capsize + 1 }
+    }
+}
+
+impl Layout {
+    pub fn new(info: &ModelInfo, speeds: Vec<f64>) -> Self {
+        let coordinates = info.coordinates.len();
+        Self { critical: (coordinates == 2).then(|| Most::of(info)), speeds, eigenvalues: 2 * coordinates }
+    }
+
+    pub fn headings(&self) -> Vec<Heading> {
+        let mut headings = Vec::new();
+        if let Some(Most { weave, capsize, double_root, stable }) = self.critical {
+            for (kind, most) in [("weave", weave), ("capsize", capsize), ("double_root", double_root)] {
+                headings.push(Heading::count(&format!("{kind}_count")));
+                headings.extend((1..=most).map(|index| Heading::number(format!("{kind}_{index}"), SPEED)));
+            }
+            headings.push(Heading::count("stable_count"));
+            let ends = |index| ["from", "to"].map(|end| Heading::number(format!("stable_{end}_{index}"), SPEED));
+            headings.extend((1..=stable).flat_map(ends));
+        }
+        for speed in &self.speeds {
+            let speed = shortest(*speed);
+            headings.push(Heading::text(format!("verdict_at_{speed}")));
+            let parts = |index| ["re", "im"].map(|part| format!("eigenvalue_{index}_{part}_at_{speed}"));
+            headings.extend((1..=self.eigenvalues).flat_map(parts).map(|name| Heading::number(name, RATE)));
+        }
+        headings
+    }
+
+    /// Where the first stable range stands among the columns.
+    pub fn first_range(&self) -> Option<usize> {
+        self.critical.map(|most| 4 + most.weave + most.capsize + most.double_root)
+    }
+}

@@ -1,0 +1,62 @@
+//! How far a sweep is, for who waits; and how fast it was.
+
+use std::fmt;
+use std::io::IsTerminal as _;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::target::Target;
+
+/// A bar on the standard error, if that is a terminal and shows nothing else; and the time that was computed.
+pub struct Progress {
+    bar: ProgressBar,
+    designs: usize,
+    time: Duration,
+}
+
+impl Progress {
+    /// The number of designs is not always known.
+    pub fn new(total: Option<u64>, target: &Target) -> Self {
+        let is_shared = target.is_stdout() && std::io::stdout().is_terminal();
+        let (target, template) = match (is_shared, total) {
+            (true, _) => (ProgressDrawTarget::hidden(), ""),
+            (false, Some(_)) => {
+                (ProgressDrawTarget::stderr(), "{wide_bar} {human_pos} of {human_len} designs, {per_sec}, {eta} left")
+            }
+            (false, None) => (ProgressDrawTarget::stderr(), "{spinner} {human_pos} designs, {per_sec}"),
+        };
+        let bar = ProgressBar::with_draw_target(total, target);
+        let style = ProgressStyle::with_template(template);
+        let bar = style.map_or(bar.clone(), |style| bar.with_style(style));
+        Self { bar, designs: 0, time: Duration::ZERO }
+    }
+
+    /// Moves the bar by so many designs.
+    pub fn add(&self, designs: usize) {
+        self.bar.inc(designs as u64);
+    }
+
+    /// Counts designs, and the time that computing them took.
+    pub fn computed(&mut self, designs: usize, time: Duration) {
+        self.designs += designs;
+        self.time += time;
+    }
+
+    /// Takes the bar away.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// The designs, the time and the rate, without what was read and written.
+impl fmt::Display for Progress {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (designs, seconds) = (self.designs, self.time.as_secs_f64());
+        write!(f, "{designs} designs in {seconds:.3} s")?;
+        if seconds > 0.0 && designs > 0 {
+            write!(f, ", {:.0} designs/s", designs as f64 / seconds)?;
+        }
+        write!(f, ", apart from reading and writing")
+    }
+}

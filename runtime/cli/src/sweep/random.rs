@@ -1,0 +1,147 @@
+//! A parameter that is drawn: `c=0.02..0.12` or `mB=85+-5`.
+
+use carvallo::ModelInfo;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{RngCore as _, SeedableRng as _};
+
+use super::axis::{any_possible, number, split};
+use crate::number::with_unit;
+
+/// The 32-bit words that each sample takes, whatever its distribution.
+const WORDS: u128 = 4;
+
+/// A parameter and its distribution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Random {
+    /// Where the parameter is among those of the model.
+    pub position: usize,
+    pub distribution: Distribution,
+}
+
+/// How a parameter is distributed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Distribution {
+    Uniform { low: f64, high: f64 },
+    Normal { mean: f64, deviation: f64 },
+}
+
+impl Random {
+    /// # Errors
+    /// What is wrong. Distributions that partly leave the parameter's domain are not: they make designs without a result.
+    pub fn parse(text: &str, info: &ModelInfo) -> Result<Self, String> {
+        let expected = "expected NAME=LOW..HIGH or NAME=MEAN+-DEVIATION, such as c=0.02..0.12 or mB=85+-5";
+        let (position, parameter, values) = split(text, info, expected)?;
+        let both = |(first, second): (&str, &str)| {
+            number(first, parameter).and_then(|first| Ok((first, number(second, parameter)?)))
+        };
+        let with_unit = |value| with_unit(value, parameter.unit);
+        let normal = ["+/-", "±", "+-"].iter().find_map(|sign| values.split_once(sign));
+        let distribution = if let Some(parts) = normal {
+            let (mean, deviation) = both(parts)?;
+            if deviation < 0.0 {
+                return Err(format!("the standard deviation is {}; it must be >= 0", with_unit(deviation)));
+            }
+            any_possible(&[mean], parameter)?;
+            Distribution::Normal { mean, deviation }
+        } else {
+            let (low, high) = both(values.split_once("..").ok_or(expected)?)?;
+            if low > high {
+                let [low, high] = [low, high].map(with_unit);
+                return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
+            }
+            any_possible(&[low, low / 2.0 + high / 2.0, high], parameter)?;
+            Distribution::Uniform { low, high }
+        };
+        Ok(Self { position, distribution })
+    }
+
+    /// What draws its samples: each by its number, so that it is the same whichever were drawn before it.
+    pub fn draws(&self, seed: u64) -> Draws {
+        let mut generator = ChaCha8Rng::seed_from_u64(seed);
+        // Each parameter has numbers of its own, which do not depend on what else is drawn.
+        generator.set_stream(self.position as u64);
+        Draws { distribution: self.distribution, generator, next: 0 }
+    }
+}
+
+/// The samples of one parameter.
+pub struct Draws {
+    distribution: Distribution,
+    generator: ChaCha8Rng,
+    /// The sample that the generator is at.
+    next: u64,
+}
+
+impl Draws {
+    /// The sample with a number.
+    pub fn sample(&mut self, index: u64) -> f64 {
+        if index != self.next {
+            self.generator.set_word_pos(WORDS * u128::from(index));
+        }
+        self.next = index + 1;
+        // Uniform in [0, 1).
+        let [first, second] = [(); 2].map(|()| (self.generator.next_u64() >> 11) as f64 * 2_f64.powi(-53));
+        match self.distribution {
+            Distribution::Uniform { low, high } => low + (high - low) * first,
+            // Box & Muller (1958).
+            Distribution::Normal { mean, deviation } => {
+                let radius = (-2.0 * (1.0 - first).ln()).sqrt();
+                mean + deviation * radius * (std::f64::consts::TAU * second).cos()
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Random;
+    use crate::model::WHIPPLE;
+
+    fn samples(text: &str, seed: u64) -> Vec<f64> {
+        let random = Random::parse(text, WHIPPLE.info).expect("a distribution");
+        let mut draws = random.draws(seed);
+        (0..20_000).map(|index| draws.sample(index)).collect()
+    }
+
+    #[test]
+    fn a_sample_depends_on_its_number_alone() {
+        let random = Random::parse("c=0..1", WHIPPLE.info).expect("a distribution");
+        let all = samples("c=0..1", 7);
+        for index in [19_999, 3, 4, 0, 12_345] {
+            assert_eq!(random.draws(7).sample(index), all[index as usize]);
+            let mut draws = random.draws(7);
+            draws.sample(index / 2);
+            assert_eq!(draws.sample(index), all[index as usize]);
+        }
+        assert_ne!(samples("c=0..1", 8), all);
+        assert_ne!(samples("w=0..1", 7), all);
+    }
+
+    /// Within five standard errors of 20,000 samples.
+    #[test]
+    fn samples_have_the_moments_of_their_distribution() {
+        for (text, mean, deviation) in [("c=0.02..0.12", 0.07, 0.1 / 12_f64.sqrt()), ("mB=85+-5", 85.0, 5.0)] {
+            let samples = samples(text, 0);
+            let count = samples.len() as f64;
+            let found = samples.iter().sum::<f64>() / count;
+            assert!((found - mean).abs() < 5.0 * deviation / count.sqrt(), "{text}: {found}");
+            let variance = samples.iter().map(|sample| (sample - found).powi(2)).sum::<f64>() / count;
+            assert!((variance.sqrt() / deviation - 1.0).abs() < 5.0 / (2.0 * count).sqrt(), "{text}: {variance}");
+        }
+        assert!(samples("c=0.02..0.12", 1).iter().all(|sample| (0.02..0.12).contains(sample)));
+    }
+
+    #[test]
+    fn mistakes_are_named() {
+        let expected = "expected NAME=LOW..HIGH or NAME=MEAN+-DEVIATION, such as c=0.02..0.12 or mB=85+-5";
+        for (text, message) in [
+            ("c", expected),
+            ("c=1", expected),
+            ("c=2..1", "the range ends at 1 m, before it begins at 2 m; it must ascend"),
+            ("mB=85+/--5", "the standard deviation is -5 kg; it must be >= 0"),
+            ("MB=85±5", "`MB` is not a parameter of Whipple; did you mean `mB`?"),
+        ] {
+            assert_eq!(Random::parse(text, WHIPPLE.info), Err(message.to_owned()), "{text}");
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Which designs there are: grids, samples and files.
+
+use super::{sweep, table};
+use crate::Directory;
+
+#[test]
+fn every_combination_is_there_and_the_first_varies_slowest() {
+    let table = sweep(&["--vary", "w=1:1.2:0.1", "--vary", "mB=60,80"]);
+    assert_eq!(table.column("w"), [1.0, 1.0, 1.1, 1.1, 1.2, 1.2]);
+    assert_eq!(table.column("mB"), [60.0, 80.0, 60.0, 80.0, 60.0, 80.0]);
+    let table = sweep(&["--vary", "lam=10 deg:20 deg:3 points"]);
+    for (found, degrees) in table.column("lam").iter().zip([10.0_f64, 15.0, 20.0]) {
+        assert!((found - degrees.to_radians()).abs() < 1e-15);
+    }
+}
+
+/// A sample depends on the seed, its parameter and its number alone.
+#[test]
+fn samples_are_the_same_in_every_sweep() {
+    let random =
+        |samples: &str, more: &[&str]| sweep(&[&["--random", "w=1..1.1", "--samples", samples][..], more].concat());
+    let all = random("40", &[]).column("w");
+    assert!(all.iter().all(|w| (1.0..1.1).contains(w)));
+    assert_eq!(random("7", &[]).column("w"), all[..7]);
+    assert_eq!(random("40", &["--random", "mB=85+-5"]).column("w"), all);
+    assert_eq!(random("40", &["--seed", "0"]).column("w"), all);
+    let others = random("40", &["--seed", "1"]).column("w");
+    assert!(all.iter().zip(&others).all(|(a, b)| a != b));
+    // Each combination has the same samples.
+    let both = random("5", &["--vary", "mB=60,80"]);
+    assert_eq!(both.column("mB"), [[60.0; 5], [80.0; 5]].concat());
+    assert_eq!(both.column("w"), [&all[..5], &all[..5]].concat());
+}
+
+#[test]
+fn designs_come_from_rows_of_csv() {
+    let directory = Directory::new("sweep-csv");
+    let text =
+        "\u{feff}# measured\nname, lam ,mB,id\nplain,18 deg,85,7\n\"a, \"\"b\"\"\",pi/10,heavy,8\nshort,0.3\n,0.3,,9\n";
+    directory.write("bikes.csv", text.replace("# measured\n", ""));
+    let run = directory.run(&["sweep", "--designs", "bikes.csv", "--set", "w=1.02"]);
+    assert!(run.stderr.contains("note: 3 of 4 designs have no results"), "{}", run.stderr);
+    let table = table(run);
+    assert_eq!(table.header[..4], ["name", "lam", "mB", "id"]);
+    assert_eq!([0, 1, 3].map(|row| table.text(row, "name")), ["plain", "a, \"b\"", ""]);
+    assert_eq!([0, 1, 2].map(|row| table.text(row, "id")), ["7", "8", ""]);
+    assert_eq!(table.number(0, "lam"), Some(std::f64::consts::PI / 10.0));
+    assert!((table.number(0, "weave_1").unwrap() - 4.292_382_536_341_11).abs() < 1e-13);
+    let errors = [1, 2, 3].map(|row| table.text(row, "error"));
+    assert!(errors[0].starts_with("`mB` is `heavy`; expected a number"), "{errors:?}");
+    assert_eq!(errors[1], "the row has 2 fields; the header has 4");
+    assert!(errors[2].starts_with("`mB` is empty; expected a number"), "{errors:?}");
+}
+
+/// Also more rows than one batch has.
+#[test]
+fn long_files_are_read_to_their_end() {
+    let directory = Directory::new("sweep-long");
+    let rows: String = (0..10_000).map(|index| format!("{},{index}\n", 1.0 + f64::from(index) / 1e4)).collect();
+    directory.write("long.csv", format!("l1,id\n{rows}"));
+    let table = table(directory.run(&["sweep", "--model", "DoublePendulum", "--designs", "long.csv"]));
+    assert_eq!(table.rows.len(), 10_000);
+    for row in [0, 4095, 4096, 9999] {
+        assert_eq!(table.text(row, "id"), row.to_string());
+        assert_eq!(table.number(row, "l1"), Some(1.0 + row as f64 / 1e4));
+    }
+}

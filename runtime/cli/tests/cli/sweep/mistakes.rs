@@ -1,0 +1,105 @@
+//! What cannot be swept, and what is said of it.
+
+use crate::Directory;
+
+#[track_caller]
+fn check(arguments: &[&str], message: &str) {
+    let directory = Directory::of_this_test();
+    directory.run(&[&["sweep"], arguments].concat()).fails(2, &format!("error: {message}\n"));
+}
+
+#[test]
+fn everything_wrong_is_told_at_once() {
+    let message = "\
+6 problems
+--set mb=90: `mb` is not a parameter of Whipple; did you mean `mB`?
+--vary ww=1,2: `ww` is not a parameter of Whipple; did you mean `w`?
+--vary mB=1,x: a value of `mB` is `x`; expected a number, or an expression such as `pi/10`: `x` is not known
+--random c=1: expected NAME=LOW..HIGH or NAME=MEAN+-DEVIATION, such as c=0.02..0.12 or mB=85+-5
+--output table.txt: the name must end in .csv or .parquet
+--eigenvalues 1,1: the speed 1 is given twice";
+    let arguments = ["--vary", "ww=1,2", "--vary", "mB=1,x", "--random", "c=1", "--samples", "3"];
+    check(&[&arguments[..], &["--set", "mb=90", "--eigenvalues", "1,1", "--output", "table.txt"]].concat(), message);
+}
+
+#[test]
+fn sweeps_that_make_no_sense() {
+    check(&[], "nothing varies: expected --vary, --random or --designs");
+    check(&["--random", "w=1..2"], "--random needs --samples COUNT");
+    check(&["--vary", "w=1,2", "--samples", "3"], "--samples needs --random NAME=VALUES");
+    check(&["--random", "w=1..2", "--samples", "0"], "--samples 0: expected at least 1");
+    check(&["--vary", "w=1,2", "--vary", "w=3"], "--vary w=3: `w` is given twice; first at --vary w=1,2");
+    check(&["--vary", "g=1,2", "--gravity", "3"], "--vary g=1,2: `g` is given twice; first at --gravity 3");
+    let message = "critical speeds are for two coordinates, and Pendulum has 1: give --eigenvalues SPEEDS";
+    check(&["--model", "Pendulum", "--vary", "l=1,2"], message);
+    let huge = ["--vary", "w=1:2:1000000 points", "--vary", "c=1:2:1000000 points", "--vary", "mB=1,2"];
+    check(&huge, "there are more than 1000000000000 designs");
+    check(
+        &["--vary", "w=1,2", "--eigenvalues", "0:10:0.05"],
+        "--eigenvalues 0:10:0.05: there are 201 speeds; there must be at most 100",
+    );
+}
+
+#[test]
+fn maps_that_make_no_sense() {
+    check(
+        &["--vary", "w=1,2", "--map", "map.svg"],
+        "--map map.svg: a map needs two parameters that vary by --vary, and no others",
+    );
+    let two = ["--vary", "w=1,2", "--vary", "c=1,1", "--map"];
+    check(&[&two[..], &["map.svg"]].concat(), "--map map.svg: a map needs at least two values of each parameter");
+    let two = ["--vary", "w=1,2", "--vary", "c=1,2", "--map"];
+    check(&[&two[..], &["map.pdf"]].concat(), "--map map.pdf: the name must end in .svg or .png");
+}
+
+#[test]
+fn files_of_designs_that_cannot_be_used() {
+    let directory = Directory::new("sweep-bad-files");
+    let check = |text: &str, message: &str| {
+        directory.write("bikes.csv", text);
+        directory.run(&["sweep", "--designs", "bikes.csv"]).fails(2, &format!("error: {message}\n"));
+    };
+    let message = "2 problems\nbikes.csv: column `lamm` is not a parameter of Whipple; did you mean `lam`?\nbikes.csv: \
+                   there are two columns `w`";
+    check("w,lamm,w\n1,2,3\n", message);
+    check("name,id\na,b\n", "bikes.csv: no column is a parameter");
+    check("", "bikes.csv: no column is a parameter");
+    directory
+        .run(&["sweep", "--designs", "bikes.txt"])
+        .fails(2, "error: --designs bikes.txt: the name must end in .csv or .parquet\n");
+    let run = directory.run(&["sweep", "--designs", "missing.csv"]);
+    assert_eq!(
+        (run.code, run.stderr.starts_with("error: cannot read missing.csv: ")),
+        (Some(1), true),
+        "{}",
+        run.stderr
+    );
+    directory.write("broken.parquet", "PAR1 this is none");
+    let run = directory.run(&["sweep", "--designs", "broken.parquet"]);
+    assert_eq!(
+        (run.code, run.stderr.starts_with("error: cannot read broken.parquet: ")),
+        (Some(1), true),
+        "{}",
+        run.stderr
+    );
+    directory.write("bikes.csv", "w\n1\n");
+    let message = "error: --output bikes.csv: the designs are read from this file\n";
+    directory.run(&["sweep", "--designs", "bikes.csv", "--output", "bikes.csv", "--restart"]).fails(2, message);
+}
+
+#[test]
+fn help_has_examples_and_the_exit_codes() {
+    let help = Directory::new("sweep-help").run(&["sweep", "--help"]).ok();
+    for expected in ["carvallo sweep --vary mB=60:100:1 > mass.csv", "Exit codes: 0 done", "stable_from_1", "--restart"]
+    {
+        assert!(help.contains(expected), "{help}");
+    }
+}
+
+#[test]
+fn results_that_cannot_be_written_are_failures() {
+    let directory = Directory::new("sweep-unwritable");
+    let run = directory.run(&["sweep", "--vary", "w=1,2", "--output", "missing/table.csv"]);
+    assert_eq!((run.code, run.stdout.as_str()), (Some(1), ""));
+    assert!(run.stderr.starts_with("error: cannot write missing/table.csv"), "{}", run.stderr);
+}

@@ -1,0 +1,144 @@
+//! That a sweep goes on after a kill, and never replaces what it should not.
+
+use std::path::Path;
+use std::process::Stdio;
+use std::time::Duration;
+
+use crate::Directory;
+
+/// Several batches, some of them with errors.
+const LONG: [&str; 9] =
+    ["sweep", "--model", "DoublePendulum", "--vary", "m1=-1:10:1", "--random", "l1=1+-0.1", "--samples", "2500"];
+
+fn lines(path: &Path) -> usize {
+    std::fs::read_to_string(path).map_or(0, |text| text.lines().count())
+}
+
+/// Runs the sweep with one thread, and kills it again and again as soon as it got on, a little later each time.
+fn with_kills(directory: &Directory, output: &str) {
+    let arguments = [&LONG[..], &["--output", output]].concat();
+    let (path, journal) = (directory.0.join(output), directory.0.join(format!("{output}.journal")));
+    let mut kills = 0;
+    while !path.exists() {
+        let mut command = directory.command(&arguments);
+        command.env("RAYON_NUM_THREADS", "1").stdout(Stdio::null()).stderr(Stdio::null());
+        let before = lines(&journal);
+        let mut child = command.spawn().unwrap();
+        while lines(&journal) <= before.max(1) && child.try_wait().unwrap().is_none() {
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        std::thread::sleep(Duration::from_millis(37 * kills % 101));
+        child.kill().unwrap();
+        if !child.wait().unwrap().success() {
+            kills += 1;
+        }
+    }
+    assert!(kills >= 2, "{output} was killed {kills} times");
+    // Killed after the file had its name, but before the journal was gone.
+    if journal.exists() {
+        assert_eq!(directory.run(&arguments).code, Some(0));
+    }
+}
+
+#[test]
+fn a_sweep_goes_on_after_kills_with_the_same_bytes() {
+    for output in ["killed.csv", "killed.parquet"] {
+        let directory = Directory::new(&format!("sweep-{output}"));
+        let whole = output.replace("killed", "whole");
+        let run = directory.run(&[&LONG[..], &["--output", &whole]].concat());
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        assert!(run.stderr.contains("note: 2500 of 30000 designs have no results"), "{}", run.stderr);
+        with_kills(&directory, output);
+        let bytes = |name: &str| std::fs::read(directory.0.join(name)).unwrap();
+        assert!(bytes(output) == bytes(&whole), "{output} differs");
+        assert_eq!(std::fs::read_dir(&directory.0).unwrap().count(), 2);
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_no_byte() {
+    let directory = Directory::new("sweep-threads");
+    for format in ["csv", "parquet"] {
+        let files = ["1", "2", "3"].map(|threads| {
+            let output = format!("threads-{threads}.{format}");
+            let mut command = directory.command(&[&LONG[..7], &["--samples", "900", "--output", &output]].concat());
+            assert!(command.env("RAYON_NUM_THREADS", threads).output().unwrap().status.success());
+            std::fs::read(directory.0.join(output)).unwrap()
+        });
+        assert!(files[0] == files[1] && files[0] == files[2], "{format}");
+    }
+}
+
+#[test]
+fn a_finished_file_is_replaced_only_when_asked_for() {
+    let directory = Directory::new("sweep-finished");
+    directory.write("table.csv", "precious\n");
+    let arguments = ["sweep", "--vary", "w=1,1.1", "--output", "table.csv"];
+    let message = "error: --output table.csv: the file exists already; --restart replaces it\n";
+    directory.run(&arguments).fails(2, message);
+    assert_eq!(std::fs::read_to_string(directory.0.join("table.csv")).unwrap(), "precious\n");
+    assert_eq!(directory.run(&[&arguments[..], &["--restart"]].concat()).code, Some(0));
+    let text = std::fs::read_to_string(directory.0.join("table.csv")).unwrap();
+    assert!(text.starts_with("w,weave_count,weave_1,"), "{text}");
+    directory.run(&arguments).fails(2, message);
+}
+
+/// What a kill leaves behind, told apart by what it belongs to; and broken in ways that a crash may break it.
+#[test]
+fn a_journal_is_trusted_only_as_far_as_it_goes() {
+    let directory = Directory::new("sweep-journal");
+    let sweep = |vary: &str, more: &[&str]| {
+        directory.run(&[&["sweep", "--vary", vary, "--output", "table.csv"], more].concat())
+    };
+    assert_eq!(sweep("w=1:1.4:0.1", &[]).code, Some(0));
+    let path = |ending: &str| directory.0.join(format!("table.csv{ending}"));
+    let whole = std::fs::read(path("")).unwrap();
+
+    // Begun by another command.
+    let journal = "carvallo sweep 0123456789abcdef\n0 10 0\n3 500 1\n";
+    std::fs::rename(path(""), path(".partial")).unwrap();
+    std::fs::write(path(".journal"), journal).unwrap();
+    let message = "error: --output table.csv: table.csv.journal is of another sweep, of which 3 designs are done; \
+                   --restart drops it\n";
+    sweep("w=1:1.4:0.1", &[]).fails(2, message);
+    assert_eq!(std::fs::read_to_string(path(".journal")).unwrap(), journal);
+    assert_eq!(sweep("w=1:1.4:0.1", &["--restart"]).code, Some(0));
+    assert_eq!(std::fs::read(path("")).unwrap(), whole);
+    std::fs::remove_file(path("")).unwrap();
+
+    // Begun by this one, with more in the file than in the journal, with half a line, and with less.
+    let definition = definition(&directory);
+    let header = whole.iter().position(|&byte| byte == b'\n').unwrap() + 1;
+    for (partial, lines) in [
+        ([&whole[..header], b"1.0,gar"].concat(), format!("0 {header} 0\n")),
+        (whole[..header].to_vec(), format!("0 {header} 0\n5 3")),
+        (whole[..header - 3].to_vec(), format!("0 {header} 0\n")),
+        (Vec::new(), String::new()),
+        (whole.clone(), format!("0 {header} 0\n5 {} 0\nfinished\n", whole.len())),
+    ] {
+        std::fs::write(path(".partial"), partial).unwrap();
+        std::fs::write(path(".journal"), format!("{definition}\n{lines}")).unwrap();
+        let run = sweep("w=1:1.4:0.1", &[]);
+        assert_eq!(run.code, Some(0), "{lines}: {}", run.stderr);
+        assert_eq!(std::fs::read(path("")).unwrap(), whole, "{lines}");
+        assert!(!path(".journal").exists() && !path(".partial").exists());
+        std::fs::remove_file(path("")).unwrap();
+    }
+    // Killed when the file had its name already.
+    std::fs::write(path(""), &whole).unwrap();
+    std::fs::write(path(".journal"), format!("{definition}\n0 {header} 0\n5 {} 0\nfinished\n", whole.len())).unwrap();
+    assert_eq!(sweep("w=1:1.4:0.1", &[]).code, Some(0));
+    assert_eq!(std::fs::read(path("")).unwrap(), whole);
+    assert!(!path(".journal").exists());
+}
+
+/// The first line of the journal of `w=1:1.4:0.1`: what a sweep leaves behind that cannot give its file a name.
+fn definition(directory: &Directory) -> String {
+    std::fs::create_dir(directory.0.join("table.csv")).unwrap();
+    std::fs::write(directory.0.join("table.csv.journal"), "").unwrap();
+    let run = directory.run(&["sweep", "--vary", "w=1:1.4:0.1", "--output", "table.csv"]);
+    assert_eq!(run.code, Some(1), "{}", run.stderr);
+    let journal = std::fs::read_to_string(directory.0.join("table.csv.journal")).unwrap();
+    std::fs::remove_dir(directory.0.join("table.csv")).unwrap();
+    journal.lines().next().unwrap().to_owned()
+}

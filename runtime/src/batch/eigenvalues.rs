@@ -1,0 +1,185 @@
+//! The eigenvalues of many systems of two coordinates.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, dispatch};
+
+use super::{Batch, BatchError, Lanes};
+use crate::eigenvalues::field::{CubeRoot, UPPER_HALF};
+use crate::eigenvalues::{Four, Rows, quick_eigenvalues};
+use crate::{Coefficients, Complex, System, SystemError};
+
+/// What there is for each system: its four eigenvalues in 1/s, sorted by real part, then by imaginary part, or what is
+/// wrong with it.
+pub type Eigenvalues = Result<[Complex<f64>; 4], SystemError>;
+
+impl Batch {
+    /// The eigenvalues of each system, into a slice of equal length.
+    ///
+    /// They are those of [`System::quartic_eigenvalues`], to the last bit, with all that it promises; a system that has
+    /// none gets its error, and the others are not affected.
+    ///
+    /// ```
+    /// use carvallo::batch::Batch;
+    /// use carvallo::{Complex, Matrix, System};
+    ///
+    /// let one = Matrix::<f64, 2>::identity();
+    /// let systems = [1.0, 4.0, 9.0].map(|k| System { m: one, c: one * 0.0, k: one * k });
+    /// let mut eigenvalues = systems.map(|_| Ok(Default::default()));
+    /// Batch::new().eigenvalues(&systems, &mut eigenvalues)?;
+    /// assert_eq!(eigenvalues[2].unwrap()[3], Complex::new(0.0, 3.0));
+    /// # Ok::<(), carvallo::batch::BatchError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the slices differ in length. Nothing is written then.
+    pub fn eigenvalues(&self, systems: &[System<2>], eigenvalues: &mut [Eigenvalues]) -> Result<(), BatchError> {
+        check(systems.len(), eigenvalues.len())?;
+        dispatch!(self.level, simd => of_systems(simd, systems, eigenvalues));
+        Ok(())
+    }
+
+    /// The eigenvalues of one design at each forward speed in m/s, under a gravitational field strength in N/kg, into a
+    /// slice as long as that of the speeds.
+    ///
+    /// They are those of [`Coefficients::at`] and [`System::quartic_eigenvalues`], to the last bit, with all that they
+    /// promise; a speed without any gets its error, and the others are not affected.
+    ///
+    /// # Errors
+    /// If the slices differ in length. Nothing is written then.
+    pub fn eigenvalues_along(
+        &self,
+        coefficients: &Coefficients<f64, 2>,
+        gravity: f64,
+        speeds: &[f64],
+        eigenvalues: &mut [Eigenvalues],
+    ) -> Result<(), BatchError> {
+        check(speeds.len(), eigenvalues.len())?;
+        dispatch!(self.level, simd => along(simd, coefficients, gravity, speeds, eigenvalues));
+        Ok(())
+    }
+}
+
+fn check(expected: usize, found: usize) -> Result<(), BatchError> {
+    if expected == found {
+        return Ok(());
+    }
+    Err(BatchError::Length { what: "results", position: 0, expected, found })
+}
+
+#[inline(always)]
+fn of_systems<S: Simd>(simd: S, systems: &[System<2>], eigenvalues: &mut [Eigenvalues]) {
+    let lanes = Lanes::<S>::COUNT;
+    for (systems, eigenvalues) in systems.chunks(lanes).zip(eigenvalues.chunks_mut(lanes)) {
+        // Lanes without a system repeat the last one.
+        let last = systems.len() - 1;
+        let m = by_rows(
+            #[inline(always)]
+            |i, j| {
+                Lanes::from_fn(
+                    simd,
+                    #[inline(always)]
+                    |lane| systems[lane.min(last)].m[(i, j)],
+                )
+            },
+        );
+        let c = by_rows(
+            #[inline(always)]
+            |i, j| {
+                Lanes::from_fn(
+                    simd,
+                    #[inline(always)]
+                    |lane| systems[lane.min(last)].c[(i, j)],
+                )
+            },
+        );
+        let k = by_rows(
+            #[inline(always)]
+            |i, j| {
+                Lanes::from_fn(
+                    simd,
+                    #[inline(always)]
+                    |lane| systems[lane.min(last)].k[(i, j)],
+                )
+            },
+        );
+        write(quick_eigenvalues(m, c, k), eigenvalues, |lane| systems[lane].quartic_eigenvalues());
+    }
+}
+
+#[inline(always)]
+fn along<S: Simd>(
+    simd: S,
+    coefficients: &Coefficients<f64, 2>,
+    gravity: f64,
+    speeds: &[f64],
+    eigenvalues: &mut [Eigenvalues],
+) {
+    let lanes = Lanes::<S>::COUNT;
+    let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+    let standing = kc + k0 * gravity;
+    let [m, c0, c1, standing, k2] = [m, c0, c1, &standing, k2].map(
+        #[inline(always)]
+        |matrix| {
+            by_rows(
+                #[inline(always)]
+                |i, j| Lanes(S::f64s::splat(simd, matrix[(i, j)])),
+            )
+        },
+    );
+    for (speeds, eigenvalues) in speeds.chunks(lanes).zip(eigenvalues.chunks_mut(lanes)) {
+        let last = speeds.len() - 1;
+        let v = Lanes::<S>::from_fn(
+            simd,
+            #[inline(always)]
+            |lane| speeds[lane.min(last)],
+        );
+        let c = by_rows(
+            #[inline(always)]
+            |i, j| c0[i][j] + c1[i][j] * v,
+        );
+        let k = by_rows(
+            #[inline(always)]
+            |i, j| standing[i][j] + k2[i][j] * v * v,
+        );
+        let scalar = |lane: usize| coefficients.at(speeds[lane], gravity)?.quartic_eigenvalues();
+        write(quick_eigenvalues(m, c, k), eigenvalues, scalar);
+    }
+}
+
+#[inline(always)]
+fn by_rows<T>(entry: impl Fn(usize, usize) -> T) -> Rows<T> {
+    [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
+}
+
+/// Writes what the lanes hold, and the rest as the scalar function gives it.
+#[inline(always)]
+fn write<S: Simd>(
+    (four, are_exact): (Four<Lanes<S>>, S::mask64s),
+    eigenvalues: &mut [Eigenvalues],
+    scalar: impl Fn(usize) -> Eigenvalues,
+) {
+    let exact = are_exact.to_bitmask();
+    for (lane, eigenvalues) in eigenvalues.iter_mut().enumerate() {
+        *eigenvalues = if exact >> lane & 1 != 0 {
+            Ok(core::array::from_fn(|i| Complex::new(four.re[i].lane(lane), four.im[i].lane(lane))))
+        } else {
+            scalar(lane)
+        };
+    }
+}
+
+impl<S: Simd> CubeRoot for Lanes<S> {
+    #[inline(always)]
+    fn inverse_cube_root_estimate(self) -> Self {
+        // An integer below 2^52 is the mantissa of itself added to 2^52.
+        let integers: S::f64s = S::f64s::simd_from(self.0.token(), 4_503_599_627_370_496.0);
+        let offset: S::u64s = integers.bitcast();
+        let bits: S::u64s = self.0.bitcast();
+        let upper: S::f64s = ((bits >> 32) | offset).bitcast();
+        let third = (upper - integers) * (1.0 / 3.0);
+        // The sum would round to the nearest integer; the scalar function leaves the fraction out.
+        let estimate: S::u64s = ((S::f64s::simd_from(self.0.token(), UPPER_HALF) - third).floor() + integers).bitcast();
+        let estimate: S::f64s = (estimate << 32).bitcast();
+        Self(estimate)
+    }
+}

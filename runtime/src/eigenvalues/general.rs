@@ -1,0 +1,99 @@
+//! The eigenvalues of any number of coordinates, from the state matrix.
+
+use super::francis::{self, SWEEPS_PER_EIGENVALUE};
+use super::hessenberg::{Row, balance, reduce};
+use super::quartic::Quadratic;
+use crate::numeric::{exponent, ldexp};
+use crate::{Complex, Matrix, Number, System, SystemError};
+
+/// The eigenvalues, in no order.
+pub(super) fn eigenvalues<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
+    system.require_finite()?;
+    let [stiffness, damping] = system.solve([-system.k, -system.c])?;
+    for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping)] {
+        if block.iter().any(|entry| !entry.is_finite()) {
+            return Err(SystemError::OutOfRange { quantity });
+        }
+    }
+    // Time in units that bring stiffness and damping to at most one.
+    let largest = |matrix: &Matrix<f64, N>| exponent(matrix.iter().fold(0.0, |max: f64, entry| max.max(entry.abs())));
+    let unit = largest(&stiffness).map(|e| (e + 1).div_euclid(2)).max(largest(&damping)).unwrap_or(0);
+    let stiffness = stiffness.map(|entry| ldexp(entry, -2 * unit));
+    let damping = damping.map(|entry| ldexp(entry, -unit));
+    let mut found = [[Complex::new(0.0, 0.0); 2]; N];
+    if N == 1 {
+        found[0] = Quadratic { p: 0.0 - damping[(0, 0)], q: 0.0 - stiffness[(0, 0)] }.complex_roots();
+    } else if damping.iter().all(|&entry| entry == 0.0) {
+        undamped(&stiffness, found.as_flattened_mut())?;
+    } else {
+        damped(&stiffness, &damping, found.as_flattened_mut())?;
+    }
+    let eigenvalues = found.map(|two| two.map(|root| Complex::new(ldexp(root.re, unit), ldexp(root.im, unit))));
+    if eigenvalues.as_flattened().iter().any(|root| !(root.re.is_finite() && root.im.is_finite())) {
+        return Err(SystemError::OutOfRange { quantity: "an eigenvalue" });
+    }
+    Ok(eigenvalues)
+}
+
+/// Of `q'' = D q' + S q`, from the transposed state matrix with each coordinate next to its rate, (q1, q1', q2, q2', ...):
+/// its first column is in Hessenberg form already.
+fn damped<const N: usize>(
+    stiffness: &Matrix<f64, N>,
+    damping: &Matrix<f64, N>,
+    found: &mut [Complex<f64>],
+) -> Result<(), SystemError> {
+    let mut rows = [[[[0.0; 2]; N]; 2]; N];
+    for i in 0..N {
+        for j in 0..N {
+            rows[i][0][j][1] = stiffness[(j, i)];
+            rows[i][1][j][1] = damping[(j, i)];
+        }
+        rows[i][1][i][0] = 1.0;
+    }
+    let rows = rows.as_flattened_mut();
+    balance(rows);
+    reduce(rows, 1);
+    collect(rows, found)
+}
+
+/// Of `q'' = S q`: both square roots of the eigenvalues of S, half as many.
+fn undamped<const N: usize>(stiffness: &Matrix<f64, N>, found: &mut [Complex<f64>]) -> Result<(), SystemError> {
+    let mut rows: [[f64; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| stiffness[(i, j)]));
+    balance(&mut rows);
+    reduce(&mut rows, 0);
+    let (squares, _) = found.split_at_mut(N);
+    collect(&mut rows, squares)?;
+    for i in (0..N).rev() {
+        [found[2 * i], found[2 * i + 1]] = square_roots(found[i]);
+    }
+    Ok(())
+}
+
+fn collect<R: Row>(rows: &mut [R], found: &mut [Complex<f64>]) -> Result<(), SystemError> {
+    let mut next = found.iter_mut();
+    let put = |eigenvalue| {
+        if let Some(place) = next.next() {
+            *place = eigenvalue;
+        }
+    };
+    let iterations = SWEEPS_PER_EIGENVALUE * rows.len();
+    francis::eigenvalues(rows, put).ok_or(SystemError::NotConverged { iterations })
+}
+
+/// Both square roots. Those of conjugate numbers are exactly conjugate.
+fn square_roots(square: Complex<f64>) -> [Complex<f64>; 2] {
+    let Complex { re, im } = square;
+    if im == 0.0 {
+        let root = Number::sqrt(re.abs());
+        return if re < 0.0 {
+            [Complex::new(0.0, -root), Complex::new(0.0, root)]
+        } else {
+            [Complex::new(0.0 - root, 0.0), Complex::new(root, 0.0)]
+        };
+    }
+    // The part that is larger is a sum without cancellation.
+    let large = Number::sqrt(0.5 * (Number::sqrt(re * re + im * im) + re.abs()));
+    let small = 0.5 * im.abs() / large;
+    let (re, im) = if re < 0.0 { (small, large.copysign(im)) } else { (large, small.copysign(im)) };
+    [Complex::new(-re, -im), Complex::new(re, im)]
+}

@@ -1,0 +1,95 @@
+//! How measured standard deviations of parameters propagate.
+
+use super::Sensitivity;
+use crate::{Coefficients, Matrix, SystemError};
+
+/// The standard deviation of a quantity to first order, from its derivatives with respect to each parameter and the standard
+/// deviations of the parameters, which are taken to be independent: the root of the sum of the squares of their products.
+///
+/// ```
+/// assert_eq!(carvallo::standard_deviation(&[3.0, -40.0, 7.0], &[1.0, 0.1, 0.0])?, 5.0);
+/// # Ok::<(), carvallo::SystemError>(())
+/// ```
+///
+/// # Errors
+/// If there are fewer deviations than derivatives, or if one is negative or not finite, or if the
+/// result leaves the range of `f64`.
+pub fn standard_deviation(derivatives: &[f64], deviations: &[f64]) -> Result<f64, SystemError> {
+    require(derivatives.len(), deviations)?;
+    in_range(root_sum_square(derivatives.iter().zip(deviations).map(|(derivative, deviation)| derivative * deviation)))
+}
+
+impl<const N: usize> Sensitivity<N> {
+    /// The standard deviation of every entry of the matrices to first order, in the unit of the entry, from those of the
+    /// parameters in their order, which are taken to be independent. The entries themselves are not: they vary together.
+    ///
+    /// K0 is without gravity, as the coefficients are.
+    ///
+    /// # Errors
+    /// If there are fewer deviations than parameters, or if one is negative or not finite, or if a
+    /// result leaves the range of `f64`.
+    pub fn matrix_deviations(&self, deviations: &[f64]) -> Result<Coefficients<f64, N>, SystemError> {
+        require(self.derivatives.len(), deviations)?;
+        let of = |matrix: fn(&Coefficients<f64, N>) -> &Matrix<f64, N>| {
+            let mut deviation = Matrix::<f64, N>::zeros();
+            for (place, entry) in deviation.iter_mut().enumerate() {
+                let terms = self.derivatives.iter().zip(deviations);
+                *entry = in_range(root_sum_square(terms.map(|(by, deviation)| matrix(by)[place] * deviation)))?;
+            }
+            Ok::<_, SystemError>(deviation)
+        };
+        Ok(Coefficients {
+            m: of(|c| &c.m)?,
+            c0: of(|c| &c.c0)?,
+            c1: of(|c| &c.c1)?,
+            kc: of(|c| &c.kc)?,
+            k0: of(|c| &c.k0)?,
+            k2: of(|c| &c.k2)?,
+        })
+    }
+}
+
+fn in_range(deviation: f64) -> Result<f64, SystemError> {
+    if deviation.is_finite() {
+        Ok(deviation)
+    } else {
+        Err(SystemError::OutOfRange { quantity: "a standard deviation" })
+    }
+}
+
+fn require(parameters: usize, deviations: &[f64]) -> Result<(), SystemError> {
+    let (expected, found) = (parameters, deviations.len());
+    if found < expected {
+        return Err(SystemError::TooFew { quantity: "standard deviations", expected, found });
+    }
+    match deviations.iter().find(|deviation| !(deviation.is_finite() && **deviation >= 0.0)) {
+        Some(&value) => Err(SystemError::NotADeviation { value }),
+        None => Ok(()),
+    }
+}
+
+/// Without overflow of the squares.
+fn root_sum_square(terms: impl Iterator<Item = f64>) -> f64 {
+    terms.fold(0.0, f64::hypot)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::standard_deviation;
+    use crate::SystemError;
+
+    #[test]
+    fn squares_stay_in_range() {
+        let large = standard_deviation(&[3e200, 4e200], &[1.0, 1.0]).unwrap();
+        assert!((large / 5e200 - 1.0).abs() < 1e-15);
+        assert_eq!(standard_deviation(&[], &[]), Ok(0.0));
+    }
+
+    #[test]
+    fn errors_name_what_is_wrong() {
+        let too_few = SystemError::TooFew { quantity: "standard deviations", expected: 2, found: 1 };
+        assert_eq!(standard_deviation(&[1.0, 2.0], &[1.0]), Err(too_few));
+        assert_eq!(standard_deviation(&[1.0], &[-1.0]), Err(SystemError::NotADeviation { value: -1.0 }));
+        assert!(standard_deviation(&[1.0], &[f64::NAN]).is_err());
+    }
+}

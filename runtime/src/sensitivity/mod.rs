@@ -1,0 +1,126 @@
+//! How eigenvalues and critical speeds change with the speed and with the parameters of a model.
+
+mod condition;
+mod critical;
+mod deviation;
+mod eigenvalue;
+mod null_vectors;
+mod pencil;
+#[cfg(test)]
+mod tests;
+mod unfolding;
+
+use pencil::Direction;
+
+use crate::system::require_finite;
+use crate::{Coefficients, Differentiable, Model, Scalar, SystemError};
+
+pub use critical::{CriticalDerivative, NotDifferentiable};
+pub use deviation::standard_deviation;
+pub use eigenvalue::{EigenvalueDerivative, EigenvalueSensitivity};
+
+/// The derivatives of a quantity with respect to the forward speed and to each parameter.
+///
+/// Each is in the unit of the quantity divided by m/s, or by the unit of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gradient<T> {
+    /// With respect to the forward speed.
+    pub speed: T,
+    /// With respect to each parameter, in the order in which the derivatives of the matrices were given.
+    pub parameters: Vec<T>,
+}
+
+/// The coefficient matrices of a model together with their derivatives: what is needed to tell how eigenvalues
+/// ([`eigenvalues`](Self::eigenvalues)) and critical speeds ([`critical_speed`](Sensitivity::critical_speed)) change with
+/// each parameter.
+///
+/// Nothing is differenced. An eigenvalue s of the quadratic eigenvalue problem `(s^2 M + s C + K) x = 0` with the right
+/// eigenvector x and the left one y changes by
+///
+/// ```text
+/// ds = - y^H (s^2 dM + s dC + dK) x / y^H (2 s M + C) x
+/// ```
+///
+/// (Lancaster 1964; Tisseur 2000), and a critical speed by implicit differentiation of the condition that defines it.
+///
+/// The gravity parameter, if the model has one, changes K = Kc + g K0 + v^2 K2 also through its factor g: say which one it
+/// is, and it is taken into account.
+///
+/// ```
+/// use carvallo::{Coefficients, CriticalDerivative, Sensitivity, Stability};
+///
+/// // q1'' + q1' + (p - v^2) q1 = 0 capsizes at v = sqrt(p), and q2'' + q2' + q2 = 0 never does.
+/// let zero = [[0.0; 2]; 2];
+/// let one = [[1.0, 0.0], [0.0, 1.0]];
+/// let with = |p: f64| [[p, 0.0], [0.0, 1.0]];
+/// let k2 = [[-1.0, 0.0], [0.0, 0.0]];
+/// let coefficients = Coefficients::from_rows([one, one, zero, with(9.0), zero, k2]);
+/// let by_p = Coefficients::from_rows([zero, zero, zero, [[1.0, 0.0], [0.0, 0.0]], zero, zero]);
+///
+/// let sensitivity = Sensitivity::new(&coefficients, &[by_p], 0.0, None)?;
+/// let stability = Stability::new(&coefficients, 0.0)?;
+/// let capsize = stability.critical_speeds.last().unwrap();
+/// let CriticalDerivative::Smooth { speed, .. } = sensitivity.critical_speed(capsize)? else { panic!("smooth") };
+/// assert!((capsize.speed - 3.0).abs() < 1e-15);
+/// assert!((speed[0] - 1.0 / 6.0).abs() < 1e-15);
+/// # Ok::<(), carvallo::SystemError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensitivity<const N: usize> {
+    coefficients: Coefficients<f64, N>,
+    derivatives: Vec<Coefficients<f64, N>>,
+    gravity: f64,
+    gravity_parameter: Option<usize>,
+}
+
+impl<const N: usize> Sensitivity<N> {
+    /// From the coefficient matrices, their derivatives with respect to each parameter, and the gravitational field
+    /// strength in N/kg, of which `gravity_parameter` tells the position among the parameters, if it is one.
+    ///
+    /// # Errors
+    /// If gravity, an entry or a derivative is not finite, or if there is no parameter at the position of gravity.
+    pub fn new<T: Scalar>(
+        coefficients: &Coefficients<T, N>,
+        derivatives: &[Coefficients<T, N>],
+        gravity: f64,
+        gravity_parameter: Option<usize>,
+    ) -> Result<Self, SystemError> {
+        require_finite("gravity", gravity)?;
+        if let Some(position) = gravity_parameter.filter(|&position| position >= derivatives.len()) {
+            let (expected, found) = (position + 1, derivatives.len());
+            return Err(SystemError::TooFew { quantity: "derivatives", expected, found });
+        }
+        let coefficients = coefficients.finite()?;
+        let derivatives: Result<_, _> = derivatives.iter().map(Coefficients::finite).collect();
+        let derivatives = derivatives.map_err(|_| SystemError::OutOfRange { quantity: "a derivative of a matrix" })?;
+        Ok(Self { coefficients, derivatives, gravity, gravity_parameter })
+    }
+
+    /// Of a model that was compiled with its derivatives, at its own gravity; at none if that is no parameter of it.
+    ///
+    /// # Errors
+    /// If an entry or a derivative is not finite, as they may be for parameters that were not validated.
+    pub fn of<M: Differentiable<N>>(model: &M) -> Result<Self, SystemError> {
+        let (coefficients, derivatives) = model.coefficients_and_derivatives();
+        let gravity = Model::gravity(model).map_or(0.0, Scalar::to_f64);
+        Self::new(&coefficients, derivatives.as_ref(), gravity, M::INFO.gravity)
+    }
+
+    /// The derivatives of the equations of motion at a speed: with respect to it, and then to each parameter.
+    fn directions(&self, speed: f64) -> Result<Vec<Direction<N>>, SystemError> {
+        let Coefficients { c1, k2, .. } = self.coefficients;
+        let by_speed = Direction { m: nalgebra::SMatrix::zeros(), c: c1, k: k2 * speed * 2.0 };
+        let parameters = (0..self.derivatives.len()).map(|index| self.direction(index, speed));
+        core::iter::once(by_speed.finite()).chain(parameters).collect()
+    }
+
+    /// The derivative of the equations of motion at a speed with respect to a parameter.
+    fn direction(&self, parameter: usize, speed: f64) -> Result<Direction<N>, SystemError> {
+        let Coefficients { m, c0, c1, kc, k0, k2 } = self.derivatives[parameter];
+        let mut k = kc + k0 * self.gravity + k2 * speed * speed;
+        if self.gravity_parameter == Some(parameter) {
+            k += self.coefficients.k0;
+        }
+        Direction { m, c: c0 + c1 * speed, k }.finite()
+    }
+}

@@ -1,0 +1,167 @@
+//! The double eigenvalue at a root of the discriminant.
+
+use super::characteristic::Conditions;
+use super::root::Root;
+use crate::numeric::isolation::Bracket;
+use crate::numeric::{DoubleDouble, Sum};
+
+/// A speed with a real double eigenvalue.
+pub(super) struct DoubleRoot {
+    pub(super) root: Root,
+    /// The eigenvalue in two parts; in the square of the speed divided by the speed.
+    pub(super) sigma: (f64, f64),
+    /// Whether two real eigenvalues become a pair as the speed grows.
+    pub(super) merges: bool,
+}
+
+/// The characteristic polynomial in x and sigma, by powers of sigma: that is s or, in the square of
+/// the speed, s / v.
+pub(super) struct DoubleRoots<const P: usize> {
+    exact: [[DoubleDouble; P]; 5],
+    value: [[f64; P]; 5],
+    size: [[f64; P]; 5],
+}
+
+/// The least of derivatives that are not nearly zero, relative to their terms.
+const SAFE: f64 = 1.0 / (1u64 << 24) as f64;
+
+/// How often Newton's iteration is repeated in `f64` at most, and the step after which it is not, relative to the root.
+const STEPS: usize = 4;
+const CLOSE: f64 = 1.0 / (1u64 << 22) as f64;
+
+/// What may be lacking of the speed, relative to it.
+const LACKING: f64 = f64::EPSILON / 256.0;
+
+/// The degrees of the coefficients in x, and the powers of x that they are multiplied with.
+const fn shape<const P: usize>() -> [(usize, usize); 5] {
+    if P == 3 { [(2, 0), (1, 1), (1, 1), (0, 2), (0, 2)] } else { [(4, 0), (3, 0), (2, 0), (1, 0), (0, 0)] }
+}
+
+impl<const P: usize> DoubleRoots<P> {
+    pub(super) fn new<const H: usize, const D: usize>(conditions: &Conditions<P, H, D>) -> Self {
+        let (mut exact, mut value, mut size) = ([[DoubleDouble::ZERO; P]; 5], [[0.0; P]; 5], [[0.0; P]; 5]);
+        for power in 0..5 {
+            for i in 0..P {
+                let Sum { value: number, size: terms } = conditions.p[power][i];
+                (exact[power][i], value[power][i], size[power][i]) = (number, number.to_f64(), terms);
+            }
+        }
+        Self { exact, value, size }
+    }
+
+    /// The double root in an interval, near x, by Newton's iteration for `p = p_sigma = 0`: in `f64`, then a step in
+    /// double-double.
+    #[inline]
+    pub(super) fn near(&self, mut x: f64, bracket: &Bracket) -> Option<DoubleRoot> {
+        let mut sigma = double_root(coefficients(&self.value, x).map(|(value, _)| value));
+        let mut at = Derivatives::new(&self.value, sigma, x);
+        let mut steps = 0;
+        loop {
+            let (x_step, sigma_step) = at.step([at.p, at.slope]);
+            (x, sigma, steps) = (x + x_step, sigma + sigma_step, steps + 1);
+            at = Derivatives::new(&self.value, sigma, x);
+            if x_step.abs() <= CLOSE * x && sigma_step.abs() <= CLOSE * sigma.abs() {
+                break;
+            } else if steps == STEPS {
+                return None;
+            }
+        }
+        let (x_rest, sigma_rest) = at.step(self.residuals(sigma, x));
+
+        let size = Derivatives::new(&self.size, sigma.abs(), x);
+        let is_safe = at.by_x.abs() > SAFE * size.by_x && at.curvature.abs() > SAFE * size.curvature;
+        // The next step would be about this.
+        let left = (size.curvature * sigma_rest * sigma_rest + size.by_x / x * x_rest * x_rest) / at.by_x.abs();
+        let error = f64::EPSILON * size.p / at.by_x.abs();
+        let is_there = left <= LACKING * x && x > bracket.low && x < bracket.high;
+        (is_safe && is_there).then_some(DoubleRoot {
+            root: Root::new(x, x_rest, error),
+            sigma: (sigma, sigma_rest),
+            // Nearby `sigma^2 = -2 p_x x / p_sigma_sigma`, both measured from there.
+            merges: (at.by_x > 0.0) == (at.curvature > 0.0),
+        })
+    }
+
+    /// p and its derivative by sigma, as far as double-double tells.
+    #[inline]
+    fn residuals(&self, sigma: f64, x: f64) -> [f64; 2] {
+        let mut p = [DoubleDouble::ZERO; 5];
+        for power in 0..5 {
+            let (degree, factors) = const { shape::<P>() }[power];
+            p[power] = self.exact[power][degree];
+            for i in (0..degree).rev() {
+                p[power] = p[power].times(x).add_roughly(self.exact[power][i]);
+            }
+            for _ in 0..factors {
+                p[power] = p[power].times(x);
+            }
+        }
+        let mut value = p[4].times(sigma).add_roughly(p[3]);
+        let mut slope = p[4];
+        for power in (0..3).rev() {
+            slope = slope.times(sigma).add_roughly(value);
+            value = value.times(sigma).add_roughly(p[power]);
+        }
+        [value.to_f64(), slope.to_f64()]
+    }
+}
+
+/// The coefficients of the powers of sigma at x, and their derivatives.
+#[inline]
+fn coefficients<const P: usize>(coefficients: &[[f64; P]; 5], x: f64) -> [(f64, f64); 5] {
+    let mut at = [(0.0, 0.0); 5];
+    for power in 0..5 {
+        let (degree, factors) = const { shape::<P>() }[power];
+        let (mut value, mut slope) = (coefficients[power][degree], 0.0);
+        for i in (0..degree).rev() {
+            (value, slope) = (value * x + coefficients[power][i], slope * x + value);
+        }
+        for _ in 0..factors {
+            (value, slope) = (value * x, slope * x + value);
+        }
+        at[power] = (value, slope);
+    }
+    at
+}
+
+/// The double root of a quartic that has one: the root of the remainder of degree one of the quartic and its derivative.
+#[inline]
+fn double_root([e, d, c, b, a]: [f64; 5]) -> f64 {
+    let (q2, q1, q0) = (8.0 * a * c - 3.0 * b * b, 12.0 * a * d - 2.0 * b * c, 16.0 * a * e - b * d);
+    let constant = 4.0 * a * q1 * q0 + q2 * (q2 * d - 3.0 * b * q0);
+    let linear = 4.0 * a * (q1 * q1 - q0 * q2) + q2 * (2.0 * c * q2 - 3.0 * b * q1);
+    -constant / linear
+}
+
+/// A polynomial in x and sigma, and its derivatives.
+struct Derivatives {
+    p: f64,
+    /// By sigma.
+    slope: f64,
+    /// Twice by sigma.
+    curvature: f64,
+    by_x: f64,
+    /// By sigma and by x.
+    slope_by_x: f64,
+}
+
+impl Derivatives {
+    #[inline]
+    fn new<const P: usize>(polynomial: &[[f64; P]; 5], sigma: f64, x: f64) -> Self {
+        let [(e, e_x), (d, d_x), (c, c_x), (b, b_x), (a, a_x)] = coefficients(polynomial, x);
+        Self {
+            p: (((a * sigma + b) * sigma + c) * sigma + d) * sigma + e,
+            slope: ((4.0 * a * sigma + 3.0 * b) * sigma + 2.0 * c) * sigma + d,
+            curvature: (12.0 * a * sigma + 6.0 * b) * sigma + 2.0 * c,
+            by_x: (((a_x * sigma + b_x) * sigma + c_x) * sigma + d_x) * sigma + e_x,
+            slope_by_x: ((4.0 * a_x * sigma + 3.0 * b_x) * sigma + 2.0 * c_x) * sigma + d_x,
+        }
+    }
+
+    /// The step of x and of sigma that makes p and its derivative by sigma zero, to first order.
+    #[inline]
+    fn step(&self, [p, slope]: [f64; 2]) -> (f64, f64) {
+        let scale = 1.0 / (self.by_x * self.curvature - slope * self.slope_by_x);
+        ((slope * slope - p * self.curvature) * scale, (p * self.slope_by_x - slope * self.by_x) * scale)
+    }
+}

@@ -1,0 +1,143 @@
+//! The critical speeds, as roots of the conditions.
+
+use arrayvec::ArrayVec;
+
+use super::super::verdict::Verdict;
+use super::super::{Change, CriticalKind, CriticalSpeed};
+use super::characteristic::{Conditions, Variable};
+use super::double_root::DoubleRoots;
+use super::root::Root;
+use super::signs::Signs;
+use crate::Complex;
+use crate::numeric::fixed::at;
+use crate::numeric::isolation::{Brackets, Rounded};
+use crate::numeric::{DoubleDouble, Sum};
+
+/// A critical speed and the verdict at it, `None` where no eigenvalue is on the imaginary axis.
+pub(super) struct Found {
+    pub(super) critical: CriticalSpeed,
+    pub(super) there: Option<Verdict>,
+}
+
+/// As many as the conditions have roots at most.
+pub(super) type All = ArrayVec<Found, 24>;
+
+/// The least relative distance between critical speeds, for their order to be certain.
+const APART: f64 = 1.0 / (1u64 << 36) as f64;
+
+/// The largest relative error of a critical speed that is surely one.
+const SHARP: f64 = 1.0 / (1u64 << 20) as f64;
+
+/// The last step of a root of the discriminant, relative to it, from where on it is polished as a double root.
+const CLOSE: f64 = 1.0 / (1u64 << 7) as f64;
+
+/// The least that may be left of terms that cancel, for a quotient to have all the digits of `f64`.
+const CANCELLED: f64 = 1.0 / (1u64 << 16) as f64;
+
+impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
+    /// All critical speeds, ascending; `None` if it is not certain which there are.
+    pub(super) fn search(&self, signs: &Signs<P, H>, found: &mut All) -> Option<()> {
+        let mut brackets = Brackets::new();
+        self.capsize(signs, &mut brackets, found)?;
+        self.weave(signs, &mut brackets, found)?;
+        self.meet(&mut brackets, found)?;
+        found.sort_unstable_by(|x, y| x.critical.speed.total_cmp(&y.critical.speed));
+        let distance = |pair: &[Found]| pair[1].critical.speed - pair[0].critical.speed;
+        found.windows(2).all(|pair| distance(pair) > APART * pair[1].critical.speed).then_some(())
+    }
+
+    /// Where the lowest coefficient is zero. Nearby the eigenvalue is about `-p_0 / p_1`.
+    fn capsize(&self, signs: &Signs<P, H>, brackets: &mut Brackets, found: &mut All) -> Option<()> {
+        signs.capsize().isolate(brackets)?;
+        for bracket in brackets.drain(..) {
+            let root = Root::simple(&self.p[0], signs.capsize(), &bracket)?;
+            let stabilizes = bracket.rises == signs.is_positive(1, root.x)?;
+            let there = Some(signs.verdict(true, root.x)?.max(Verdict::Marginal));
+            let critical = self.critical(CriticalKind::Capsize, &root, Complex::new(0.0, 0.0), change(stabilizes))?;
+            found.try_push(Found { critical, there }).ok()?;
+        }
+        Some(())
+    }
+
+    /// Where the Hurwitz determinant is zero, if the two eigenvalues that sum to zero are imaginary.
+    fn weave(&self, signs: &Signs<P, H>, brackets: &mut Brackets, found: &mut All) -> Option<()> {
+        signs.hurwitz.isolate(brackets)?;
+        for bracket in brackets.drain(..) {
+            let root = Root::simple(&self.hurwitz, &signs.hurwitz, &bracket)?;
+            let is_damped = signs.is_positive(3, root.x)?;
+            if signs.is_positive(1, root.x)? != is_damped {
+                continue;
+            }
+            let stabilizes = bracket.rises == is_damped;
+            let is_rest_stable = is_damped && signs.is_positive(0, root.x)?;
+            let there = Some(if is_rest_stable { Verdict::Marginal } else { Verdict::Unstable });
+            let eigenvalue = Complex::new(0.0, self.frequency(&root)?);
+            let critical = self.critical(CriticalKind::Weave, &root, eigenvalue, change(stabilizes))?;
+            found.try_push(Found { critical, there }).ok()?;
+        }
+        Some(())
+    }
+
+    /// The frequency of an imaginary pair: the square root of `p_1 / p_3`.
+    fn frequency(&self, root: &Root) -> Option<f64> {
+        let coefficient = |p: &[Sum; P]| {
+            let sum = at(p, root.x);
+            let slope = Rounded::new(p).taylor(root.x)[1];
+            let is_sharp = sum.value.to_f64().abs() >= CANCELLED * sum.size;
+            is_sharp.then(|| sum.value.add_roughly((slope * root.rest).into()))
+        };
+        let (numerator, denominator) = (coefficient(&self.p[1])?, coefficient(&self.p[3])?);
+        let quotient = numerator.to_f64() / denominator.to_f64();
+        let rest = (numerator - denominator.times(quotient)).to_f64() / denominator.to_f64();
+        Some(Root::sqrt(quotient, rest).0)
+    }
+
+    /// Where the discriminant is zero: simply, so that the double eigenvalue is real.
+    fn meet(&self, brackets: &mut Brackets, found: &mut All) -> Option<()> {
+        let discriminant = Rounded::new(&self.discriminant);
+        discriminant.isolate(brackets)?;
+        if brackets.is_empty() {
+            return Some(());
+        }
+        let double_roots = DoubleRoots::new(self);
+        for bracket in brackets.drain(..) {
+            let at = double_roots.near(discriminant.refine(&bracket, CLOSE)?, &bracket)?;
+            let (sigma, sigma_rest) = at.sigma;
+            let eigenvalue = match self.variable {
+                Variable::Speed => sigma + sigma_rest,
+                Variable::Square => {
+                    let (speed, rest) = at.root.speed(self.variable);
+                    let product = DoubleDouble::product(speed, sigma);
+                    product.add_roughly((speed * sigma_rest + rest * sigma).into()).to_f64()
+                }
+            };
+            let change = if at.merges { Change::Merges } else { Change::Splits };
+            let kind = CriticalKind::DoubleRoot;
+            let critical = self.critical(kind, &at.root, Complex::new(eigenvalue, 0.0), change)?;
+            found.try_push(Found { critical, there: None }).ok()?;
+        }
+        Some(())
+    }
+
+    fn critical(
+        &self,
+        kind: CriticalKind,
+        root: &Root,
+        eigenvalue: Complex<f64>,
+        change: Change,
+    ) -> Option<CriticalSpeed> {
+        let (speed, _) = root.speed(self.variable);
+        // An eighth of the rounding of the root at least.
+        let error = root.error.max(0.125 * f64::EPSILON * root.x);
+        let error = match self.variable {
+            Variable::Speed => error,
+            Variable::Square => error / (2.0 * speed),
+        };
+        let critical = CriticalSpeed { kind, speed, error: error + 0.5 * f64::EPSILON * speed, eigenvalue, change };
+        (error <= SHARP * speed).then_some(critical)
+    }
+}
+
+fn change(stabilizes: bool) -> Change {
+    if stabilizes { Change::Stabilizes } else { Change::Destabilizes }
+}

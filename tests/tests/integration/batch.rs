@@ -1,0 +1,165 @@
+//! Many designs at once, at every level of instructions that the processor has: each must be what it is alone, to the last
+//! bit.
+
+use carvallo::batch::{Batch, BatchError, Blocks};
+use carvallo::{Coefficients, Matrix, Model};
+use carvallo_models::{Pendulum, Whipple, each_model};
+use carvallo_tests::designs;
+
+/// More designs than two stretches of columns, and lanes to spare.
+const DESIGNS: usize = 150;
+
+/// Designs about the first parameter set of a model.
+fn some<const N: usize, M: Model<N, Scalar = f64>>() -> Vec<M> {
+    let set = M::INFO.sets.first().expect("a parameter set").values;
+    let design = |number: usize| {
+        let values: Vec<f64> =
+            set.iter().enumerate().map(|(i, x)| x * (1.0 + 0.01 * ((number * (i + 1)) % 17) as f64)).collect();
+        M::from_slice(&values).expect("as many values as parameters")
+    };
+    (0..DESIGNS).map(design).collect()
+}
+
+/// The entries of a design's matrices, one by one, in the order of the model's description.
+fn entries<const N: usize, M: Model<N, Scalar = f64>>(design: &M) -> Vec<f64> {
+    let coefficients = design.coefficients();
+    let value = |&(matrix, row, column): &(&str, usize, usize)| matrix_called(matrix, &coefficients)[(row, column)];
+    let entry = |entry: &carvallo::EntryInfo| {
+        let values: Vec<f64> = entry.places.iter().map(value).collect();
+        assert!(values.iter().all(|x| x.to_bits() == values[0].to_bits()), "{entry}: {values:?}");
+        values[0]
+    };
+    M::INFO.entries.iter().map(entry).collect()
+}
+
+fn matrix_called<'a, const N: usize>(name: &str, coefficients: &'a Coefficients<f64, N>) -> &'a Matrix<f64, N> {
+    let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+    let named = [("M", m), ("C0", c0), ("C1", c1), ("Kc", kc), ("K0", k0), ("K2", k2)];
+    named.into_iter().find(|(known, _)| *known == name).expect("a matrix").1
+}
+
+fn same(x: &[f64], y: &[f64]) -> bool {
+    x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.to_bits() == y.to_bits() || x.is_nan() && y.is_nan())
+}
+
+/// Blocks, columns and structs of designs of any number, at every level.
+fn check<const N: usize, M: Model<N, Scalar = f64>>(designs: &[M]) {
+    let name = M::INFO.name;
+    let alone: Vec<Vec<f64>> = designs.iter().map(entries).collect();
+    let columns: Vec<Vec<f64>> = (0..M::INFO.parameters.len())
+        .map(|position| designs.iter().map(|design| design.parameters().as_ref()[position]).collect())
+        .collect();
+    for batch in Batch::levels() {
+        for count in [0, 1, 7, 8, 63, 64, 65, designs.len()] {
+            let parameters = Blocks::of_designs(&designs[..count]);
+            let mut results = Blocks::for_entries::<N, M>(count);
+            batch.matrices::<N, M>(&parameters, &mut results).unwrap();
+            let inputs: Vec<&[f64]> = columns.iter().map(|column| &column[..count]).collect();
+            assert_eq!(Blocks::from_columns(&inputs).unwrap().len(), count);
+            let mut outputs = vec![vec![f64::NAN; count]; M::INFO.entries.len()];
+            let mut borrowed: Vec<&mut [f64]> = outputs.iter_mut().map(|column| &mut column[..]).collect();
+            batch.matrices_of_columns::<N, M>(&inputs, &mut borrowed).unwrap();
+            let mut coefficients = vec![designs[0].coefficients(); count];
+            batch.coefficients(&designs[..count], &mut coefficients).unwrap();
+            for (i, expected) in alone[..count].iter().enumerate() {
+                let from_blocks: Vec<f64> = (0..expected.len()).map(|entry| results.get(i, entry)).collect();
+                assert!(same(&from_blocks, expected), "{name}, {batch}, {i} of {count}: {from_blocks:?} {expected:?}");
+                let from_columns: Vec<f64> = outputs.iter().map(|column| column[i]).collect();
+                assert!(
+                    same(&from_columns, expected),
+                    "{name}, {batch}, {i} of {count}: {from_columns:?} {expected:?}"
+                );
+                let alone = designs[i].coefficients();
+                for matrix in ["M", "C0", "C1", "Kc", "K0", "K2"] {
+                    let [x, y] = [&coefficients[i], &alone].map(|all| matrix_called(matrix, all).as_slice());
+                    assert!(same(x, y), "{name}, {batch}, {i} of {count}: {matrix} {x:?} {y:?}");
+                }
+            }
+        }
+    }
+}
+
+fn check_some<const N: usize, M: Model<N, Scalar = f64>>() {
+    check(&some::<N, M>());
+}
+
+#[test]
+fn every_model_is_computed_in_lanes_as_alone() {
+    assert!(!each_model!(check_some).is_empty());
+}
+
+#[test]
+fn angles_of_every_kind_are_computed_in_lanes_as_alone() {
+    let angles =
+        [0.0, -0.0, 0.3, -0.7, 0.785, 0.786, 1.2, -1.57, 3.0, 40.0, -9e4, 1.1e5, 1e22, f64::NAN, f64::INFINITY];
+    let design = |number: usize| Whipple {
+        // Neighbours of every pair, so that kinds mix in the lanes in every way.
+        lam: angles[number * number / 2 % angles.len()],
+        ..designs::numbered(number as u64)
+    };
+    check(&(0..DESIGNS).map(design).collect::<Vec<Whipple>>());
+}
+
+#[test]
+fn the_widest_lanes_are_the_last_level() {
+    let levels: Vec<usize> = Batch::levels().map(|batch| batch.lanes()).collect();
+    assert!(levels.is_sorted() && levels.last() == Some(&Batch::new().lanes()), "{levels:?}");
+    #[cfg(target_arch = "x86_64")]
+    assert_eq!(levels[..2], [2, 2]);
+}
+
+#[test]
+fn all_cores_give_the_same() {
+    let designs: Vec<Whipple> = (0..5000).map(designs::numbered).collect();
+    let parameters = Blocks::of_designs(&designs);
+    let [mut one, mut all] = [(); 2].map(|()| Blocks::for_entries::<2, Whipple>(designs.len()));
+    Batch::new().matrices::<2, Whipple>(&parameters, &mut one).unwrap();
+    Batch::new().parallel_matrices::<2, Whipple>(&parameters, &mut all).unwrap();
+    assert_eq!(one, all);
+    assert_eq!(one.column(0).len(), designs.len());
+    assert_eq!(one.column(0).last(), Some(designs[4999].matrices().m[0][0]));
+}
+
+#[test]
+fn entries_name_their_places() {
+    let names: Vec<String> = Whipple::<f64>::INFO.entries.iter().map(ToString::to_string).collect();
+    let expected = [
+        "M[0][0]", "M[0][1]", "M[1][1]", "C1[0][1]", "C1[1][0]", "C1[1][1]", "K0[0][0]", "K0[0][1]", "K0[1][1]",
+        "K2[0][1]", "K2[1][1]",
+    ];
+    assert_eq!(names, expected);
+    assert_eq!(Whipple::<f64>::INFO.entries[1].places, [("M", 0, 1), ("M", 1, 0)]);
+}
+
+#[test]
+fn what_does_not_fit_is_an_error_that_says_so() {
+    let batch = Batch::new();
+    let column: &[f64] = &[1.0, 2.0];
+    let few = batch.matrices_of_columns::<1, Pendulum>(&[column; 2], &mut []);
+    let parameters = Pendulum::<f64>::INFO.parameters.len();
+    let expected = BatchError::Columns { model: "Pendulum", what: "parameters", expected: parameters, found: 2 };
+    assert_eq!(few, Err(expected));
+    assert_eq!(
+        expected.to_string(),
+        format!("Pendulum: 2 columns of parameters given; it has {parameters} parameters")
+    );
+
+    let mut columns = vec![column; parameters];
+    columns[1] = &[1.0];
+    let mut outputs = vec![vec![0.0; 2]; Pendulum::<f64>::INFO.entries.len()];
+    let mut outputs: Vec<&mut [f64]> = outputs.iter_mut().map(|column| &mut column[..]).collect();
+    let uneven = batch.matrices_of_columns::<1, Pendulum>(&columns, &mut outputs);
+    let expected = BatchError::Length { what: "parameter", position: 1, expected: 2, found: 1 };
+    assert_eq!(uneven, Err(expected));
+    let message = "parameter 1 is given for 1 designs: expected 2, as many as there are of the first";
+    assert_eq!(expected.to_string(), message);
+    assert!(Blocks::from_columns(&columns).is_err());
+
+    let designs = [Pendulum::from_slice(Pendulum::<f64>::INFO.sets[0].values).unwrap(); 3];
+    let mut room = [designs[0].coefficients(); 2];
+    let short = batch.coefficients(&designs, &mut room);
+    assert_eq!(short, Err(BatchError::Length { what: "result", position: 0, expected: 3, found: 2 }));
+    let (blocks, mut wrong) = (Blocks::of_designs(&designs), Blocks::for_entries::<1, Pendulum>(2));
+    let short = batch.matrices::<1, Pendulum>(&blocks, &mut wrong);
+    assert_eq!(short, Err(BatchError::Length { what: "entry", position: 0, expected: 3, found: 2 }));
+}
