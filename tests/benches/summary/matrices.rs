@@ -15,7 +15,7 @@ use crate::contest::Task;
 /// Of 208 + 128 bytes in `f64`: 21 kB.
 const IN_CACHE: usize = 64;
 /// How many designs a run computes at least, the same ones again and again if there are fewer.
-const DESIGNS_IN_A_RUN: usize = 20_000;
+const DESIGNS_IN_A_RUN: usize = 5_000;
 
 /// A loop over designs that is compiled by itself, and in which the evaluator is called at one place: so a compiler
 /// that inlines it here does so for every contender.
