@@ -30,10 +30,10 @@ fn for_scalar<T: Float + Symplex>(summary: &mut Summary, scalar: &str, design: &
 }
 
 fn repeated<D, R>(design: &D, compute: impl Fn(&D) -> R) -> impl FnMut() {
-    let mut result = compute(design);
+    let mut result = Box::new(compute(design));
     move || {
         for _ in 0..REPETITIONS {
-            result = compute(black_box(design));
+            *result = compute(black_box(design));
             black_box(&mut result);
         }
     }
