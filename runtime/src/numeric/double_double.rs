@@ -27,7 +27,11 @@ impl DoubleDouble {
     pub(crate) fn to_f64(self) -> f64 {
         self.hi
     }
+}
 
+/// Operations of polynomials.
+#[cfg(feature = "std")]
+impl DoubleDouble {
     /// The product with one `f64`.
     #[inline]
     pub(crate) fn times(self, factor: f64) -> Self {

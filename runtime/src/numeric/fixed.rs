@@ -55,18 +55,6 @@ pub(crate) fn times<const N: usize>(a: [Sum; N], factor: f64) -> [Sum; N] {
     a.map(|a| a.times(factor))
 }
 
-/// Without what is left of highest coefficients that cancel.
-#[inline]
-pub(crate) fn trimmed<const N: usize>(mut a: [Sum; N]) -> [Sum; N] {
-    for i in (0..N).rev() {
-        if a[i].sign() != 0 {
-            break;
-        }
-        a[i] = Sum::ZERO;
-    }
-    a
-}
-
 /// The same polynomial with more coefficients.
 #[inline]
 pub(crate) fn padded<const A: usize, const B: usize>(a: [Sum; A]) -> [Sum; B] {

@@ -1,21 +1,13 @@
 //! Positive roots of a polynomial in plain `f64`: how many there are, and where, as far as `f64` can tell for certain.
 //!
-//! With x = u / (u + t) the half-line of u becomes the unit interval of x, and the coefficients of the powers of u become,
-//! up to a factor each, those of the Bernstein form in x. Their changes of sign are as many as the roots or, by an even
+//! With y = x / (x + t) the half-line of x becomes the unit interval of y, and the coefficients of the powers of x become,
+//! up to a factor each, those of the Bernstein form in y. Their changes of sign are as many as the roots or, by an even
 //! number, more (Descartes); so none and one tell how many roots there are, and intervals with more are halved, which
 //! takes means alone (de Casteljau). It ends soon unless roots nearly coincide (Vincent).
 
 use arrayvec::ArrayVec;
 
-use super::{NOISE, Sum};
-use crate::Number;
-
-/// A polynomial with coefficients in `f64`, ascending, with a size for each: coefficients err by a rounding of their size.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Rounded<const N: usize> {
-    value: [f64; N],
-    size: [f64; N],
-}
+use super::rounded::{CERTAIN, Rounded};
 
 /// An interval with exactly one root.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +15,8 @@ pub(crate) struct Bracket {
     pub(crate) low: f64,
     /// Infinite if the interval has no end.
     pub(crate) high: f64,
-    guess: f64,
+    /// A number in the interval.
+    pub(super) guess: f64,
     /// Whether the polynomial is negative below the root and positive above it.
     pub(crate) rises: bool,
 }
@@ -31,69 +24,38 @@ pub(crate) struct Bracket {
 /// The roots of polynomials of degree up to 12, ascending.
 pub(crate) type Brackets = ArrayVec<Bracket, 12>;
 
-/// How much less than its terms a value may be, for its sign to be certain: 2^7 roundings.
-const CERTAIN: f64 = 128.0 * f64::EPSILON;
-
-/// How often an interval is halved at most.
+/// How often an interval is halved at most: each coefficient is then the result of up to 14 x 12 means.
 const DEPTH: u32 = 14;
 
+/// Limits within which no mean leaves the range of `f64`.
+const SMALLEST: f64 = 1e-280;
+const LARGEST: f64 = 1e280;
+
 impl<const N: usize> Rounded<N> {
-    #[inline]
-    pub(crate) fn new(coefficients: &[Sum; N]) -> Self {
-        let coefficients = coefficients.map(|c| if c.sign() == 0 { Sum::ZERO } else { c });
-        let value = coefficients.map(|c| c.value.to_f64());
-        // What is left of cancelled terms errs by the rounding of these in double-double.
-        let size = coefficients.map(|c| c.value.to_f64().abs() + c.size * (NOISE / f64::EPSILON));
-        Self { value, size }
-    }
-
-    /// The sign at u >= 0; `None` where it is not certain.
-    #[inline]
-    pub(crate) fn sign(&self, u: f64) -> Option<i8> {
-        let (mut value, mut size) = (0.0, 0.0);
-        for i in (0..N).rev() {
-            value = value * u + self.value[i];
-            size = size * u + self.size[i];
-        }
-        if value > CERTAIN * size {
-            Some(1)
-        } else if value < -CERTAIN * size {
-            Some(-1)
-        } else {
-            None
-        }
-    }
-
-    /// The value at x, the first derivative, and half of the second one.
-    #[inline]
-    pub(crate) fn taylor(&self, x: f64) -> [f64; 3] {
-        let [mut value, mut slope, mut half_curvature] = [0.0; 3];
-        for i in (0..N).rev() {
-            half_curvature = half_curvature * x + slope;
-            slope = slope * x + value;
-            value = value * x + self.value[i];
-        }
-        [value, slope, half_curvature]
-    }
-
     /// Intervals with one root each of all positive roots; `None` if it is not certain how many there are.
     pub(crate) fn isolate(&self, brackets: &mut Brackets) -> Option<()> {
-        let last = (0..N).rev().find(|&i| self.size[i] != 0.0)?;
+        let first = (0..N).find(|&i| self.size[i] != 0.0)?;
+        let last = (0..N).rfind(|&i| self.size[i] != 0.0)?;
         // About the geometric mean of all roots, positive or not.
-        let exponent = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
-        let scale = (exponent(self.value[0]) - exponent(self.value[last])) / (last as i32).max(1);
+        let exponent = |i: usize| ((self.size[i].to_bits() >> 52) & 0x7ff) as i32;
+        let scale = (exponent(first) - exponent(last)) / ((last - first) as i32).max(1);
         let t = f64::from_bits(u64::try_from(scale + 1023).ok()? << 52);
         let factors = const { reciprocal_binomials::<N>() };
         let (mut value, mut size, mut power) = (self.value, self.size, 1.0);
+        let mut is_moderate = true;
         for i in 0..N {
             value[i] *= power * factors[i];
             size[i] *= power * factors[i];
+            is_moderate &= (SMALLEST..LARGEST).contains(&size[i]) | (self.size[i] == 0.0);
             power *= t;
+        }
+        if !is_moderate {
+            return None;
         }
         Rounded { value, size }.halve(t, 0.0, 1.0, DEPTH, brackets)
     }
 
-    /// Isolates in an interval of x with these coefficients of the Bernstein form.
+    /// Isolates in an interval of y with these coefficients of the Bernstein form.
     fn halve(&self, t: f64, from: f64, to: f64, depth: u32, brackets: &mut Brackets) -> Option<()> {
         match self.changes() {
             Some(0) => return Some(()),
@@ -154,48 +116,9 @@ impl<const N: usize> Rounded<N> {
         let first = self.value.iter().copied().find(|&value| value != 0.0).unwrap_or(0.0);
         let i = (1..N).find(|&i| self.value[i] * first < 0.0).unwrap_or(N - 1);
         let (below, above) = (self.value[i - 1], self.value[i]);
-        let x = (i as f64 - above / (above - below)) / (N - 1) as f64;
-        let u = |x: f64| t * x / (1.0 - x);
-        Bracket { low: u(from), high: u(to), guess: u(from + x * (to - from)), rises: first < 0.0 }
-    }
-
-    /// The root in an interval, to a relative error of about the cube of `close`, by Halley's iteration.
-    #[inline]
-    pub(crate) fn refine(&self, bracket: &Bracket, close: f64) -> Option<f64> {
-        const STEPS: usize = 24;
-        let &Bracket { mut low, mut high, guess, rises } = bracket;
-        let mut x = if N == 3 { self.quadratic_root(bracket) } else { guess };
-        for _ in 0..STEPS {
-            let [value, slope, half_curvature] = self.taylor(x);
-            if (value > 0.0) == rises {
-                high = x;
-            } else {
-                low = x;
-            }
-            let step = value * slope / (slope * slope - value * half_curvature);
-            let next = x - step;
-            if step.abs() <= close * x {
-                return Some(next);
-            }
-            x = if next > low && next < high {
-                next
-            } else if high < f64::INFINITY {
-                0.5 * (low + high)
-            } else {
-                2.0 * x
-            };
-        }
-        None
-    }
-
-    /// The root in an interval by the formula for quadratics, or a guess where it is not precise enough for that.
-    #[inline]
-    fn quadratic_root(&self, bracket: &Bracket) -> f64 {
-        let [c, b, a] = [0, 1, 2].map(|i| self.value[i]);
-        // The numerator without cancellation.
-        let q = -0.5 * (b + Number::sqrt((b * b - 4.0 * a * c).max(0.0)).copysign(b));
-        let is_in = |x: &f64| *x > bracket.low && *x < bracket.high;
-        [q / a, c / q].into_iter().find(is_in).unwrap_or(bracket.guess)
+        let fraction = (i as f64 - above / (above - below)) / (N - 1) as f64;
+        let x = |y: f64| t * y / (1.0 - y);
+        Bracket { low: x(from), high: x(to), guess: x(from + fraction * (to - from)), rises: first < 0.0 }
     }
 }
 
@@ -208,4 +131,70 @@ const fn reciprocal_binomials<const N: usize>() -> [f64; N] {
         i += 1;
     }
     reciprocals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Brackets;
+    use crate::numeric::fixed::product;
+    use crate::numeric::rounded::Rounded;
+    use crate::numeric::{DoubleDouble, Sum};
+
+    fn linear(root: f64) -> [Sum; 2] {
+        [Sum::from(-root), Sum::from(1.0)]
+    }
+
+    /// The polynomial with these roots.
+    fn from_roots([r0, r1, r2, r3, r4, r5]: [f64; 6]) -> [Sum; 7] {
+        let pairs = [[r0, r1], [r2, r3], [r4, r5]].map(|[x, y]| product::<2, 2, 3>(&linear(x), &linear(y)));
+        product::<5, 3, 7>(&product(&pairs[0], &pairs[1]), &pairs[2])
+    }
+
+    fn isolate<const N: usize>(polynomial: &[Sum; N]) -> Option<Vec<f64>> {
+        let rounded = Rounded::new(polynomial);
+        let mut brackets = Brackets::new();
+        rounded.isolate(&mut brackets)?;
+        for (bracket, rises) in brackets.iter().rev().zip([true, false].into_iter().cycle()) {
+            assert_eq!(bracket.rises, rises);
+        }
+        brackets.iter().map(|bracket| rounded.refine(bracket, 1e-4)).collect()
+    }
+
+    #[test]
+    fn finds_the_positive_roots_alone() {
+        for roots in [[-3.0, 0.5, 0.75, 1.0, 20.0, 4096.0], [0.01, 0.02, 3.0, -100.0, 200.0, 300.0], [-1.0; 6]] {
+            let expected: Vec<f64> = roots.into_iter().filter(|&root| root > 0.0).collect();
+            let mut found = isolate(&from_roots(roots)).expect("distinct roots");
+            found.sort_by(f64::total_cmp);
+            assert_eq!(found.len(), expected.len(), "{found:?}");
+            for expected in expected {
+                let is_near = |found: &f64| (found - expected).abs() < 1e-9 * expected;
+                assert_eq!(found.iter().filter(|found| is_near(found)).count(), 1, "{expected}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn gives_up_on_roots_that_nearly_coincide() {
+        assert_eq!(isolate(&from_roots([1.3, 1.3, 2.0, 3.0, 4.0, 5.0])), None);
+        assert_eq!(isolate(&from_roots([1.3, 1.3 * (1.0 + 1e-9), 2.0, 3.0, 4.0, 5.0])), None);
+    }
+
+    /// x^2 + 1, x^2 + e and x^2 - 2 x + 1 + e, where e is noise, much less than a rounding, or a little.
+    #[test]
+    fn is_certain_of_signs() {
+        let polynomial = |linear: f64, constant: Sum| [constant, Sum::from(linear), Sum::from(1.0)];
+        assert_eq!(isolate(&polynomial(0.0, Sum::from(1.0))), Some(vec![]));
+        let noise = Sum { value: DoubleDouble::from(-1e-27), size: 1.0 };
+        assert_eq!(isolate(&polynomial(0.0, noise)), None);
+        assert_eq!(isolate(&polynomial(-2.0, Sum::from(1.0 + f64::EPSILON))), None);
+        assert_eq!(isolate(&polynomial(-2.0, Sum::from(1.001))), Some(vec![]));
+    }
+
+    #[test]
+    fn stays_in_the_range_of_f64() {
+        assert_eq!(isolate(&[1e200, -1e-200, 0.0, 1e-200].map(Sum::from)), None);
+        let scaled = from_roots([1e-30, 2e-30, 3e-30, 4e-30, 5e-30, 6e-30]);
+        assert_eq!(isolate(&scaled).map(|found| found.len()), Some(6));
+    }
 }

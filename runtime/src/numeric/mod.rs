@@ -15,7 +15,11 @@ pub(crate) mod isolation;
 #[cfg(feature = "std")]
 mod polynomial;
 #[cfg(feature = "std")]
+mod refinement;
+#[cfg(feature = "std")]
 mod roots;
+#[cfg(feature = "std")]
+pub(crate) mod rounded;
 #[cfg(feature = "std")]
 mod sum;
 

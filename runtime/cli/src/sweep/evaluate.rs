@@ -60,7 +60,7 @@ fn evaluate<const N: usize, M: Model<N, Scalar = f64>>(task: &Task, designs: &De
         headings.into_iter().map(|heading| Column::new(heading.kind, designs.rows)).collect();
     let mut errors = Vec::with_capacity(designs.rows);
     let mut values = task.base.clone();
-    let mut spectrum = Vec::with_capacity(task.layout.speeds.len());
+    let mut spectra = Spectra::default();
     for row in 0..designs.rows {
         let found = match &designs.faults[row] {
             Some(fault) => Err(fault.clone()),
@@ -70,7 +70,7 @@ fn evaluate<const N: usize, M: Model<N, Scalar = f64>>(task: &Task, designs: &De
                         values[*position] = value;
                     }
                 }
-                design::<N, M>(&task.layout, &values, &mut spectrum)
+                design::<N, M>(&task.layout, &values, &mut spectra)
             }
         };
         match found {
@@ -79,7 +79,7 @@ fn evaluate<const N: usize, M: Model<N, Scalar = f64>>(task: &Task, designs: &De
                 if let (Some(stability), Some(most)) = (&stability, &task.layout.critical) {
                     cells.stability(stability, most);
                 }
-                for (verdict, eigenvalues) in &spectrum {
+                for (verdict, eigenvalues) in spectra.verdicts.iter().zip(spectra.eigenvalues.chunks(2 * N)) {
                     cells.eigenvalues(*verdict, eigenvalues);
                 }
                 errors.push(None);
@@ -93,14 +93,19 @@ fn evaluate<const N: usize, M: Model<N, Scalar = f64>>(task: &Task, designs: &De
     Results { columns, errors }
 }
 
-/// The verdict and the eigenvalues at one speed.
-type Spectrum = (Verdict, Vec<Complex<f64>>);
+/// What there is at the speeds, for one design after the other.
+#[derive(Default)]
+struct Spectra {
+    verdicts: Vec<Verdict>,
+    /// Those at one speed after those at another.
+    eigenvalues: Vec<Complex<f64>>,
+}
 
 /// The stability of one design, if it has two coordinates; and the eigenvalues at all speeds.
 fn design<const N: usize, M: Model<N, Scalar = f64>>(
     layout: &Layout,
     values: &[f64],
-    spectrum: &mut Vec<Spectrum>,
+    spectra: &mut Spectra,
 ) -> Result<Option<Stability>, String> {
     let model = M::from_slice(values).map_err(|error| error.to_string())?;
     model.validate().map_err(|error| {
@@ -113,15 +118,27 @@ fn design<const N: usize, M: Model<N, Scalar = f64>>(
     if let (Some(stability), Some(most)) = (&stability, &layout.critical) {
         most.holds(stability)?;
     }
-    spectrum.clear();
+    spectra.verdicts.clear();
+    spectra.eigenvalues.clear();
     for &speed in &layout.speeds {
         let fail = |error| format!("at {speed} m/s: {error}");
-        let eigenvalues = coefficients.at(speed, gravity).and_then(|system| system.eigenvalues()).map_err(fail)?;
-        let verdict = match &stability {
+        let eigenvalues = &mut spectra.eigenvalues;
+        let first = eigenvalues.len();
+        match two {
+            // Without allocation.
+            Some(two) => {
+                let found = two.at(speed, gravity).and_then(|system| system.quartic_eigenvalues());
+                eigenvalues.extend(found.map_err(fail)?);
+            }
+            None => {
+                let found = coefficients.at(speed, gravity).and_then(|system| system.eigenvalues());
+                eigenvalues.extend(found.map_err(fail)?);
+            }
+        }
+        spectra.verdicts.push(match &stability {
             Some(stability) => stability.verdict(speed).map_err(fail)?,
-            None => analysis::verdict(&eigenvalues),
-        };
-        spectrum.push((verdict, eigenvalues));
+            None => analysis::verdict(&spectra.eigenvalues[first..]),
+        });
     }
     Ok(stability)
 }

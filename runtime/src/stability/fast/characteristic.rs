@@ -1,7 +1,7 @@
 //! The characteristic polynomial and the conditions for critical speeds, by coefficients in fixed arrays.
 
 use crate::numeric::Sum;
-use crate::numeric::fixed::{add, padded, product, square, sub, times, trimmed};
+use crate::numeric::fixed::{add, padded, product, square, sub, times};
 use crate::{Coefficients, Matrix, Scalar};
 
 /// What polynomials along speed are in.
@@ -40,9 +40,10 @@ pub(super) struct Matrices {
     mass: Sum,
 }
 
-/// As many products of numbers within these limits as occur here stay in the range of `f64`.
-const SMALLEST: f64 = 1e-20;
-const LARGEST: f64 = 1e20;
+/// Products of 18 numbers within these limits stay in the range of `f64`: those of 12 entries, 6 times with gravity, that
+/// the discriminant consists of.
+const SMALLEST: f64 = 1e-15;
+const LARGEST: f64 = 1e15;
 
 /// The smallest determinant of the mass matrix that is surely not zero, relative to its terms.
 const REGULAR: f64 = 16.0 * f64::EPSILON;
@@ -73,9 +74,9 @@ impl Matrices {
     pub(super) fn of_square(&self) -> OfSquare {
         let Self { m, c1, k, k2, mass, .. } = *self;
         let positive = |p: Sum| if mass.value.to_f64() < 0.0 { -p } else { p };
-        let p0 = trimmed([determinant_of_sums(k), mixed_sums(k2, k), determinant(k2)].map(positive));
-        let p1 = trimmed([mixed_sums(c1, k), mixed(c1, k2)].map(positive));
-        let p2 = trimmed([mixed_sums(m, k), mixed(m, k2) + determinant(c1)].map(positive));
+        let p0 = [determinant_of_sums(k), mixed_sums(k2, k), determinant(k2)].map(positive);
+        let p1 = [mixed_sums(c1, k), mixed(c1, k2)].map(positive);
+        let p2 = [mixed_sums(m, k), mixed(m, k2) + determinant(c1)].map(positive);
         let (p3, p4) = ([positive(mixed(m, c1))], positive(mass));
         let (hurwitz, discriminant) = conditions::<3, 2, 2, 1, 2, 1, 3, 4, 5, 7>((p0, p1, p2, p3, p4), 1);
         let p = [p0, padded(p1), padded(p2), padded(p3), padded([p4])];
@@ -90,8 +91,8 @@ impl Matrices {
         let p1 = [mixed_sums(c0, k), mixed_sums(c1, k), mixed(c0, k2), mixed(c1, k2)];
         let p2 = [mixed_sums(m, k) + determinant(c0), mixed(c0, c1), mixed(m, k2) + determinant(c1)];
         let p3 = [mixed(m, c0), mixed(m, c1)];
-        let (p0, p1) = (trimmed(p0.map(positive)), trimmed(p1.map(positive)));
-        let (p2, p3, p4) = (trimmed(p2.map(positive)), trimmed(p3.map(positive)), positive(mass));
+        let (p0, p1) = (p0.map(positive), p1.map(positive));
+        let (p2, p3, p4) = (p2.map(positive), p3.map(positive), positive(mass));
         let (hurwitz, discriminant) = conditions::<5, 4, 3, 2, 5, 3, 7, 7, 9, 13>((p0, p1, p2, p3, p4), 0);
         let p = [p0, padded(p1), padded(p2), padded(p3), padded([p4])];
         Conditions { variable: Variable::Speed, p, hurwitz, discriminant }
@@ -99,7 +100,7 @@ impl Matrices {
 }
 
 /// The coefficients of a quartic by their own: `p_0` to `p_4`, of which only the last one does not depend on the speed.
-type Quartic<const P0: usize, const P1: usize, const P2: usize, const P3: usize> =
+type Powers<const P0: usize, const P1: usize, const P2: usize, const P3: usize> =
     ([Sum; P0], [Sum; P1], [Sum; P2], [Sum; P3], Sum);
 
 /// The Hurwitz determinant `p_1 p_2 p_3 - p_1^2 p_4 - p_0 p_3^2` and the discriminant `4 I^3 - J^2`, up to a factor, with
@@ -117,7 +118,7 @@ fn conditions<
     const II: usize,
     const D: usize,
 >(
-    (p0, p1, p2, p3, p4): Quartic<P0, P1, P2, P3>,
+    (p0, p1, p2, p3, p4): Powers<P0, P1, P2, P3>,
     odd: usize,
 ) -> ([Sum; H], [Sum; D]) {
     let p13: [Sum; P13] = product(&p1, &p3);
@@ -141,7 +142,7 @@ fn conditions<
     let ii: [Sum; II] = square(&i);
     let iii: [Sum; D] = product(&ii, &i);
     let jj: [Sum; D] = square(&j);
-    (trimmed(sub(first, rest)), sub(iii.map(|iii| iii.doubled().doubled()), jj))
+    (sub(first, rest), sub(iii.map(|iii| iii.doubled().doubled()), jj))
 }
 
 #[inline]

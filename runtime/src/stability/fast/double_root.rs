@@ -32,7 +32,8 @@ const CLOSE: f64 = 1.0 / (1u64 << 22) as f64;
 /// What may be lacking of the speed, relative to it.
 const LACKING: f64 = f64::EPSILON / 256.0;
 
-/// The degrees of the coefficients in x, and the powers of x that they are multiplied with.
+/// The degrees of the coefficients in x, and the powers of x that they are multiplied with: in the square of the speed,
+/// or in the speed.
 const fn shape<const P: usize>() -> [(usize, usize); 5] {
     if P == 3 { [(2, 0), (1, 1), (1, 1), (0, 2), (0, 2)] } else { [(4, 0), (3, 0), (2, 0), (1, 0), (0, 0)] }
 }
@@ -86,14 +87,13 @@ impl<const P: usize> DoubleRoots<P> {
     #[inline]
     fn residuals(&self, sigma: f64, x: f64) -> [f64; 2] {
         let mut p = [DoubleDouble::ZERO; 5];
-        for power in 0..5 {
-            let (degree, factors) = const { shape::<P>() }[power];
-            p[power] = self.exact[power][degree];
+        for ((p, coefficients), (degree, factors)) in p.iter_mut().zip(&self.exact).zip(const { shape::<P>() }) {
+            *p = coefficients[degree];
             for i in (0..degree).rev() {
-                p[power] = p[power].times(x).add_roughly(self.exact[power][i]);
+                *p = p.times(x).add_roughly(coefficients[i]);
             }
             for _ in 0..factors {
-                p[power] = p[power].times(x);
+                *p = p.times(x);
             }
         }
         let mut value = p[4].times(sigma).add_roughly(p[3]);

@@ -3,7 +3,8 @@
 use super::characteristic::Variable;
 use crate::Number;
 use crate::numeric::fixed::at;
-use crate::numeric::isolation::{Bracket, Rounded};
+use crate::numeric::isolation::Bracket;
+use crate::numeric::rounded::Rounded;
 use crate::numeric::{DoubleDouble, Sum};
 
 /// A root, as the sum of two parts.

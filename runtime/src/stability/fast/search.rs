@@ -10,7 +10,8 @@ use super::root::Root;
 use super::signs::Signs;
 use crate::Complex;
 use crate::numeric::fixed::at;
-use crate::numeric::isolation::{Brackets, Rounded};
+use crate::numeric::isolation::Brackets;
+use crate::numeric::rounded::Rounded;
 use crate::numeric::{DoubleDouble, Sum};
 
 /// A critical speed and the verdict at it, `None` where no eigenvalue is on the imaginary axis.

@@ -2,7 +2,7 @@
 
 use super::super::verdict::Verdict;
 use super::characteristic::Conditions;
-use crate::numeric::isolation::Rounded;
+use crate::numeric::rounded::Rounded;
 
 /// The coefficients of the characteristic polynomial and the Hurwitz determinant.
 pub(super) struct Signs<const P: usize, const H: usize> {
