@@ -19,6 +19,7 @@
 ///     let a = m*r^2*sin(lam)^2;                 // + - * / ^, parentheses, sin, cos, tan, sqrt, pi
 ///     require a/r^2 + m > 0;                    // a condition on several parameters; `!= 0` is one too
 ///     assert a == m*r^2*(1 - cos(2*lam))/2;     // a claim, to be proved; also of a matrix, `assert M == [[…]];`
+///     derivatives;                              // those of the matrices with respect to the parameters: see below
 ///
 ///     coordinates {
 ///         phi "lean": rad;                      // angles and lengths; with a direction, `rad, about x`
@@ -127,6 +128,15 @@
 /// a direction too: the cornering stiffness of a tyre that rolls forward is `along x`. An angle and its complement mirror
 /// differently, so a model with `pi/2 - lam` is written without the direction of `lam`.
 ///
+/// # Derivatives
+/// `derivatives;` asks for the exact derivatives of all entries of the matrices with respect to all parameters. They are
+/// derived symbolically and optimized together with the matrices, in one program: `Name::matrices_and_derivatives`. Which
+/// of them are zero for all parameters is proved, and those take neither time nor memory. A model that does not ask for
+/// them pays nothing.
+///
+/// At valid parameters every derivative exists. A root has none where its argument is zero, so a model with derivatives
+/// is refused unless domains or a `require` keep the arguments of its roots above zero.
+///
 /// # Published matrices
 /// A set may carry the matrices that its source publishes. A printed entry must differ from the exact value of its
 /// formula by less than one unit of its last digit; one without a decimal point is exact. Whether or not something is
@@ -151,6 +161,10 @@
 ///   in one straight-line function whose documentation states its operation counts.
 /// - [`Model<N>`](crate::Model) for `Name<T>`: names, units, domains, validation, conversion from and to slices, and the
 ///   matrices as [`Coefficients`](crate::Coefficients).
+/// - With `derivatives;` a struct `NameDerivatives<T>` and `Name::matrices_and_derivatives`: an array of the values of the
+///   derivatives that are not zero for all parameters, each once, the table `NameDerivatives::PARTIALS` that says which
+///   derivatives have them, and `with_respect_to` for all matrices derived with respect to one parameter; and
+///   [`Differentiable<N>`](crate::Differentiable), with all of them as [`Coefficients`](crate::Coefficients).
 /// - For a mechanism a struct `NameKinematics<T>` and `Name::kinematics`, if anything moves or acts beside the coordinates.
 ///
 /// The code needs no `std`, allocates nothing and has no `unsafe`.

@@ -1,6 +1,6 @@
 //! The trait of models that were compiled with their derivatives.
 
-use crate::{Coefficients, Model, Scalar};
+use crate::{Coefficients, Model, Number, Scalar};
 
 /// A model whose declaration says `derivatives;`: the exact derivatives of its matrices with respect to its parameters.
 ///
@@ -18,7 +18,9 @@ pub trait Differentiable<const N: usize>: Model<N> {
     fn coefficients_and_derivatives(&self) -> (Coefficients<Self::Scalar, N>, Self::Derivatives);
 }
 
-/// Which derivative it is: that of one entry of a matrix with respect to one parameter.
+/// One derivative: that of an entry of a matrix with respect to a parameter.
+///
+/// Many derivatives of a model are equal or opposite to each other, so its program computes and stores each value once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Partial {
     /// The matrix.
@@ -29,6 +31,10 @@ pub struct Partial {
     pub column: usize,
     /// The position of the parameter in declared order, from 0.
     pub parameter: usize,
+    /// The position of its value among those that the program computes.
+    pub value: usize,
+    /// Whether it is the negative of that value.
+    pub negative: bool,
 }
 
 /// One of the coefficient matrices.
@@ -49,16 +55,33 @@ pub enum MatrixName {
 }
 
 impl Partial {
-    /// The derivative of the entry in a row and a column with respect to the parameter at a position.
-    pub const fn new(matrix: MatrixName, row: usize, column: usize, parameter: usize) -> Self {
-        Self { matrix, row, column, parameter }
+    /// The derivative of the entry in a row and a column with respect to the parameter at a position, whose value stands
+    /// at another position.
+    pub const fn new(matrix: MatrixName, row: usize, column: usize, parameter: usize, value: usize) -> Self {
+        Self { matrix, row, column, parameter, value, negative: false }
     }
 
-    /// Writes its value to where it belongs among the derivatives with respect to each parameter.
+    /// The same, but the negative of the value.
+    pub const fn negative(self) -> Self {
+        Self { negative: true, ..self }
+    }
+
+    /// What it is among the values that the program computes.
+    ///
+    /// # Panics
+    /// If they are fewer than those of the model.
+    #[inline]
+    pub fn of<T: Number>(&self, values: &[T]) -> T {
+        let value = values[self.value];
+        if self.negative { -value } else { value }
+    }
+
+    /// Writes it to where it belongs among the derivatives with respect to each parameter.
     ///
     /// # Panics
     /// If there is no such parameter, row or column.
-    pub fn write<T: Scalar, const N: usize>(&self, value: T, derivatives: &mut [Coefficients<T, N>]) {
+    #[inline]
+    pub fn write<T: Scalar, const N: usize>(&self, values: &[T], derivatives: &mut [Coefficients<T, N>]) {
         let coefficients = &mut derivatives[self.parameter];
         let matrix = match self.matrix {
             MatrixName::M => &mut coefficients.m,
@@ -68,6 +91,6 @@ impl Partial {
             MatrixName::K0 => &mut coefficients.k0,
             MatrixName::K2 => &mut coefficients.k2,
         };
-        matrix[(self.row, self.column)] = value;
+        matrix[(self.row, self.column)] = self.of(values);
     }
 }

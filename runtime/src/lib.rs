@@ -8,7 +8,8 @@
 //!
 //! with the forward speed v in m/s and the gravitational field strength g in N/kg taken out (Meijaard, Papadopoulos,
 //! Ruina & Schwab 2007, eq. 5.3). This crate holds the trait that every model implements ([`Model`]), the matrices
-//! ([`Coefficients`]), and the names, units and domains that a model carries with it ([`ModelInfo`]).
+//! ([`Coefficients`]), and the names, units and domains that a model carries with it ([`ModelInfo`]). A model that was
+//! compiled with its derivatives gives those as well ([`Differentiable`]).
 //!
 //! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
 //! Many designs at once run in the lanes of the processor ([`batch`]).

@@ -123,6 +123,25 @@ pub fn matrices<R: Number>(design: &Whipple<impl carvallo::Scalar>) -> Matrices<
     matrices_of(|name| R::from(values[position(name)]))
 }
 
+/// The derivatives of the matrices with respect to the parameter at a position, by central differences.
+///
+/// With the step below, the rest of the series is of the order of 1e-60, and so are rounding errors in 320 bits.
+pub fn derivatives(design: &Whipple<impl carvallo::Scalar>, parameter: usize) -> Matrices<Real> {
+    let (values, step) = (values(design), Real::parse("1e-30"));
+    let at = |shift: Real| {
+        matrices_of(|name| {
+            let value = Real::from(values[position(name)]);
+            if position(name) == parameter { value + shift } else { value }
+        })
+    };
+    let (above, below) = (at(step), at(-step));
+    std::array::from_fn(|matrix| {
+        std::array::from_fn(|row| {
+            std::array::from_fn(|column| (above[matrix][row][column] - below[matrix][row][column]) / (step + step))
+        })
+    })
+}
+
 /// The matrices at parameters that are given by their names.
 pub fn matrices_of<R: Number>(value: impl Fn(&str) -> R) -> Matrices<R> {
     let zero = R::from(0.0);

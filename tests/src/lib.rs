@@ -26,6 +26,7 @@ pub mod published;
 pub mod quartic;
 pub mod real;
 pub mod roots;
+pub mod rounding;
 pub mod textbook;
 
 /// The example of the README, which must compile and run as it stands there.

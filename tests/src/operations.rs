@@ -1,6 +1,7 @@
 //! Operations of a function, counted in its source.
 
 use std::fmt;
+use std::fs;
 use std::ops::AddAssign;
 
 use syn::visit::{self, Visit};
@@ -17,15 +18,22 @@ pub struct Operations {
     pub divisions: usize,
     /// Changes of sign.
     pub negations: usize,
-    /// Sines, cosines, tangents and square roots.
-    pub functions: usize,
+    /// Square roots.
+    pub roots: usize,
+    /// Sines, cosines and tangents.
+    pub trigonometric: usize,
 }
 
 impl Operations {
     /// All of them.
     pub fn total(self) -> usize {
-        let Self { additions, multiplications, divisions, negations, functions } = self;
-        additions + multiplications + divisions + negations + functions
+        self.kinds().iter().sum()
+    }
+
+    /// Those of each kind, in the order of the fields.
+    pub fn kinds(self) -> [usize; 6] {
+        let Self { additions, multiplications, divisions, negations, roots, trigonometric } = self;
+        [additions, multiplications, divisions, negations, roots, trigonometric]
     }
 }
 
@@ -35,18 +43,43 @@ impl AddAssign for Operations {
         self.multiplications += other.multiplications;
         self.divisions += other.divisions;
         self.negations += other.negations;
-        self.functions += other.functions;
+        self.roots += other.roots;
+        self.trigonometric += other.trigonometric;
     }
 }
 
+/// The kinds and the total as columns.
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { additions, multiplications, divisions, negations, functions } = self;
-        write!(
-            f,
-            "{additions} + and -, {multiplications} *, {divisions} /, {negations} negations, {functions} functions"
-        )
+        self.kinds().iter().try_for_each(|count| write!(f, "{count}\t"))?;
+        write!(f, "{}", self.total())
     }
+}
+
+/// The names of the columns of a table of shipped programs.
+pub const COLUMNS: &str =
+    "model\tprogram\tadditions\tmultiplications\tdivisions\tnegations\troots\ttrigonometric\ttotal";
+
+/// For each shipped model and each of its programs (the matrices, also with their derivatives, the rates and forces of a
+/// mechanism, the requirements in `validate`) its name and its operations, in alphabetical order.
+///
+/// # Panics
+/// If the generated code cannot be read.
+pub fn shipped() -> Vec<(String, Operations)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../generated/src/models");
+    let files = fs::read_dir(folder).expect("the folder of generated code").map(|file| file.expect("a file").path());
+    let mut programs = Vec::new();
+    for path in files.filter(|path| path.extension().is_some_and(|extension| extension == "rs")) {
+        let model = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        let source = fs::read_to_string(&path).expect("generated code");
+        for program in ["kinematics", "matrices", "matrices_and_derivatives", "validate"] {
+            if source.contains(&format!("fn {program}(")) {
+                programs.push((format!("{model}\t{program}"), count(&source, program)));
+            }
+        }
+    }
+    programs.sort_by(|(one, _), (other, _)| one.cmp(other));
+    programs
 }
 
 /// Operations in the functions or methods called `name` of a Rust source file.
@@ -79,11 +112,12 @@ impl Counter<'_> {
 
     fn call(&mut self, function: &syn::Ident) {
         if self.inside {
-            self.operations.functions += match function.to_string().as_str() {
-                "sin_cos" => 2,
-                "sin" | "cos" | "tan" | "sqrt" => 1,
-                _ => 0,
-            };
+            match function.to_string().as_str() {
+                "sin_cos" => self.operations.trigonometric += 2,
+                "sin" | "cos" | "tan" => self.operations.trigonometric += 1,
+                "sqrt" => self.operations.roots += 1,
+                _ => {}
+            }
         }
     }
 }

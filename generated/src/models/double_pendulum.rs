@@ -127,25 +127,24 @@ pub struct DoublePendulumMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> DoublePendulum<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 8 additions, 11 multiplications and 2 negations: 21 operations.
+    /// 8 additions, 7 multiplications and 2 negations: 17 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> DoublePendulumMatrices<T> {
-        let Jxx_theta2 = self.I2 + (self.m2 * (self.a2 * self.a2));
-        let t11 = self.a2 * self.m2;
-        let t12 = self.l1 * self.m2;
-        let Jxx_theta1 = ((self.I1 + Jxx_theta2)
-            + ((self.l1 * ::carvallo::Number::like(self.l1, 2.0))
-                * (t11 + (t12 * ::carvallo::Number::like(self.l1, 0.5)))))
-            + (self.m1 * (self.a1 * self.a1));
-        let M_theta1_theta2 = Jxx_theta2 + (self.l1 * t11);
-        let t28 = -((t11 + t12) + (self.a1 * self.m1));
-        let t29 = -t11;
+        let t4 = self.a2 * self.m2;
+        let Jxx_theta2 = self.I2 + (self.a2 * t4);
+        let t9 = t4 + (self.m2 * self.l1);
+        let t14 = self.a1 * self.m1;
+        let Jxx_theta1 = ((self.I1 + Jxx_theta2) + (self.l1 * (t4 + t9)))
+            + (self.a1 * t14);
+        let M_theta1_theta2 = Jxx_theta2 + (t4 * self.l1);
+        let t22 = -(t9 + t14);
+        let t23 = -t4;
         DoublePendulumMatrices {
             m: [[Jxx_theta1, M_theta1_theta2], [M_theta1_theta2, Jxx_theta2]],
-            k0: [[t28, t29], [t29, t29]],
+            k0: [[t22, t23], [t23, t23]],
         }
     }
 }
@@ -470,42 +469,42 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for DoublePendulum<T> {
     ::core::cmp::PartialEq
 )]
 pub struct DoublePendulumDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 29],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 15],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl DoublePendulumDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 29] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 4).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 4, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 4, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 4, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 4, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 4, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 4, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 5, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 5, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 5, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 13).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 5, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 5, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 5, 14).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 6, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 6, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 7),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -535,7 +534,10 @@ impl<T: ::carvallo::Scalar> DoublePendulumDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -543,7 +545,7 @@ impl<T: ::carvallo::Scalar> DoublePendulumDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> DoublePendulum<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 15 additions, 17 multiplications and 7 negations: 39 operations.
+    /// 11 additions, 11 multiplications and 2 negations: 24 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -551,67 +553,45 @@ impl<T: ::carvallo::Number> DoublePendulum<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (DoublePendulumMatrices<T>, DoublePendulumDerivatives<T>) {
-        let Jxx_theta2_m2 = self.a2 * self.a2;
-        let Jxx_theta2 = self.I2 + (self.m2 * Jxx_theta2_m2);
-        let t11 = self.a2 * self.m2;
-        let t13 = self.l1 * self.m2;
-        let t16 = ::carvallo::Number::like(self.l1, 2.0)
-            * (t11 + (::carvallo::Number::like(self.l1, 0.5) * t13));
-        let t21 = self.a1 * self.a1;
-        let Jxx_theta1 = ((self.I1 + Jxx_theta2) + (self.l1 * t16)) + (self.m1 * t21);
-        let M_theta1_theta2 = Jxx_theta2 + (t11 * self.l1);
-        let t27 = self.a1 * self.m1;
-        let t29 = t13 + t16;
-        let t30 = t27 * ::carvallo::Number::like(self.l1, 2.0);
-        let t31 = self.a2 * ::carvallo::Number::like(self.l1, 2.0);
-        let Jxx_theta2_a2 = self.m2 * t31;
-        let t34 = Jxx_theta2_a2 + (::carvallo::Number::like(self.l1, 2.0) * t13);
-        let t35 = Jxx_theta2_a2 + t13;
-        let t38 = Jxx_theta2_m2 + (self.l1 * (self.l1 + t31));
-        let t40 = Jxx_theta2_m2 + (self.l1 * self.a2);
-        let t42 = -((t11 + t13) + t27);
-        let t43 = -t11;
-        let t44 = -self.m2;
-        let t45 = -self.m1;
-        let t46 = -self.a1;
-        let t47 = -(self.l1 + self.a2);
-        let t48 = -self.a2;
+        let t4 = self.a2 * self.m2;
+        let Jxx_theta2 = self.I2 + (self.a2 * t4);
+        let t8 = self.a2 + self.l1;
+        let t9 = self.m2 * t8;
+        let t10 = t4 + t9;
+        let t14 = self.a1 * self.m1;
+        let Jxx_theta1 = ((self.I1 + Jxx_theta2) + (self.l1 * t10)) + (self.a1 * t14);
+        let M_theta1_theta2 = Jxx_theta2 + (t4 * self.l1);
+        let t22 = t9 + t9;
+        let t23 = t14 + t14;
+        let t24 = self.a1 * self.a1;
+        let t26 = t4 + t4;
+        let t27 = t8 * t8;
+        let t28 = self.a2 * t8;
+        let t29 = self.a2 * self.a2;
+        let t30 = -(t9 + t14);
+        let t31 = -t4;
         (
             DoublePendulumMatrices {
                 m: [[Jxx_theta1, M_theta1_theta2], [M_theta1_theta2, Jxx_theta2]],
-                k0: [[t42, t43], [t43, t43]],
+                k0: [[t30, t31], [t31, t31]],
             },
             DoublePendulumDerivatives {
                 values: [
+                    t22,
+                    t4,
+                    self.m2,
+                    t23,
+                    self.m1,
+                    t24,
+                    self.a1,
+                    ::carvallo::Number::like(self.l1, 1.0),
+                    t10,
+                    t26,
+                    t27,
+                    t28,
                     t29,
-                    t11,
-                    t11,
-                    t44,
-                    t30,
-                    t45,
-                    t21,
-                    t46,
-                    ::carvallo::Number::like(self.l1, 1.0),
-                    t34,
-                    t35,
-                    t35,
-                    Jxx_theta2_a2,
-                    t44,
-                    t44,
-                    t44,
-                    t44,
-                    t38,
-                    t40,
-                    t40,
-                    Jxx_theta2_m2,
-                    t47,
-                    t48,
-                    t48,
-                    t48,
-                    ::carvallo::Number::like(self.l1, 1.0),
-                    ::carvallo::Number::like(self.l1, 1.0),
-                    ::carvallo::Number::like(self.l1, 1.0),
-                    ::carvallo::Number::like(self.l1, 1.0),
+                    t8,
+                    self.a2,
                 ],
             },
         )
@@ -628,8 +608,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for DoublePendulum<T> 
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 8];
         for position in 0..29 {
-            <DoublePendulumDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<DoublePendulumDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

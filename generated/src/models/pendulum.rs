@@ -98,18 +98,18 @@ pub struct PendulumMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Pendulum<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 3 multiplications.
+    /// 2 multiplications.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> PendulumMatrices<T> {
-        let t3 = self.m * (self.l * self.l);
-        let t5 = self.m * self.l;
+        let t2 = self.l * self.m;
+        let t3 = self.l * t2;
         PendulumMatrices {
             m: [[t3]],
             c0: [[self.c]],
-            k0: [[t5]],
+            k0: [[t2]],
         }
     }
 }
@@ -312,18 +312,18 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Pendulum<T> {
     ::core::cmp::PartialEq
 )]
 pub struct PendulumDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 5],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl PendulumDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 5] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 2, 4),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -355,7 +355,10 @@ impl<T: ::carvallo::Scalar> PendulumDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -363,7 +366,7 @@ impl<T: ::carvallo::Scalar> PendulumDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Pendulum<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 4 multiplications.
+    /// 1 addition and 3 multiplications: 4 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -374,7 +377,7 @@ impl<T: ::carvallo::Number> Pendulum<T> {
         let t2 = self.l * self.l;
         let t3 = self.m * t2;
         let t5 = self.m * self.l;
-        let t7 = ::carvallo::Number::like(self.m, 2.0) * t5;
+        let t6 = t5 + t5;
         (
             PendulumMatrices {
                 m: [[t3]],
@@ -382,7 +385,7 @@ impl<T: ::carvallo::Number> Pendulum<T> {
                 k0: [[t5]],
             },
             PendulumDerivatives {
-                values: [t2, self.l, t7, self.m, ::carvallo::Number::like(self.m, 1.0)],
+                values: [t2, self.l, t6, self.m, ::carvallo::Number::like(self.m, 1.0)],
             },
         )
     }
@@ -398,8 +401,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<1> for Pendulum<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1]; 6],
         ); 4];
         for position in 0..5 {
-            <PendulumDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<PendulumDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

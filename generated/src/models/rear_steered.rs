@@ -286,63 +286,66 @@ pub struct RearSteeredMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RearSteered<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 46 additions, 55 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 109 operations.
+    /// 46 additions, 46 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 98 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RearSteeredMatrices<T> {
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
-            + (self.mF * (self.rF * self.rF));
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
-            + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t41) = ::carvallo::Number::sin_cos(self.lam);
         let t33 = self.w + self.c;
         let t34 = t33 - self.xH;
         let t35 = self.mH * t34;
-        let t39 = self.rF * self.mF;
-        let Jxz_delta = (self.c * t39) - ((self.zH * t35) + self.IHxz);
-        let hx_delta = (Jxz_delta * t42) - (Jxx_delta * t28);
-        let t45 = t42 / self.w;
-        let yaw_by_delta = self.c * t45;
-        let t50 = self.zB * self.mB;
-        let Sz_delta = (self.zH * self.mH) - t39;
-        let Jxz_all = ((Jxz_delta - self.IBxz) + (self.xB * t50)) + (Sz_delta * t33);
-        let t58 = hx_delta + (yaw_by_delta * Jxz_all);
-        let t67 = self.IHzz + self.IFxx;
-        let hz_delta = (t42
-            * (((self.mH * (t34 * t34)) + (self.mF * (self.c * self.c))) + t67))
-            - (Jxz_delta * t28);
-        let py_delta = (Sz_delta * t28) + (t42 * (t35 + (self.c * self.mF)));
-        let M_yaw_delta = hz_delta - (py_delta * t33);
-        let t90 = yaw_by_delta
-            * (((((self.IRxx + self.IBzz) + t67) + (self.mB * (self.xB * self.xB)))
-                + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w)));
-        let P_delta_yaw = M_yaw_delta + t90;
-        let t96 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) - (hx_delta * t28))
-            + (hz_delta * t42);
+        let Jxz_delta = ((t10 * self.c) - (self.zH * t35)) - self.IHxz;
+        let hx_delta = (Jxz_delta * t41) - (Jxx_delta * t28);
+        let t44 = t41 / self.w;
+        let yaw_by_delta = self.c * t44;
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + (t21 * self.xB)) + (t33 * Sz_delta)) - self.IBxz;
+        let t55 = hx_delta + (yaw_by_delta * Jxz_all);
+        let t59 = self.mF * self.c;
+        let t62 = self.IFxx + self.IHzz;
+        let hz_delta = (t41 * (((t34 * t35) + (self.c * t59)) + t62))
+            - (t28 * Jxz_delta);
+        let py_delta = (t28 * Sz_delta) + (t41 * (t35 + t59));
+        let M_yaw_delta = hz_delta - (t33 * py_delta);
+        let t74 = self.mB * self.xB;
+        let t76 = self.mH * self.xH;
+        let t78 = self.mF * self.w;
+        let t85 = yaw_by_delta
+            * (((((self.IRxx + t62) + self.IBzz) + (self.xB * t74)) + (self.xH * t76))
+                + (self.w * t78));
+        let P_delta_yaw = M_yaw_delta + t85;
+        let t91 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t41 * hz_delta))
+            - (t28 * hx_delta);
         let h_spin_R = self.IFyy / self.rF;
+        let t96 = t41 * h_spin_R;
+        let Sz_all = (t21 + Sz_delta) - t17;
         let h_wheels_all = h_spin_R + (self.IRyy / self.rR);
-        let Sz_all = (Sz_delta + t50) - (self.rR * self.mR);
-        let t106 = h_wheels_all - Sz_all;
-        let t110 = h_spin_R * t42;
-        let t111 = ((yaw_by_delta * t106) - (t45 * Jxz_all)) + t110;
-        let t119 = yaw_by_delta
-            * (((self.w * self.mF) + (self.xB * self.mB)) + (self.xH * self.mH));
-        let P_delta_lateral = py_delta - t119;
-        let t123 = (yaw_by_delta * P_delta_lateral) - (t45 * P_delta_yaw);
-        let t124 = t28 * P_delta_lateral;
-        let t129 = -(t110 + (yaw_by_delta * h_wheels_all));
-        let t130 = t119 - py_delta;
-        let t131 = -(t45 * t106);
-        let t132 = -(t45 * (P_delta_lateral - (h_spin_R * t28)));
+        let t102 = Sz_all - h_wheels_all;
+        let t105 = (t96 - (t44 * Jxz_all)) - (yaw_by_delta * t102);
+        let t110 = yaw_by_delta * ((t74 + t76) + t78);
+        let P_delta_lateral = py_delta - t110;
+        let t114 = (yaw_by_delta * P_delta_lateral) - (t44 * P_delta_yaw);
+        let t115 = t28 * P_delta_lateral;
+        let t116 = t44 * t102;
+        let t119 = t44 * ((t28 * h_spin_R) - P_delta_lateral);
+        let t120 = -(t96 + (yaw_by_delta * h_wheels_all));
+        let t121 = t110 - py_delta;
         RearSteeredMatrices {
-            m: [[t26, t58], [t58, t96]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t111], [t129, t123]],
-            k0: [[Sz_all, t130], [t130, t124]],
+            m: [[t26, t55], [t55, t91]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t105], [t120, t114]],
+            k0: [[Sz_all, t121], [t121, t115]],
             k2: [
-                [::carvallo::Number::like(self.w, 0.0), t131],
-                [::carvallo::Number::like(self.w, 0.0), t132],
+                [::carvallo::Number::like(self.w, 0.0), t116],
+                [::carvallo::Number::like(self.w, 0.0), t119],
             ],
         }
     }
@@ -1035,171 +1038,171 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RearSteered<T> {
     ::core::cmp::PartialEq
 )]
 pub struct RearSteeredDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 158],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl RearSteeredDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1233,7 +1236,10 @@ impl<T: ::carvallo::Scalar> RearSteeredDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1241,7 +1247,7 @@ impl<T: ::carvallo::Scalar> RearSteeredDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 162 additions, 274 multiplications, 3 divisions, 41 negations and 2 trigonometric functions: 482 operations.
+    /// 167 additions, 262 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 435 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1249,439 +1255,379 @@ impl<T: ::carvallo::Number> RearSteered<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (RearSteeredMatrices<T>, RearSteeredDerivatives<T>) {
-        let Jxx_delta_mH = self.zH * self.zH;
-        let Jxx_delta_mF = self.rF * self.rF;
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * Jxx_delta_mH))
-            + (self.mF * Jxx_delta_mF);
-        let t19 = self.rR * self.rR;
-        let t24 = self.zB * self.zB;
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.mR * t19))
-            + (self.mB * t24);
-        let (t28, t43) = ::carvallo::Number::sin_cos(self.lam);
-        let t34 = self.w + self.c;
-        let t36 = t34 - self.xH;
-        let t37 = self.mH * t36;
-        let t40 = self.rF * self.mF;
-        let Jxz_delta = (self.c * t40) - (self.IHxz + (self.zH * t37));
-        let t44 = Jxz_delta * t43;
-        let hx_delta = t44 - (Jxx_delta * t28);
-        let t46 = ::carvallo::Number::like(self.w, 1.0) / self.w;
-        let t47 = t43 * t46;
-        let yaw_by_delta = self.c * t47;
-        let t52 = self.zB * self.mB;
-        let t55 = self.zH * self.mH;
-        let Sz_delta = t55 - t40;
-        let Jxz_all = ((Jxz_delta - self.IBxz) + (self.xB * t52)) + (t34 * Sz_delta);
-        let t60 = hx_delta + (yaw_by_delta * Jxz_all);
-        let t62 = Jxz_delta * t28;
-        let t64 = self.IHzz + self.IFxx;
-        let t65 = t36 * t36;
-        let t68 = self.c * self.c;
-        let t70 = (t64 + (self.mH * t65)) + (self.mF * t68);
-        let hz_delta = (t43 * t70) - t62;
-        let Jxz_delta_rF = self.c * self.mF;
-        let t77 = t37 + Jxz_delta_rF;
-        let py_delta = (t28 * Sz_delta) + (t43 * t77);
-        let M_yaw_delta = hz_delta - (t34 * py_delta);
-        let t85 = self.xB * self.xB;
-        let t88 = self.xH * self.xH;
-        let t91 = self.w * self.w;
-        let P_delta_yaw_yaw_by_delta = ((((self.IRxx + self.IBzz) + t64)
-            + (self.mB * t85)) + (self.mH * t88)) + (self.mF * t91);
-        let t94 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-        let P_delta_yaw = M_yaw_delta + t94;
-        let t96 = M_yaw_delta + P_delta_yaw;
-        let t98 = ((t43 * hz_delta) - (hx_delta * t28)) + (yaw_by_delta * t96);
-        let t101 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        let h_spin_R = self.IFyy * t101;
-        let t103 = t43 * h_spin_R;
-        let t104 = Jxz_all * t47;
-        let t107 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        let h_wheels_all = h_spin_R + (self.IRyy * t107);
-        let t111 = self.mR * self.rR;
-        let Sz_all = (t52 + Sz_delta) - t111;
-        let t113 = h_wheels_all - Sz_all;
-        let t115 = (t103 - t104) + (yaw_by_delta * t113);
-        let t119 = self.w * self.mF;
-        let t120 = self.xB * self.mB;
-        let t122 = self.xH * self.mH;
-        let t123 = (t119 + t120) + t122;
-        let t124 = yaw_by_delta * t123;
-        let P_delta_lateral = py_delta - t124;
-        let t127 = (yaw_by_delta * P_delta_lateral) - (P_delta_yaw * t47);
-        let t128 = t28 * P_delta_lateral;
-        let t130 = t28 * h_spin_R;
-        let t131 = t130 - P_delta_lateral;
-        let t132 = t47 * t131;
-        let M12_Jxz_delta = t43 + yaw_by_delta;
-        let t134 = t55 * M12_Jxz_delta;
-        let t136 = (yaw_by_delta * Sz_delta) - t134;
-        let t138 = t43 * (t46 * t46);
-        let t139 = self.c * Jxz_all;
-        let t141 = t136 - (t138 * t139);
-        let t142 = self.mH * t43;
-        let t144 = yaw_by_delta * ::carvallo::Number::like(self.w, 2.0);
-        let t145 = t34 * t144;
-        let t147 = t36 * t43;
-        let t148 = self.mH * ::carvallo::Number::like(self.w, 2.0);
-        let t149 = t147 * t148;
-        let M22_hz_delta = t43 + t144;
-        let t154 = t28 * (t43 + M22_hz_delta);
-        let t156 = ((t149 * M22_hz_delta) - (t142 * t145)) + (t55 * t154);
-        let t158 = t156 - (py_delta * t144);
-        let P_delta_yaw_w = t119 * t144;
-        let M22_yaw_by_delta = t94 + t96;
-        let t163 = self.c * M22_yaw_by_delta;
-        let t165 = (t158 + (yaw_by_delta * P_delta_yaw_w)) - (t138 * t163);
-        let t166 = t55 * t47;
-        let t168 = t166 - (Sz_delta * t47);
-        let t170 = (self.c * t113) - Jxz_all;
-        let t172 = t168 - (t138 * t170);
-        let t173 = self.c * h_wheels_all;
-        let t174 = t138 * t173;
-        let C122_py_delta = t34 * t47;
-        let C122_Jxz_delta = t28 * t47;
-        let t181 = ((t142 * C122_py_delta) - (t149 * t47)) - (t55 * C122_Jxz_delta);
-        let t183 = t181 + (t47 * py_delta);
-        let t187 = self.c * t123;
-        let t189 = (self.mF * yaw_by_delta) - (t138 * t187);
-        let P_delta_lateral_w = t142 - t189;
-        let C122_yaw_by_delta = P_delta_lateral - (P_delta_yaw_yaw_by_delta * t47);
-        let t196 = (self.c * C122_yaw_by_delta) - P_delta_yaw;
-        let t198 = ((t183 - (P_delta_yaw_w * t47)) + (yaw_by_delta * P_delta_lateral_w))
-            - (t138 * t196);
-        let t199 = t28 * P_delta_lateral_w;
-        let t200 = t138 * t113;
-        let t206 = (t136 + (t40 * M12_Jxz_delta)) + t104;
-        let py_delta_c = self.mF * t43;
-        let t214 = self.c * t43;
-        let t215 = self.mF * ::carvallo::Number::like(self.w, 2.0);
-        let hz_delta_c = t214 * t215;
-        let t218 = (((t158 - (t40 * t154)) + (t47 * M22_yaw_by_delta))
-            - (py_delta_c * t145)) + (hz_delta_c * M22_hz_delta);
-        let t221 = t168 + (t47 * (t113 - t40));
-        let t229 = t47 * t123;
-        let P_delta_lateral_c = (py_delta_c + t142) - t229;
-        let t234 = (((t183 + (t40 * C122_Jxz_delta))
-            + (t47 * (C122_yaw_by_delta - hz_delta_c)))
-            + (yaw_by_delta * P_delta_lateral_c)) + (py_delta_c * C122_py_delta);
-        let t236 = (t229 - t142) - py_delta_c;
-        let t237 = t28 * P_delta_lateral_c;
-        let t240 = (Jxx_delta * t43) + t62;
-        let t241 = t46 * t28;
-        let py_delta_lam = (Sz_delta * t43) - (t28 * t77);
-        let t255 = t44 + (t28 * t70);
-        let t259 = (((((t240 * t28) - (hx_delta * t43)) - (hz_delta * t28))
-            - (py_delta_lam * t145)) - (t255 * M22_hz_delta)) - (t241 * t163);
-        let t263 = t130 + (t241 * t173);
-        let P_delta_lateral_lam = py_delta_lam + (t241 * t187);
-        let t272 = (((t255 * t47) + (yaw_by_delta * P_delta_lateral_lam))
-            + (py_delta_lam * C122_py_delta)) - (t241 * t196);
-        let t275 = (t28 * P_delta_lateral_lam) + (P_delta_lateral * t43);
-        let t276 = t241 * t113;
-        let t280 = (t47 * (t103 - P_delta_lateral_lam)) - (t241 * t131);
-        let t281 = t111 * ::carvallo::Number::like(self.w, 2.0);
-        let t283 = self.IRyy * (t107 * t107);
-        let t284 = self.mR - t283;
-        let t285 = yaw_by_delta * t284;
-        let t286 = t283 * yaw_by_delta;
-        let t288 = self.rR * yaw_by_delta;
-        let t290 = yaw_by_delta * yaw_by_delta;
-        let t292 = yaw_by_delta * t107;
-        let t294 = yaw_by_delta * t52;
-        let P_delta_yaw_xB = t120 * t144;
-        let t296 = yaw_by_delta * P_delta_yaw_xB;
-        let t299 = self.mB * yaw_by_delta;
-        let t303 = t47 * t299;
-        let t304 = ::carvallo::Number::like(self.w, 2.0) * t52;
-        let t305 = self.xB * yaw_by_delta;
-        let t306 = self.mB * t305;
-        let t308 = yaw_by_delta + (self.xB * t47);
-        let t310 = self.mB * t47;
-        let t311 = self.zB * t305;
-        let P_delta_yaw_mB = yaw_by_delta * t85;
-        let t313 = yaw_by_delta * P_delta_yaw_mB;
-        let t319 = self.zB * t47;
-        let t320 = t47 * t305;
-        let P_delta_yaw_xH = t122 * t144;
-        let t323 = (yaw_by_delta * P_delta_yaw_xH) - t156;
-        let t327 = t142 + (self.mH * yaw_by_delta);
-        let t331 = t327 * t47;
-        let Jxx_delta_zH = self.zH * t148;
-        let t336 = t34 * yaw_by_delta;
-        let t338 = (self.mH * t336) - ((Jxx_delta_zH * t28) + (M12_Jxz_delta * t37));
-        let py_delta_zH = self.mH * t28;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t41) = ::carvallo::Number::sin_cos(self.lam);
+        let t32 = self.w + self.c;
+        let t34 = t32 - self.xH;
+        let t35 = self.mH * t34;
+        let Jxz_delta = ((t10 * self.c) - (self.zH * t35)) - self.IHxz;
+        let t42 = Jxz_delta * t41;
+        let hx_delta = t42 - (Jxx_delta * t28);
+        let t44 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let t45 = t41 * t44;
+        let yaw_by_delta = self.c * t45;
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + (t21 * self.xB)) + (t32 * Sz_delta)) - self.IBxz;
+        let t56 = hx_delta + (yaw_by_delta * Jxz_all);
+        let t58 = t28 * Jxz_delta;
+        let t60 = self.IFxx + self.IHzz;
+        let Jxz_delta_rF = self.mF * self.c;
+        let t65 = (t60 + (self.c * Jxz_delta_rF)) + (t34 * t35);
+        let hz_delta = (t41 * t65) - t58;
+        let t70 = t35 + Jxz_delta_rF;
+        let py_delta = (t28 * Sz_delta) + (t41 * t70);
+        let M_yaw_delta = hz_delta - (t32 * py_delta);
+        let t76 = self.mF * self.w;
+        let t78 = self.mB * self.xB;
+        let t80 = self.mH * self.xH;
+        let P_delta_yaw_yaw_by_delta = ((((self.IRxx + t60) + self.IBzz)
+            + (self.w * t76)) + (self.xB * t78)) + (self.xH * t80);
+        let t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
+        let P_delta_yaw = M_yaw_delta + t87;
+        let t89 = M_yaw_delta + P_delta_yaw;
+        let t92 = ((t41 * hz_delta) + (yaw_by_delta * t89)) - (t28 * hx_delta);
+        let t95 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let h_spin_R = self.IFyy * t95;
+        let t97 = t41 * h_spin_R;
+        let t98 = t45 * Jxz_all;
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t102 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let t103 = self.IRyy * t102;
+        let h_wheels_all = h_spin_R + t103;
+        let t105 = Sz_all - h_wheels_all;
+        let t108 = (t97 - t98) - (yaw_by_delta * t105);
+        let t113 = (t76 + t78) + t80;
+        let t114 = yaw_by_delta * t113;
+        let P_delta_lateral = py_delta - t114;
+        let t117 = (yaw_by_delta * P_delta_lateral) - (t45 * P_delta_yaw);
+        let t118 = t28 * P_delta_lateral;
+        let t119 = t45 * t105;
+        let t120 = t28 * h_spin_R;
+        let t121 = t120 - P_delta_lateral;
+        let t122 = t45 * t121;
+        let C112_h_spin_R = t41 + yaw_by_delta;
+        let t124 = t6 * C112_h_spin_R;
+        let t126 = (yaw_by_delta * Sz_delta) - t124;
+        let t127 = t44 * t45;
+        let t128 = self.c * Jxz_all;
+        let t130 = t126 - (t127 * t128);
+        let t131 = t34 * t41;
+        let t134 = (self.mH * t131) + (t35 * t41);
+        let t135 = yaw_by_delta + yaw_by_delta;
+        let M22_hz_delta = t41 + t135;
+        let t138 = self.mH * t41;
+        let t139 = t32 * t135;
+        let t142 = t28 * (t41 + M22_hz_delta);
+        let t145 = ((t134 * M22_hz_delta) + (t6 * t142)) - (t138 * t139);
+        let t147 = t145 - (py_delta * t135);
+        let t148 = self.w * yaw_by_delta;
+        let P_delta_yaw_w = (self.mF * t148) + (yaw_by_delta * t76);
+        let M22_yaw_by_delta = t87 + t89;
+        let t154 = self.c * M22_yaw_by_delta;
+        let t157 = (t147 + (yaw_by_delta * P_delta_yaw_w)) - (t127 * t154);
+        let t158 = t6 * t45;
+        let t160 = t158 - (t45 * Sz_delta);
+        let t162 = Jxz_all + (self.c * t105);
+        let t164 = t160 + (t127 * t162);
+        let t165 = self.c * h_wheels_all;
+        let t166 = t127 * t165;
+        let C122_py_delta = t32 * t45;
+        let K222_h_spin_R = t28 * t45;
+        let t173 = ((t138 * C122_py_delta) - (t45 * t134)) - (t6 * K222_h_spin_R);
+        let t175 = t173 + (t45 * py_delta);
+        let t178 = self.c * t113;
+        let t180 = (self.mF * yaw_by_delta) - (t127 * t178);
+        let P_delta_lateral_w = t138 - t180;
+        let C122_yaw_by_delta = P_delta_lateral - (t45 * P_delta_yaw_yaw_by_delta);
+        let t186 = (self.c * C122_yaw_by_delta) - P_delta_yaw;
+        let t190 = ((t175 + (yaw_by_delta * P_delta_lateral_w)) - (t45 * P_delta_yaw_w))
+            - (t127 * t186);
+        let t191 = t28 * P_delta_lateral_w;
+        let t192 = t105 * t127;
+        let t195 = (t45 * P_delta_lateral_w) + (t121 * t127);
+        let t198 = (t98 + t126) + (t10 * C112_h_spin_R);
+        let t201 = self.c * t41;
+        let hz_delta_c = (self.mF * t201) + (t41 * Jxz_delta_rF);
+        let py_delta_c = self.mF * t41;
+        let t211 = (((t147 + (t45 * M22_yaw_by_delta)) + (M22_hz_delta * hz_delta_c))
+            - (t10 * t142)) - (t139 * py_delta_c);
+        let t214 = t160 - (t45 * (t10 + t105));
+        let t215 = t45 * h_wheels_all;
+        let t221 = ((t45 * t113) - t138) - py_delta_c;
+        let t227 = (((t175 + (t10 * K222_h_spin_R))
+            + (t45 * (C122_yaw_by_delta - hz_delta_c))) + (C122_py_delta * py_delta_c))
+            - (yaw_by_delta * t221);
+        let t228 = t28 * t221;
+        let t229 = t45 * t221;
+        let t231 = t58 + (Jxx_delta * t41);
+        let t232 = t28 * t44;
+        let t234 = t231 + (t128 * t232);
+        let t240 = t42 + (t28 * t65);
+        let py_delta_lam = (t41 * Sz_delta) - (t28 * t70);
+        let t250 = (((((t28 * t231) - (t41 * hx_delta)) - (t28 * hz_delta))
+            - (t154 * t232)) - (M22_hz_delta * t240)) - (t139 * py_delta_lam);
+        let t252 = (t162 * t232) - t120;
+        let t254 = t120 + (t165 * t232);
+        let P_delta_lateral_lam = py_delta_lam + (t178 * t232);
+        let t263 = (((t45 * t240) + (yaw_by_delta * P_delta_lateral_lam))
+            + (C122_py_delta * py_delta_lam)) - (t186 * t232);
+        let t266 = (t28 * P_delta_lateral_lam) + (t41 * P_delta_lateral);
+        let t267 = t105 * t232;
+        let t271 = (t45 * (t97 - P_delta_lateral_lam)) - (t121 * t232);
+        let t272 = t17 + t17;
+        let t273 = t102 * t103;
+        let t274 = self.mR - t273;
+        let t275 = yaw_by_delta * t274;
+        let t276 = yaw_by_delta * t273;
+        let t277 = t45 * t274;
+        let t278 = self.rR * self.rR;
+        let t279 = self.rR * yaw_by_delta;
+        let t280 = self.rR * t45;
+        let t282 = yaw_by_delta * yaw_by_delta;
+        let t283 = t45 * yaw_by_delta;
+        let t284 = yaw_by_delta * t102;
+        let t285 = t45 * t102;
+        let t286 = t21 * yaw_by_delta;
+        let t287 = yaw_by_delta * self.xB;
+        let t288 = self.mB * t287;
+        let P_delta_yaw_xB = t288 + (yaw_by_delta * t78);
+        let t291 = yaw_by_delta * P_delta_yaw_xB;
+        let t292 = t21 * t45;
+        let t294 = self.mB * yaw_by_delta;
+        let t296 = (t45 * P_delta_yaw_xB) + (yaw_by_delta * t294);
+        let t297 = t28 * t294;
+        let t298 = t45 * t294;
+        let t299 = t21 + t21;
+        let t301 = yaw_by_delta + (t45 * self.xB);
+        let t302 = self.mB * t301;
+        let t303 = self.mB * t45;
+        let t304 = self.zB * self.zB;
+        let t305 = self.zB * t287;
+        let P_delta_yaw_mB = self.xB * t287;
+        let t307 = yaw_by_delta * P_delta_yaw_mB;
+        let t308 = self.zB * t301;
+        let t311 = (t45 * P_delta_yaw_mB) + (yaw_by_delta * t287);
+        let t312 = t28 * t287;
+        let t313 = self.zB * t45;
+        let t314 = t45 * t287;
+        let t315 = self.xH * yaw_by_delta;
+        let P_delta_yaw_xH = (self.mH * t315) + (yaw_by_delta * t80);
+        let t320 = (yaw_by_delta * P_delta_yaw_xH) - t145;
+        let t323 = t138 + (self.mH * yaw_by_delta);
+        let t326 = (t173 + (t45 * P_delta_yaw_xH)) + (yaw_by_delta * t323);
+        let t327 = t28 * t323;
+        let t328 = t45 * t323;
+        let Jxx_delta_zH = t6 + t6;
+        let M12_Sz_delta = t32 * yaw_by_delta;
+        let t335 = ((self.mH * M12_Sz_delta) - (t28 * Jxx_delta_zH))
+            - (t35 * C112_h_spin_R);
         let M22_Jxx_delta = t28 * t28;
-        let t345 = ((t154 * t37) - (py_delta_zH * t145))
-            + (Jxx_delta_zH * M22_Jxx_delta);
-        let t346 = yaw_by_delta + C122_py_delta;
-        let t349 = (t37 * t47) - (self.mH * t346);
-        let t354 = ((yaw_by_delta * py_delta_zH) - (C122_Jxz_delta * t37))
-            + (py_delta_zH * C122_py_delta);
-        let t355 = t28 * py_delta_zH;
-        let t356 = self.mH * t47;
-        let t361 = self.zH * t36;
-        let t363 = ((self.zH * t336) - (Jxx_delta_mH * t28)) - (t361 * M12_Jxz_delta);
-        let P_delta_yaw_mH = yaw_by_delta * t88;
-        let py_delta_mH = (self.zH * t28) + t147;
-        let hz_delta_mH = t43 * t65;
-        let t376 = ((((yaw_by_delta * P_delta_yaw_mH) - (py_delta_mH * t145))
-            + (hz_delta_mH * M22_hz_delta)) + (Jxx_delta_mH * M22_Jxx_delta))
-            + (t361 * t154);
-        let t379 = (t361 * t47) - (self.zH * t346);
-        let t382 = self.xH * yaw_by_delta;
-        let P_delta_lateral_mH = py_delta_mH - t382;
-        let t389 = (((yaw_by_delta * P_delta_lateral_mH)
-            - (t47 * (P_delta_yaw_mH + hz_delta_mH))) + (py_delta_mH * C122_py_delta))
-            - (t361 * C122_Jxz_delta);
-        let t390 = t28 * P_delta_lateral_mH;
-        let t391 = self.zH * t47;
-        let t394 = (t43 * M22_hz_delta) + t290;
-        let Jxx_delta_rF = self.rF * t215;
-        let t401 = (Jxz_delta_rF * M12_Jxz_delta)
-            - ((t336 * self.mF) + (Jxx_delta_rF * t28));
-        let t402 = self.mF * t28;
-        let t407 = ((t402 * t145) + (Jxx_delta_rF * M22_Jxx_delta))
-            - (Jxz_delta_rF * t154);
-        let t412 = self.IFyy * (t101 * t101);
-        let t413 = t412 * M12_Jxz_delta;
-        let t414 = ((t346 * self.mF) - (Jxz_delta_rF * t47)) - t413;
-        let t417 = (Jxz_delta_rF * C122_Jxz_delta) - (t402 * t346);
-        let t423 = (t402 * t47) - (t412 * C122_Jxz_delta);
-        let Jxz_delta_mF = self.c * self.rF;
-        let t429 = (Jxz_delta_mF * M12_Jxz_delta)
-            - ((t336 * self.rF) + (Jxx_delta_mF * t28));
-        let P_delta_yaw_mF = yaw_by_delta * t91;
-        let py_delta_mF = t214 - (self.rF * t28);
-        let hz_delta_mF = t43 * t68;
-        let t442 = ((((yaw_by_delta * P_delta_yaw_mF) - (py_delta_mF * t145))
-            + (hz_delta_mF * M22_hz_delta)) + (Jxx_delta_mF * M22_Jxx_delta))
-            - (Jxz_delta_mF * t154);
-        let t447 = self.w * yaw_by_delta;
-        let P_delta_lateral_mF = py_delta_mF - t447;
-        let t454 = (((yaw_by_delta * P_delta_lateral_mF)
-            - (t47 * (P_delta_yaw_mF + hz_delta_mF))) + (py_delta_mF * C122_py_delta))
-            + (Jxz_delta_mF * C122_Jxz_delta);
-        let t455 = t28 * P_delta_lateral_mF;
-        let t458 = t394 + M22_Jxx_delta;
-        let t459 = t101 * M12_Jxz_delta;
-        let t461 = t101 * C122_Jxz_delta;
-        let t462 = -(t103 + (yaw_by_delta * h_wheels_all));
-        let t463 = t124 - py_delta;
-        let t464 = -(t113 * t47);
-        let t465 = t189 - t142;
-        let t466 = -((P_delta_lateral_w * t47) + (t138 * t131));
-        let t467 = -(h_wheels_all * t47);
-        let t468 = -(P_delta_lateral_c * t47);
-        let t469 = -(t240 + (t241 * t139));
-        let t470 = -(t130 + (t241 * t170));
-        let t471 = -P_delta_lateral_lam;
-        let t472 = -self.mR;
-        let t473 = -(t284 * t47);
-        let t474 = -self.rR;
-        let t475 = -(self.rR * t47);
-        let t476 = -(yaw_by_delta * t47);
-        let t477 = -t292;
-        let t478 = -(t107 * t47);
-        let t479 = -(t52 * t47);
-        let t480 = -((t47 * P_delta_yaw_xB) + (yaw_by_delta * t299));
-        let t481 = -(t299 * t28);
-        let t482 = -(self.mB * t308);
-        let t483 = -(self.zB * t308);
-        let t484 = -((t47 * P_delta_yaw_mB) + (yaw_by_delta * t305));
-        let t485 = -(t305 * t28);
-        let t486 = -yaw_by_delta;
-        let t487 = -t166;
-        let t488 = -(((P_delta_yaw_xH * t47) + t181) + (yaw_by_delta * t327));
-        let t489 = -(t28 * t327);
-        let t490 = -py_delta_zH;
-        let t491 = -(py_delta_zH * t47);
-        let t492 = t382 - py_delta_mH;
-        let t493 = -(P_delta_lateral_mH * t47);
-        let t494 = -t28;
-        let t495 = -(t47 * M12_Jxz_delta);
-        let t496 = -M12_Jxz_delta;
-        let t497 = -C122_Jxz_delta;
-        let t498 = -self.mF;
-        let t499 = -(t28 * t402);
-        let t500 = -(t47 * (self.mF - t412));
-        let t501 = (self.rF * t346) - (t47 * Jxz_delta_mF);
-        let t502 = -self.rF;
-        let t503 = t447 - py_delta_mF;
-        let t504 = -(self.rF * t47);
-        let t505 = -(P_delta_lateral_mF * t47);
-        let t506 = -t459;
-        let t507 = -(t101 * t47);
+        let py_delta_zH = self.mH * t28;
+        let t342 = ((t35 * t142) + (Jxx_delta_zH * M22_Jxx_delta))
+            - (t139 * py_delta_zH);
+        let t343 = yaw_by_delta + C122_py_delta;
+        let t346 = (t35 * t45) - (self.mH * t343);
+        let t349 = (py_delta_zH * t343) - (t35 * K222_h_spin_R);
+        let t350 = t28 * py_delta_zH;
+        let t351 = self.mH * t45;
+        let t352 = t45 * py_delta_zH;
+        let Jxx_delta_mH = self.zH * self.zH;
+        let t356 = self.zH * t34;
+        let t359 = ((self.zH * M12_Sz_delta) - (t28 * Jxx_delta_mH))
+            - (C112_h_spin_R * t356);
+        let P_delta_yaw_mH = self.xH * t315;
+        let hz_delta_mH = t34 * t131;
+        let py_delta_mH = t131 + (self.zH * t28);
+        let t372 = ((((yaw_by_delta * P_delta_yaw_mH) + (M22_hz_delta * hz_delta_mH))
+            + (M22_Jxx_delta * Jxx_delta_mH)) + (t142 * t356)) - (t139 * py_delta_mH);
+        let t375 = (t45 * t356) - (self.zH * t343);
+        let t378 = t315 - py_delta_mH;
+        let t384 = (((C122_py_delta * py_delta_mH)
+            - (t45 * (P_delta_yaw_mH + hz_delta_mH))) - (yaw_by_delta * t378))
+            - (K222_h_spin_R * t356);
+        let t385 = t28 * t378;
+        let t386 = self.zH * t45;
+        let t387 = t45 * t378;
+        let t389 = t282 + (t41 * M22_hz_delta);
+        let t390 = t45 * C112_h_spin_R;
+        let Jxx_delta_rF = t10 + t10;
+        let t396 = ((Jxz_delta_rF * C112_h_spin_R) - (self.mF * M12_Sz_delta))
+            - (t28 * Jxx_delta_rF);
+        let t398 = self.mF * t28;
+        let t402 = ((M22_Jxx_delta * Jxx_delta_rF) + (t139 * t398))
+            - (Jxz_delta_rF * t142);
+        let t405 = t95 * h_spin_R;
+        let t406 = C112_h_spin_R * t405;
+        let t408 = ((self.mF * t343) - (t45 * Jxz_delta_rF)) - t406;
+        let t411 = (Jxz_delta_rF * K222_h_spin_R) - (t343 * t398);
+        let t412 = t28 * t398;
+        let t414 = t45 * (self.mF - t405);
+        let t417 = (t45 * t398) - (K222_h_spin_R * t405);
+        let Jxx_delta_mF = self.rF * self.rF;
+        let Jxz_delta_mF = self.rF * self.c;
+        let t424 = ((C112_h_spin_R * Jxz_delta_mF) - (self.rF * M12_Sz_delta))
+            - (t28 * Jxx_delta_mF);
+        let P_delta_yaw_mF = self.w * t148;
+        let hz_delta_mF = self.c * t201;
+        let py_delta_mF = t201 - (self.rF * t28);
+        let t437 = ((((yaw_by_delta * P_delta_yaw_mF) + (M22_hz_delta * hz_delta_mF))
+            + (M22_Jxx_delta * Jxx_delta_mF)) - (t139 * py_delta_mF))
+            - (t142 * Jxz_delta_mF);
+        let t440 = (self.rF * t343) - (t45 * Jxz_delta_mF);
+        let t443 = t148 - py_delta_mF;
+        let t449 = (((C122_py_delta * py_delta_mF) + (K222_h_spin_R * Jxz_delta_mF))
+            - (t45 * (P_delta_yaw_mF + hz_delta_mF))) - (yaw_by_delta * t443);
+        let t450 = t28 * t443;
+        let t451 = self.rF * t45;
+        let t452 = t45 * t443;
+        let t453 = M22_Jxx_delta + t389;
+        let t454 = t95 * C112_h_spin_R;
+        let t455 = t45 * t95;
+        let t456 = t95 * K222_h_spin_R;
+        let t457 = -(t97 + (yaw_by_delta * h_wheels_all));
+        let t458 = t114 - py_delta;
+        let t459 = t180 - t138;
         (
             RearSteeredMatrices {
-                m: [[t26, t60], [t60, t98]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t115], [t462, t127]],
-                k0: [[Sz_all, t463], [t463, t128]],
+                m: [[t26, t56], [t56, t92]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t457, t117]],
+                k0: [[Sz_all, t458], [t458, t118]],
                 k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t464],
-                    [::carvallo::Number::like(self.w, 0.0), t132],
+                    [::carvallo::Number::like(self.w, 0.0), t119],
+                    [::carvallo::Number::like(self.w, 0.0), t122],
                 ],
             },
             RearSteeredDerivatives {
                 values: [
-                    t141,
-                    t141,
-                    t165,
-                    t172,
-                    t174,
+                    t130,
+                    t157,
+                    t164,
+                    t166,
+                    t190,
+                    t459,
+                    t191,
+                    t192,
+                    t195,
                     t198,
-                    t465,
-                    t465,
-                    t199,
-                    t200,
-                    t466,
-                    t206,
-                    t206,
-                    t218,
+                    t211,
+                    t214,
+                    t215,
+                    t227,
                     t221,
-                    t467,
+                    t228,
+                    t229,
                     t234,
-                    t236,
-                    t236,
-                    t237,
-                    t468,
-                    t469,
-                    t469,
-                    t259,
-                    t470,
+                    t250,
+                    t252,
+                    t254,
                     t263,
+                    P_delta_lateral_lam,
+                    t266,
+                    t267,
+                    t271,
                     t272,
-                    t471,
-                    t471,
                     t275,
                     t276,
+                    self.mR,
+                    t277,
+                    t278,
+                    t279,
+                    self.rR,
                     t280,
-                    t281,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t282,
+                    t283,
+                    t284,
                     t285,
                     t286,
-                    t472,
-                    t473,
-                    t19,
-                    t288,
-                    t474,
-                    t475,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t290,
-                    t476,
+                    t291,
                     t292,
-                    t477,
-                    t478,
-                    t294,
-                    t294,
                     t296,
-                    t479,
-                    t480,
+                    t294,
+                    t297,
+                    t298,
                     t299,
-                    t299,
-                    t481,
+                    t288,
+                    t302,
+                    self.mB,
                     t303,
                     t304,
-                    t306,
-                    t306,
-                    t482,
-                    self.mB,
-                    t310,
-                    t24,
+                    t305,
+                    t307,
+                    t308,
                     t311,
-                    t311,
-                    t313,
-                    t483,
-                    t484,
                     self.zB,
-                    t305,
-                    t305,
-                    t485,
-                    t319,
+                    t287,
+                    t312,
+                    t313,
+                    t314,
+                    yaw_by_delta,
+                    t45,
+                    t124,
                     t320,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t290,
-                    t476,
-                    t486,
-                    t486,
-                    t47,
-                    t134,
-                    t134,
+                    t158,
+                    t326,
                     t323,
-                    t487,
-                    t488,
                     t327,
-                    t327,
-                    t489,
-                    t331,
+                    t328,
                     Jxx_delta_zH,
-                    t338,
-                    t338,
-                    t345,
+                    t335,
+                    t342,
+                    t346,
                     t349,
-                    t354,
                     self.mH,
-                    t490,
-                    t490,
-                    t355,
-                    t356,
-                    t491,
+                    py_delta_zH,
+                    t350,
+                    t351,
+                    t352,
                     Jxx_delta_mH,
-                    t363,
-                    t363,
-                    t376,
-                    t379,
-                    t389,
+                    t359,
+                    t372,
+                    t375,
+                    t384,
                     self.zH,
-                    t492,
-                    t492,
-                    t390,
-                    t391,
-                    t493,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t494,
-                    t494,
+                    t378,
+                    t385,
+                    t386,
+                    t387,
+                    t28,
                     M22_Jxx_delta,
-                    t394,
-                    t495,
-                    t496,
-                    t496,
-                    t154,
-                    t47,
-                    t497,
+                    t389,
+                    t390,
+                    C112_h_spin_R,
+                    t142,
+                    K222_h_spin_R,
                     Jxx_delta_rF,
-                    t401,
-                    t401,
-                    t407,
+                    t396,
+                    t402,
+                    t408,
+                    t406,
+                    t411,
+                    self.mF,
+                    t398,
+                    t412,
                     t414,
-                    t413,
                     t417,
-                    t498,
-                    t402,
-                    t402,
-                    t499,
-                    t500,
-                    t423,
                     Jxx_delta_mF,
-                    t429,
-                    t429,
-                    t442,
-                    t501,
+                    t424,
+                    t437,
+                    t440,
+                    t449,
+                    self.rF,
+                    t443,
+                    t450,
+                    t451,
+                    t452,
+                    t453,
                     t454,
-                    t502,
-                    t503,
-                    t503,
                     t455,
-                    t504,
-                    t505,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t494,
-                    t494,
-                    t458,
-                    t495,
-                    t459,
-                    t506,
-                    t507,
-                    t461,
+                    t456,
                 ],
             },
         )
@@ -1698,8 +1644,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RearSteered<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 26];
         for position in 0..158 {
-            <RearSteeredDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<RearSteeredDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -118,29 +118,29 @@ pub struct RollingDiscMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RollingDisc<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 2 additions, 3 multiplications, 1 division and 2 negations: 8 operations.
+    /// 2 additions, 2 multiplications, 1 division and 2 negations: 7 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> RollingDiscMatrices<T> {
-        let Jxx_all = self.It + (self.m * (self.r * self.r));
+        let t3 = self.r * self.m;
+        let Jxx_all = self.It + (self.r * t3);
         let h_spin_D = self.Ia / self.r;
-        let t9 = self.r * self.m;
-        let t10 = h_spin_D + t9;
-        let t11 = -h_spin_D;
-        let t12 = -t9;
+        let t9 = t3 + h_spin_D;
+        let t10 = -h_spin_D;
+        let t11 = -t3;
         RollingDiscMatrices {
             m: [
                 [Jxx_all, ::carvallo::Number::like(self.r, 0.0)],
                 [::carvallo::Number::like(self.r, 0.0), self.It],
             ],
             c1: [
-                [::carvallo::Number::like(self.r, 0.0), t10],
-                [t11, ::carvallo::Number::like(self.r, 0.0)],
+                [::carvallo::Number::like(self.r, 0.0), t9],
+                [t10, ::carvallo::Number::like(self.r, 0.0)],
             ],
             k0: [
-                [t12, ::carvallo::Number::like(self.r, 0.0)],
+                [t11, ::carvallo::Number::like(self.r, 0.0)],
                 [
                     ::carvallo::Number::like(self.r, 0.0),
                     ::carvallo::Number::like(self.r, 0.0),
@@ -439,24 +439,24 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RollingDisc<T> {
     ::core::cmp::PartialEq
 )]
 pub struct RollingDiscDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 11],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 8],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl RollingDiscDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 11] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 3).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 5).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 3, 7),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -488,7 +488,10 @@ impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -496,7 +499,7 @@ impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RollingDisc<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 3 additions, 7 multiplications, 1 division and 5 negations: 16 operations.
+    /// 4 additions, 5 multiplications, 1 division and 2 negations: 12 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -504,20 +507,17 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (RollingDiscMatrices<T>, RollingDiscDerivatives<T>) {
-        let t3 = self.r * self.r;
-        let Jxx_all = self.It + (self.m * t3);
+        let t3 = self.r * self.m;
+        let Jxx_all = self.It + (self.r * t3);
         let t8 = ::carvallo::Number::like(self.r, 1.0) / self.r;
         let h_spin_D = self.Ia * t8;
-        let t10 = self.r * self.m;
-        let t11 = h_spin_D + t10;
-        let t14 = ::carvallo::Number::like(self.r, 2.0) * t10;
-        let t16 = self.Ia * (t8 * t8);
-        let t17 = self.m - t16;
-        let t18 = -h_spin_D;
-        let t19 = -t10;
-        let t20 = -self.m;
-        let t21 = -self.r;
-        let t22 = -t8;
+        let t10 = t3 + h_spin_D;
+        let t11 = t3 + t3;
+        let t12 = t8 * h_spin_D;
+        let t13 = self.m - t12;
+        let t14 = self.r * self.r;
+        let t16 = -h_spin_D;
+        let t17 = -t3;
         (
             RollingDiscMatrices {
                 m: [
@@ -525,11 +525,11 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
                     [::carvallo::Number::like(self.r, 0.0), self.It],
                 ],
                 c1: [
-                    [::carvallo::Number::like(self.r, 0.0), t11],
-                    [t18, ::carvallo::Number::like(self.r, 0.0)],
+                    [::carvallo::Number::like(self.r, 0.0), t10],
+                    [t16, ::carvallo::Number::like(self.r, 0.0)],
                 ],
                 k0: [
-                    [t19, ::carvallo::Number::like(self.r, 0.0)],
+                    [t17, ::carvallo::Number::like(self.r, 0.0)],
                     [
                         ::carvallo::Number::like(self.r, 0.0),
                         ::carvallo::Number::like(self.r, 0.0),
@@ -538,16 +538,13 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
             },
             RollingDiscDerivatives {
                 values: [
+                    t11,
+                    t13,
+                    t12,
+                    self.m,
                     t14,
-                    t17,
-                    t16,
-                    t20,
-                    t3,
                     self.r,
-                    t21,
                     t8,
-                    t22,
-                    ::carvallo::Number::like(self.r, 1.0),
                     ::carvallo::Number::like(self.r, 1.0),
                 ],
             },
@@ -565,8 +562,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RollingDisc<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 5];
         for position in 0..11 {
-            <RollingDiscDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<RollingDiscDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -200,32 +200,32 @@ pub struct SkateboardMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Skateboard<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 9 additions, 18 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 35 operations.
+    /// 5 additions, 14 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 27 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> SkateboardMatrices<T> {
-        let P_gamma_lateral = self.m * self.h;
-        let t10 = (self.Ixx + (self.r * (P_gamma_lateral - P_gamma_lateral)))
-            + (self.m * (self.h * self.h));
-        let (lateral_per_v_deltaR, t12) = ::carvallo::Number::sin_cos(self.lamR);
-        let t13 = ::carvallo::Number::like(self.L, 1.0) / t12;
-        let (t27, t25) = ::carvallo::Number::sin_cos(self.lamF);
-        let t26 = ::carvallo::Number::like(self.L, 1.0) / t25;
-        let t29 = ::carvallo::Number::like(self.L, 1.0) / self.L;
-        let t34 = (t26 * (t27 * t29)) + (t13 * (lateral_per_v_deltaR * t29));
-        let t36 = ((self.Ixz + ((self.m * self.x) * ((self.r + self.h) - self.r))) * t34)
-            - ((t13 * lateral_per_v_deltaR) * P_gamma_lateral);
-        let t43 = (self.kF * (t26 * t26)) + (self.kR * (t13 * t13));
-        let t44 = P_gamma_lateral * t34;
-        let t45 = -P_gamma_lateral;
+        let P_gamma_lateral = self.h * self.m;
+        let t5 = self.Ixx + (self.h * P_gamma_lateral);
+        let (lateral_per_v_deltaR, t7) = ::carvallo::Number::sin_cos(self.lamR);
+        let t8 = ::carvallo::Number::like(self.L, 1.0) / t7;
+        let t10 = t8 * lateral_per_v_deltaR;
+        let P_gamma_yaw = self.Ixz + (P_gamma_lateral * self.x);
+        let (t19, t17) = ::carvallo::Number::sin_cos(self.lamF);
+        let t18 = ::carvallo::Number::like(self.L, 1.0) / t17;
+        let t21 = ::carvallo::Number::like(self.L, 1.0) / self.L;
+        let t25 = ((t18 * t19) * t21) + (t10 * t21);
+        let t27 = (P_gamma_yaw * t25) - (P_gamma_lateral * t10);
+        let t34 = ((t18 * t18) * self.kF) + ((t8 * t8) * self.kR);
+        let t35 = P_gamma_lateral * t25;
+        let t36 = -P_gamma_lateral;
         SkateboardMatrices {
-            m: [[t10]],
-            c1: [[t36]],
-            kc: [[t43]],
-            k0: [[t45]],
-            k2: [[t44]],
+            m: [[t5]],
+            c1: [[t27]],
+            kc: [[t34]],
+            k0: [[t36]],
+            k2: [[t35]],
         }
     }
 }
@@ -260,82 +260,82 @@ pub struct SkateboardKinematics<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Scalar> Skateboard<T> {
     /// Rates and forces that follow from the coordinates:
-    /// 2 additions, 12 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 30 operations.
+    /// 2 additions, 9 multiplications, 4 divisions, 8 negations and 4 trigonometric functions: 27 operations.
     ///
     /// The parameters are not validated.
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> SkateboardKinematics<T> {
-        let (lateral_per_v_deltaR, t4) = ::carvallo::Number::sin_cos(self.lamR);
-        let t5 = ::carvallo::Number::like(self.L, 1.0) / t4;
-        let t7 = t5 * lateral_per_v_deltaR;
+        let (lateral_per_v_deltaR, t3) = ::carvallo::Number::sin_cos(self.lamR);
+        let t4 = ::carvallo::Number::like(self.L, 1.0) / t3;
+        let t6 = t4 * lateral_per_v_deltaR;
         let pitch_by_vertical = ::carvallo::Number::like(self.L, 1.0) / self.L;
-        let (t11, t13) = ::carvallo::Number::sin_cos(self.lamF);
-        let t14 = ::carvallo::Number::like(self.L, 1.0) / t13;
-        let t15 = (pitch_by_vertical * t11) * t14;
-        let t16 = pitch_by_vertical * lateral_per_v_deltaR;
-        let t18 = t15 + (t5 * t16);
-        let t19 = ::carvallo::Number::like(self.L, 1.0) / self.r;
-        let t22 = self.b * t19;
-        let t23 = (t11 * t14) * t22;
-        let spin_FL_per_v_deltaR = t16 * t22;
-        let t27 = (t22 * t15) + (t5 * spin_FL_per_v_deltaR);
-        let spin_RL_by_gamma = t7 * t22;
-        let t29 = -self.r;
-        let t30 = -t7;
-        let t31 = -t14;
-        let t32 = -t5;
-        let t33 = -t19;
-        let t34 = -t23;
-        let t35 = -t27;
-        let t36 = -spin_RL_by_gamma;
+        let (t13, t11) = ::carvallo::Number::sin_cos(self.lamF);
+        let t12 = ::carvallo::Number::like(self.L, 1.0) / t11;
+        let t14 = t12 * t13;
+        let t15 = pitch_by_vertical * t14;
+        let t16 = pitch_by_vertical * t6;
+        let t17 = t15 + t16;
+        let t18 = ::carvallo::Number::like(self.L, 1.0) / self.r;
+        let t20 = t18 * self.b;
+        let t21 = t20 * t14;
+        let t24 = (t15 * t20) + (t16 * t20);
+        let spin_RL_by_gamma = t6 * t20;
+        let t26 = -self.r;
+        let t27 = -t6;
+        let t28 = -t12;
+        let t29 = -t4;
+        let t30 = -t18;
+        let t31 = -t21;
+        let t32 = -t24;
+        let t33 = -spin_RL_by_gamma;
         SkateboardKinematics {
             lateral: ::carvallo::Rate {
                 speed: ::carvallo::Number::like(self.L, 0.0),
-                rates: [t29],
-                coordinates: [t30],
+                rates: [t26],
+                coordinates: [t27],
                 heading: ::carvallo::Number::like(self.L, 1.0),
             },
             yaw: ::carvallo::Rate {
                 speed: ::carvallo::Number::like(self.L, 0.0),
                 rates: [::carvallo::Number::like(self.L, 0.0)],
-                coordinates: [t18],
+                coordinates: [t17],
                 heading: ::carvallo::Number::like(self.L, 0.0),
             },
             deltaF: ::carvallo::Rate {
                 speed: ::carvallo::Number::like(self.L, 0.0),
-                rates: [t31],
+                rates: [t28],
                 coordinates: [::carvallo::Number::like(self.L, 0.0)],
                 heading: ::carvallo::Number::like(self.L, 0.0),
             },
             deltaR: ::carvallo::Rate {
                 speed: ::carvallo::Number::like(self.L, 0.0),
-                rates: [t32],
+                rates: [t29],
                 coordinates: [::carvallo::Number::like(self.L, 0.0)],
                 heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_FL: ::carvallo::Rate {
-                speed: t33,
-                rates: [t34],
-                coordinates: [t35],
+                speed: t30,
+                rates: [t31],
+                coordinates: [t32],
                 heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_FR: ::carvallo::Rate {
-                speed: t33,
-                rates: [t23],
-                coordinates: [t27],
+                speed: t30,
+                rates: [t21],
+                coordinates: [t24],
                 heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_RL: ::carvallo::Rate {
-                speed: t33,
+                speed: t30,
                 rates: [spin_RL_by_gamma],
-                coordinates: [t35],
+                coordinates: [t32],
                 heading: ::carvallo::Number::like(self.L, 0.0),
             },
             wheel_RR: ::carvallo::Rate {
-                speed: t33,
-                rates: [t36],
-                coordinates: [t27],
+                speed: t30,
+                rates: [t33],
+                coordinates: [t24],
                 heading: ::carvallo::Number::like(self.L, 0.0),
             },
             forces: [[::carvallo::Number::like(self.L, 1.0)]],
@@ -734,34 +734,34 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 1> for Skateboard<T> {
     ::core::cmp::PartialEq
 )]
 pub struct SkateboardDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 21],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl SkateboardDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 21] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0, 1).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 3, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 3, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 4, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 4, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 4, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 5, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 6, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 7, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 7, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 7, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 7, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 8, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 9, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 17).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 9, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 13, 20),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -797,7 +797,10 @@ impl<T: ::carvallo::Scalar> SkateboardDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -805,7 +808,7 @@ impl<T: ::carvallo::Scalar> SkateboardDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Skateboard<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 10 additions, 44 multiplications, 3 divisions, 5 negations and 4 trigonometric functions: 66 operations.
+    /// 12 additions, 36 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 56 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -813,80 +816,77 @@ impl<T: ::carvallo::Number> Skateboard<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (SkateboardMatrices<T>, SkateboardDerivatives<T>) {
-        let t3 = self.h * self.h;
-        let t5 = self.Ixx + (self.m * t3);
-        let (lateral_per_v_deltaR, lateral_per_v_deltaR_lamR) = ::carvallo::Number::sin_cos(
-            self.lamR,
-        );
-        let t8 = ::carvallo::Number::like(self.L, 1.0) / lateral_per_v_deltaR_lamR;
+        let P_gamma_lateral = self.h * self.m;
+        let t5 = self.Ixx + (self.h * P_gamma_lateral);
+        let (lateral_per_v_deltaR, t7) = ::carvallo::Number::sin_cos(self.lamR);
+        let t8 = ::carvallo::Number::like(self.L, 1.0) / t7;
         let t10 = t8 * lateral_per_v_deltaR;
-        let P_gamma_lateral = self.m * self.h;
-        let t15 = ::carvallo::Number::like(self.L, 1.0) / self.L;
-        let (t19, t17) = ::carvallo::Number::sin_cos(self.lamF);
-        let t18 = ::carvallo::Number::like(self.L, 1.0) / t17;
-        let t21 = t10 + (t18 * t19);
-        let t22 = t15 * t21;
-        let t26 = self.Ixz + (self.x * P_gamma_lateral);
-        let t28 = (t22 * t26) - (t10 * P_gamma_lateral);
-        let t30 = t18 * t18;
-        let t33 = t8 * t8;
-        let t35 = (self.kF * t30) + (self.kR * t33);
-        let t36 = P_gamma_lateral * t22;
-        let t38 = t21 * (t15 * t15);
-        let t42 = t19 * t30;
-        let t45 = t15 * ((t18 * t17) + (t42 * t19));
-        let t46 = t45 * t26;
-        let t50 = ((self.kF * t18) * t42) * ::carvallo::Number::like(self.L, 2.0);
-        let t51 = P_gamma_lateral * t45;
-        let t52 = t8 * lateral_per_v_deltaR_lamR;
-        let t54 = lateral_per_v_deltaR * t33;
-        let t55 = lateral_per_v_deltaR * t54;
-        let t59 = t15 * (t52 + t55);
-        let t61 = (t59 * t26) - ((t52 * P_gamma_lateral) + (t55 * P_gamma_lateral));
-        let t64 = ((self.kR * t8) * t54) * ::carvallo::Number::like(self.L, 2.0);
-        let t65 = P_gamma_lateral * t59;
-        let t67 = (self.x * t22) - t10;
-        let t68 = self.h * t67;
-        let t69 = self.h * t22;
-        let t70 = ::carvallo::Number::like(self.L, 2.0) * P_gamma_lateral;
-        let t71 = self.m * t67;
-        let t72 = self.m * t22;
-        let t73 = -P_gamma_lateral;
-        let t74 = -(t38 * t26);
-        let t75 = -(P_gamma_lateral * t38);
-        let t76 = -self.h;
-        let t77 = -self.m;
+        let P_gamma_yaw = self.Ixz + (P_gamma_lateral * self.x);
+        let t17 = ::carvallo::Number::like(self.L, 1.0) / self.L;
+        let (t21, t19) = ::carvallo::Number::sin_cos(self.lamF);
+        let t20 = ::carvallo::Number::like(self.L, 1.0) / t19;
+        let t22 = t20 * t21;
+        let t24 = t17 * (t10 + t22);
+        let t26 = (P_gamma_yaw * t24) - (P_gamma_lateral * t10);
+        let t28 = t20 * t20;
+        let t29 = self.kF * t28;
+        let t31 = t8 * t8;
+        let t33 = t29 + (self.kR * t31);
+        let t34 = P_gamma_lateral * t24;
+        let t35 = t17 * t24;
+        let t36 = P_gamma_yaw * t35;
+        let t37 = P_gamma_lateral * t35;
+        let t41 = (t17 * t20) * (t19 + (t21 * t22));
+        let t42 = P_gamma_yaw * t41;
+        let t43 = t22 * t29;
+        let t44 = t43 + t43;
+        let t45 = P_gamma_lateral * t41;
+        let t47 = lateral_per_v_deltaR * t31;
+        let t49 = ::carvallo::Number::like(self.L, 1.0) + (lateral_per_v_deltaR * t47);
+        let t51 = t17 * t49;
+        let t53 = (P_gamma_yaw * t51) - (P_gamma_lateral * t49);
+        let t55 = (t8 * self.kR) * t47;
+        let t56 = t55 + t55;
+        let t57 = P_gamma_lateral * t51;
+        let t58 = self.h * self.h;
+        let C111_P_gamma_lateral = (self.x * t24) - t10;
+        let t61 = self.h * C111_P_gamma_lateral;
+        let t62 = self.h * t24;
+        let t63 = P_gamma_lateral + P_gamma_lateral;
+        let t64 = self.m * C111_P_gamma_lateral;
+        let t65 = self.m * t24;
+        let t66 = -P_gamma_lateral;
         (
             SkateboardMatrices {
                 m: [[t5]],
-                c1: [[t28]],
-                kc: [[t35]],
-                k0: [[t73]],
-                k2: [[t36]],
+                c1: [[t26]],
+                kc: [[t33]],
+                k0: [[t66]],
+                k2: [[t34]],
             },
             SkateboardDerivatives {
                 values: [
-                    t74,
-                    t75,
-                    t46,
-                    t50,
-                    t51,
-                    t61,
-                    t64,
-                    t65,
-                    t30,
-                    t33,
-                    t3,
-                    t68,
-                    t76,
-                    t69,
                     t36,
-                    t70,
-                    t71,
-                    t77,
-                    t72,
+                    t37,
+                    t42,
+                    t44,
+                    t45,
+                    t53,
+                    t56,
+                    t57,
+                    t28,
+                    t31,
+                    t58,
+                    t61,
+                    self.h,
+                    t62,
+                    t34,
+                    t63,
+                    t64,
+                    self.m,
+                    t65,
                     ::carvallo::Number::like(self.L, 1.0),
-                    t22,
+                    t24,
                 ],
             },
         )
@@ -903,8 +903,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<1> for Skateboard<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 1]; 1]; 6],
         ); 15];
         for position in 0..21 {
-            <SkateboardDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<SkateboardDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -120,73 +120,72 @@ pub struct ThreePipesMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> ThreePipes<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 1 addition, 17 multiplications and 3 negations: 21 operations.
+    /// 4 additions, 13 multiplications and 3 negations: 20 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> ThreePipesMatrices<T> {
         let t1 = self.l * self.l;
-        let t5 = self.m + self.f;
-        let inertia = (self.l * t1) * t5;
+        let weight = t1 * (self.m + self.f);
+        let inertia = self.l * weight;
         let t8 = inertia * ::carvallo::Number::like(self.l, 2.3333333333333335);
         let t10 = inertia * ::carvallo::Number::like(self.l, 1.5);
         let t12 = inertia * ::carvallo::Number::like(self.l, 0.5);
         let t14 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
         let t16 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t19 = self.c * ::carvallo::Number::like(self.l, 2.0);
-        let t21 = self.f * t1;
-        let t22 = ::carvallo::Number::like(self.l, 2.0) * t21;
-        let t24 = self.k * ::carvallo::Number::like(self.l, 2.0);
-        let weight = t1 * t5;
-        let t27 = weight * ::carvallo::Number::like(self.l, 2.5);
-        let t28 = weight * ::carvallo::Number::like(self.l, 1.5);
-        let t29 = weight * ::carvallo::Number::like(self.l, 0.5);
-        let t30 = self.l * self.f;
-        let t31 = -self.c;
-        let t32 = -self.k;
-        let t33 = -t30;
+        let t18 = self.c + self.c;
+        let t20 = t1 * self.f;
+        let t21 = t20 + t20;
+        let t23 = self.k + self.k;
+        let t25 = weight * ::carvallo::Number::like(self.l, 2.5);
+        let t26 = weight * ::carvallo::Number::like(self.l, 1.5);
+        let t27 = weight * ::carvallo::Number::like(self.l, 0.5);
+        let t28 = self.l * self.f;
+        let t29 = -self.c;
+        let t30 = -self.k;
+        let t31 = -t28;
         ThreePipesMatrices {
             m: [[t8, t10, t12], [t10, t14, t12], [t12, t12, t16]],
             c0: [
-                [t19, t31, ::carvallo::Number::like(self.l, 0.0)],
-                [t31, t19, t31],
-                [::carvallo::Number::like(self.l, 0.0), t31, self.c],
+                [t18, t29, ::carvallo::Number::like(self.l, 0.0)],
+                [t29, t18, t29],
+                [::carvallo::Number::like(self.l, 0.0), t29, self.c],
             ],
             c1: [
-                [t21, t22, t22],
-                [::carvallo::Number::like(self.l, 0.0), t21, t22],
+                [t20, t21, t21],
+                [::carvallo::Number::like(self.l, 0.0), t20, t21],
                 [
                     ::carvallo::Number::like(self.l, 0.0),
                     ::carvallo::Number::like(self.l, 0.0),
-                    t21,
+                    t20,
                 ],
             ],
             kc: [
-                [t24, t32, ::carvallo::Number::like(self.l, 0.0)],
-                [t32, t24, t32],
-                [::carvallo::Number::like(self.l, 0.0), t32, self.k],
+                [t23, t30, ::carvallo::Number::like(self.l, 0.0)],
+                [t30, t23, t30],
+                [::carvallo::Number::like(self.l, 0.0), t30, self.k],
             ],
             k0: [
                 [
+                    t25,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                ],
+                [
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t26,
+                    ::carvallo::Number::like(self.l, 0.0),
+                ],
+                [
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
                     t27,
-                    ::carvallo::Number::like(self.l, 0.0),
-                    ::carvallo::Number::like(self.l, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.l, 0.0),
-                    t28,
-                    ::carvallo::Number::like(self.l, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.l, 0.0),
-                    ::carvallo::Number::like(self.l, 0.0),
-                    t29,
                 ],
             ],
             k2: [
-                [t33, ::carvallo::Number::like(self.l, 0.0), t30],
-                [::carvallo::Number::like(self.l, 0.0), t33, t30],
+                [t31, ::carvallo::Number::like(self.l, 0.0), t28],
+                [::carvallo::Number::like(self.l, 0.0), t31, t28],
                 [
                     ::carvallo::Number::like(self.l, 0.0),
                     ::carvallo::Number::like(self.l, 0.0),
@@ -494,83 +493,83 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 3> for ThreePipes<T> {
     ::core::cmp::PartialEq
 )]
 pub struct ThreePipesDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 70],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 25],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl ThreePipesDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 70] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 1, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 2, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 1, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 2, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 2, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 2, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 2, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0, 10).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 2, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 10).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 2, 0, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 1, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 2, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 2, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 2, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 2, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 2, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 2, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 2, 21).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 2, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 21).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 2, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 1, 3, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 0, 3, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 3, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 2, 3, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 1, 3, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 3, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 4, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 1, 4, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 0, 4, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 4, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 2, 4, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 1, 4, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 4, 24),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -607,7 +606,10 @@ impl<T: ::carvallo::Scalar> ThreePipesDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -615,7 +617,7 @@ impl<T: ::carvallo::Scalar> ThreePipesDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> ThreePipes<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 1 addition, 39 multiplications and 5 negations: 45 operations.
+    /// 6 additions, 32 multiplications and 3 negations: 41 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -632,83 +634,80 @@ impl<T: ::carvallo::Number> ThreePipes<T> {
         let t12 = inertia * ::carvallo::Number::like(self.l, 0.5);
         let t14 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
         let t16 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t19 = self.c * ::carvallo::Number::like(self.l, 2.0);
-        let t22 = self.f * weight_m;
-        let t23 = ::carvallo::Number::like(self.l, 2.0) * weight_m;
-        let t24 = self.f * t23;
-        let t26 = self.k * ::carvallo::Number::like(self.l, 2.0);
+        let t18 = self.c + self.c;
+        let t20 = self.f * weight_m;
+        let t21 = weight_m + weight_m;
+        let t22 = self.f * t21;
+        let t24 = self.k + self.k;
         let weight = t2 * weight_m;
-        let t29 = weight * ::carvallo::Number::like(self.l, 2.5);
-        let t30 = weight * ::carvallo::Number::like(self.l, 1.5);
-        let t31 = weight * ::carvallo::Number::like(self.l, 0.5);
-        let t32 = self.l * self.f;
-        let inertia_l = ::carvallo::Number::like(self.l, 3.0) * weight;
-        let t35 = inertia_l * ::carvallo::Number::like(self.l, 2.3333333333333335);
-        let t36 = inertia_l * ::carvallo::Number::like(self.l, 1.5);
-        let t37 = inertia_l * ::carvallo::Number::like(self.l, 0.5);
-        let t38 = inertia_l * ::carvallo::Number::like(self.l, 1.3333333333333333);
-        let t39 = inertia_l * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t40 = ::carvallo::Number::like(self.l, 2.0) * t32;
-        let t42 = ::carvallo::Number::like(self.l, 4.0) * t32;
-        let weight_l = (self.l * ::carvallo::Number::like(self.l, 2.0)) * t2;
-        let t45 = weight_l * ::carvallo::Number::like(self.l, 2.5);
-        let t46 = weight_l * ::carvallo::Number::like(self.l, 1.5);
-        let t47 = weight_l * ::carvallo::Number::like(self.l, 0.5);
-        let t48 = inertia_m * ::carvallo::Number::like(self.l, 2.3333333333333335);
-        let t49 = inertia_m * ::carvallo::Number::like(self.l, 1.5);
-        let t50 = inertia_m * ::carvallo::Number::like(self.l, 0.5);
-        let t51 = inertia_m * ::carvallo::Number::like(self.l, 1.3333333333333333);
-        let t52 = inertia_m * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t53 = weight_m * ::carvallo::Number::like(self.l, 2.5);
-        let t54 = weight_m * ::carvallo::Number::like(self.l, 1.5);
-        let t55 = weight_m * ::carvallo::Number::like(self.l, 0.5);
-        let t56 = -self.c;
-        let t57 = -self.k;
-        let t58 = -t32;
-        let t59 = -self.f;
-        let t60 = -self.l;
+        let t27 = weight * ::carvallo::Number::like(self.l, 2.5);
+        let t28 = ::carvallo::Number::like(self.l, 1.5) * weight;
+        let t29 = ::carvallo::Number::like(self.l, 0.5) * weight;
+        let t30 = self.f * self.l;
+        let inertia_l = weight * ::carvallo::Number::like(self.l, 3.0);
+        let t33 = ::carvallo::Number::like(self.l, 2.3333333333333335) * inertia_l;
+        let t34 = ::carvallo::Number::like(self.l, 1.5) * inertia_l;
+        let t35 = ::carvallo::Number::like(self.l, 0.5) * inertia_l;
+        let t36 = ::carvallo::Number::like(self.l, 1.3333333333333333) * inertia_l;
+        let t37 = t30 + t30;
+        let t39 = t30 * ::carvallo::Number::like(self.l, 4.0);
+        let t40 = t2 * self.l;
+        let weight_l = t40 + t40;
+        let t42 = ::carvallo::Number::like(self.l, 2.5) * weight_l;
+        let t43 = ::carvallo::Number::like(self.l, 1.5) * weight_l;
+        let t44 = inertia_m * ::carvallo::Number::like(self.l, 2.3333333333333335);
+        let t45 = inertia_m * ::carvallo::Number::like(self.l, 1.5);
+        let t46 = inertia_m * ::carvallo::Number::like(self.l, 0.5);
+        let t47 = inertia_m * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t48 = inertia_m * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t49 = weight_m * ::carvallo::Number::like(self.l, 2.5);
+        let t50 = weight_m * ::carvallo::Number::like(self.l, 1.5);
+        let t51 = weight_m * ::carvallo::Number::like(self.l, 0.5);
+        let t54 = -self.c;
+        let t55 = -self.k;
+        let t56 = -t30;
         (
             ThreePipesMatrices {
                 m: [[t8, t10, t12], [t10, t14, t12], [t12, t12, t16]],
                 c0: [
-                    [t19, t56, ::carvallo::Number::like(self.l, 0.0)],
-                    [t56, t19, t56],
-                    [::carvallo::Number::like(self.l, 0.0), t56, self.c],
+                    [t18, t54, ::carvallo::Number::like(self.l, 0.0)],
+                    [t54, t18, t54],
+                    [::carvallo::Number::like(self.l, 0.0), t54, self.c],
                 ],
                 c1: [
-                    [t22, t24, t24],
-                    [::carvallo::Number::like(self.l, 0.0), t22, t24],
+                    [t20, t22, t22],
+                    [::carvallo::Number::like(self.l, 0.0), t20, t22],
                     [
                         ::carvallo::Number::like(self.l, 0.0),
                         ::carvallo::Number::like(self.l, 0.0),
-                        t22,
+                        t20,
                     ],
                 ],
                 kc: [
-                    [t26, t57, ::carvallo::Number::like(self.l, 0.0)],
-                    [t57, t26, t57],
-                    [::carvallo::Number::like(self.l, 0.0), t57, self.k],
+                    [t24, t55, ::carvallo::Number::like(self.l, 0.0)],
+                    [t55, t24, t55],
+                    [::carvallo::Number::like(self.l, 0.0), t55, self.k],
                 ],
                 k0: [
                     [
+                        t27,
+                        ::carvallo::Number::like(self.l, 0.0),
+                        ::carvallo::Number::like(self.l, 0.0),
+                    ],
+                    [
+                        ::carvallo::Number::like(self.l, 0.0),
+                        t28,
+                        ::carvallo::Number::like(self.l, 0.0),
+                    ],
+                    [
+                        ::carvallo::Number::like(self.l, 0.0),
+                        ::carvallo::Number::like(self.l, 0.0),
                         t29,
-                        ::carvallo::Number::like(self.l, 0.0),
-                        ::carvallo::Number::like(self.l, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.l, 0.0),
-                        t30,
-                        ::carvallo::Number::like(self.l, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.l, 0.0),
-                        ::carvallo::Number::like(self.l, 0.0),
-                        t31,
                     ],
                 ],
                 k2: [
-                    [t58, ::carvallo::Number::like(self.l, 0.0), t32],
-                    [::carvallo::Number::like(self.l, 0.0), t58, t32],
+                    [t56, ::carvallo::Number::like(self.l, 0.0), t30],
+                    [::carvallo::Number::like(self.l, 0.0), t56, t30],
                     [
                         ::carvallo::Number::like(self.l, 0.0),
                         ::carvallo::Number::like(self.l, 0.0),
@@ -718,74 +717,29 @@ impl<T: ::carvallo::Number> ThreePipes<T> {
             },
             ThreePipesDerivatives {
                 values: [
+                    t33,
+                    t34,
                     t35,
                     t36,
-                    t37,
-                    t36,
-                    t38,
-                    t37,
-                    t37,
+                    weight,
                     t37,
                     t39,
-                    t40,
                     t42,
-                    t42,
+                    t43,
                     t40,
-                    t42,
-                    t40,
+                    self.f,
+                    t44,
                     t45,
                     t46,
                     t47,
-                    t59,
-                    self.f,
-                    t59,
-                    self.f,
                     t48,
                     t49,
                     t50,
-                    t49,
                     t51,
-                    t50,
-                    t50,
-                    t50,
-                    t52,
-                    t53,
-                    t54,
-                    t55,
-                    t48,
-                    t49,
-                    t50,
-                    t49,
-                    t51,
-                    t50,
-                    t50,
-                    t50,
-                    t52,
                     weight_m,
-                    t23,
-                    t23,
-                    weight_m,
-                    t23,
-                    weight_m,
-                    t53,
-                    t54,
-                    t55,
-                    t60,
-                    self.l,
-                    t60,
+                    t21,
                     self.l,
                     ::carvallo::Number::like(self.l, 2.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, 2.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, 1.0),
-                    ::carvallo::Number::like(self.l, 2.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, 2.0),
-                    ::carvallo::Number::like(self.l, -1.0),
                     ::carvallo::Number::like(self.l, -1.0),
                     ::carvallo::Number::like(self.l, 1.0),
                 ],
@@ -804,8 +758,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<3> for ThreePipes<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 3]; 3]; 6],
         ); 6];
         for position in 0..70 {
-            <ThreePipesDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<ThreePipesDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

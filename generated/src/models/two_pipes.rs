@@ -120,40 +120,39 @@ pub struct TwoPipesMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> TwoPipes<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 1 addition, 14 multiplications and 3 negations: 18 operations.
+    /// 4 additions, 10 multiplications and 3 negations: 17 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> TwoPipesMatrices<T> {
         let t1 = self.l * self.l;
-        let t5 = self.m + self.f;
-        let inertia = (self.l * t1) * t5;
+        let weight = t1 * (self.m + self.f);
+        let inertia = self.l * weight;
         let t8 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
         let t10 = inertia * ::carvallo::Number::like(self.l, 0.5);
         let t12 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t15 = self.c * ::carvallo::Number::like(self.l, 2.0);
-        let t16 = self.f * t1;
-        let t17 = ::carvallo::Number::like(self.l, 2.0) * t16;
-        let t20 = self.k * ::carvallo::Number::like(self.l, 2.0);
-        let weight = t1 * t5;
-        let t23 = weight * ::carvallo::Number::like(self.l, 1.5);
-        let t24 = weight * ::carvallo::Number::like(self.l, 0.5);
-        let t25 = self.l * self.f;
-        let t26 = -self.c;
-        let t27 = -self.k;
-        let t28 = -t25;
+        let t14 = self.c + self.c;
+        let t15 = t1 * self.f;
+        let t16 = t15 + t15;
+        let t19 = self.k + self.k;
+        let t21 = weight * ::carvallo::Number::like(self.l, 1.5);
+        let t22 = weight * ::carvallo::Number::like(self.l, 0.5);
+        let t23 = self.l * self.f;
+        let t24 = -self.c;
+        let t25 = -self.k;
+        let t26 = -t23;
         TwoPipesMatrices {
             m: [[t8, t10], [t10, t12]],
-            c0: [[t15, t26], [t26, self.c]],
-            c1: [[t16, t17], [::carvallo::Number::like(self.l, 0.0), t16]],
-            kc: [[t20, t27], [t27, self.k]],
+            c0: [[t14, t24], [t24, self.c]],
+            c1: [[t15, t16], [::carvallo::Number::like(self.l, 0.0), t15]],
+            kc: [[t19, t25], [t25, self.k]],
             k0: [
-                [t23, ::carvallo::Number::like(self.l, 0.0)],
-                [::carvallo::Number::like(self.l, 0.0), t24],
+                [t21, ::carvallo::Number::like(self.l, 0.0)],
+                [::carvallo::Number::like(self.l, 0.0), t22],
             ],
             k2: [
-                [t28, t25],
+                [t26, t23],
                 [
                     ::carvallo::Number::like(self.l, 0.0),
                     ::carvallo::Number::like(self.l, 0.0),
@@ -442,49 +441,49 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for TwoPipes<T> {
     ::core::cmp::PartialEq
 )]
 pub struct TwoPipesDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 36],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 19],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl TwoPipesDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 36] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 1, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 2, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 0, 2, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 2, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 0, 2, 15).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 0, 3, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 0, 1, 3, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 0, 3, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 3, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 0, 4, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 0, 1, 4, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 0, 4, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 4, 18),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -521,7 +520,10 @@ impl<T: ::carvallo::Scalar> TwoPipesDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -529,7 +531,7 @@ impl<T: ::carvallo::Scalar> TwoPipesDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> TwoPipes<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 1 addition, 30 multiplications and 5 negations: 36 operations.
+    /// 5 additions, 22 multiplications and 3 negations: 30 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -544,46 +546,41 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
         let t8 = inertia * ::carvallo::Number::like(self.l, 1.3333333333333333);
         let t10 = inertia * ::carvallo::Number::like(self.l, 0.5);
         let t12 = inertia * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t15 = self.c * ::carvallo::Number::like(self.l, 2.0);
-        let t17 = self.f * weight_m;
-        let t18 = ::carvallo::Number::like(self.l, 2.0) * weight_m;
-        let t19 = self.f * t18;
-        let t22 = self.k * ::carvallo::Number::like(self.l, 2.0);
+        let t14 = self.c + self.c;
+        let t15 = self.f * weight_m;
+        let t16 = weight_m + weight_m;
+        let t17 = self.f * t16;
+        let t20 = self.k + self.k;
         let weight = t2 * weight_m;
-        let t25 = weight * ::carvallo::Number::like(self.l, 1.5);
-        let t26 = weight * ::carvallo::Number::like(self.l, 0.5);
-        let t27 = self.l * self.f;
-        let inertia_l = ::carvallo::Number::like(self.l, 3.0) * weight;
-        let t30 = inertia_l * ::carvallo::Number::like(self.l, 1.3333333333333333);
-        let t31 = inertia_l * ::carvallo::Number::like(self.l, 0.5);
-        let t32 = inertia_l * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t33 = ::carvallo::Number::like(self.l, 2.0) * t27;
-        let t35 = ::carvallo::Number::like(self.l, 4.0) * t27;
-        let weight_l = (self.l * ::carvallo::Number::like(self.l, 2.0)) * t2;
-        let t38 = weight_l * ::carvallo::Number::like(self.l, 1.5);
-        let t39 = weight_l * ::carvallo::Number::like(self.l, 0.5);
-        let t40 = inertia_m * ::carvallo::Number::like(self.l, 1.3333333333333333);
-        let t41 = inertia_m * ::carvallo::Number::like(self.l, 0.5);
-        let t42 = inertia_m * ::carvallo::Number::like(self.l, 0.3333333333333333);
-        let t43 = weight_m * ::carvallo::Number::like(self.l, 1.5);
-        let t44 = weight_m * ::carvallo::Number::like(self.l, 0.5);
-        let t45 = -self.c;
-        let t46 = -self.k;
-        let t47 = -t27;
-        let t48 = -self.f;
-        let t49 = -self.l;
+        let t23 = weight * ::carvallo::Number::like(self.l, 1.5);
+        let t24 = ::carvallo::Number::like(self.l, 0.5) * weight;
+        let t25 = self.f * self.l;
+        let t27 = weight * ::carvallo::Number::like(self.l, 4.0);
+        let t29 = t24 * ::carvallo::Number::like(self.l, 3.0);
+        let t30 = t25 + t25;
+        let t31 = t25 * ::carvallo::Number::like(self.l, 4.0);
+        let t32 = t2 * self.l;
+        let t33 = ::carvallo::Number::like(self.l, 3.0) * t32;
+        let t34 = inertia_m * ::carvallo::Number::like(self.l, 1.3333333333333333);
+        let t35 = inertia_m * ::carvallo::Number::like(self.l, 0.5);
+        let t36 = inertia_m * ::carvallo::Number::like(self.l, 0.3333333333333333);
+        let t37 = weight_m * ::carvallo::Number::like(self.l, 1.5);
+        let t38 = weight_m * ::carvallo::Number::like(self.l, 0.5);
+        let t41 = -self.c;
+        let t42 = -self.k;
+        let t43 = -t25;
         (
             TwoPipesMatrices {
                 m: [[t8, t10], [t10, t12]],
-                c0: [[t15, t45], [t45, self.c]],
-                c1: [[t17, t19], [::carvallo::Number::like(self.l, 0.0), t17]],
-                kc: [[t22, t46], [t46, self.k]],
+                c0: [[t14, t41], [t41, self.c]],
+                c1: [[t15, t17], [::carvallo::Number::like(self.l, 0.0), t15]],
+                kc: [[t20, t42], [t42, self.k]],
                 k0: [
-                    [t25, ::carvallo::Number::like(self.l, 0.0)],
-                    [::carvallo::Number::like(self.l, 0.0), t26],
+                    [t23, ::carvallo::Number::like(self.l, 0.0)],
+                    [::carvallo::Number::like(self.l, 0.0), t24],
                 ],
                 k2: [
-                    [t47, t27],
+                    [t43, t25],
                     [
                         ::carvallo::Number::like(self.l, 0.0),
                         ::carvallo::Number::like(self.l, 0.0),
@@ -592,40 +589,23 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
             },
             TwoPipesDerivatives {
                 values: [
+                    t27,
+                    t29,
+                    weight,
                     t30,
                     t31,
-                    t31,
+                    t33,
                     t32,
-                    t33,
-                    t35,
-                    t33,
-                    t38,
-                    t39,
-                    t48,
                     self.f,
-                    t40,
-                    t41,
-                    t41,
-                    t42,
-                    t43,
-                    t44,
-                    t40,
-                    t41,
-                    t41,
-                    t42,
+                    t34,
+                    t35,
+                    t36,
+                    t37,
+                    t38,
                     weight_m,
-                    t18,
-                    weight_m,
-                    t43,
-                    t44,
-                    t49,
+                    t16,
                     self.l,
                     ::carvallo::Number::like(self.l, 2.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, -1.0),
-                    ::carvallo::Number::like(self.l, 1.0),
-                    ::carvallo::Number::like(self.l, 2.0),
-                    ::carvallo::Number::like(self.l, -1.0),
                     ::carvallo::Number::like(self.l, -1.0),
                     ::carvallo::Number::like(self.l, 1.0),
                 ],
@@ -644,8 +624,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for TwoPipes<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 6];
         for position in 0..36 {
-            <TwoPipesDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<TwoPipesDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -314,69 +314,59 @@ pub struct WhippleMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 54 additions, 71 multiplications, 4 divisions, 3 negations and 2 trigonometric functions: 134 operations.
+    /// 48 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 104 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMatrices<T> {
-        let t5 = self.IHxx + self.IFxx;
-        let t26 = (((((self.IRxx + self.IBxx) + t5) + (self.mR * (self.rR * self.rR)))
-            + (self.mB * (self.zB * self.zB))) + (self.mH * (self.zH * self.zH)))
-            + (self.mF * (self.rF * self.rF));
-        let mA = self.mH + self.mF;
-        let t28 = ::carvallo::Number::like(self.w, 1.0) / mA;
-        let t30 = self.rF * self.mF;
-        let t31 = (self.zH * self.mH) - t30;
-        let zA = t28 * t31;
-        let (t34, t45) = ::carvallo::Number::sin_cos(self.lam);
-        let t40 = (self.xH * self.mH) + (self.w * self.mF);
-        let xA = t40 * t28;
-        let t42 = xA - self.w;
-        let uA = ((t42 - self.c) * t45) - (zA * t34);
-        let t48 = mA * uA;
-        let t51 = self.zH - zA;
-        let t53 = self.xH - xA;
-        let t56 = self.rF + zA;
-        let IAxz = (self.IHxz - ((self.mH * t51) * t53)) - ((self.mF * t56) * t42);
-        let t60 = IAxz * t45;
-        let IAxx = ((self.mH * (t51 * t51)) + (self.mF * (t56 * t56))) + t5;
-        let t68 = IAxx * t34;
-        let IAlx = (t60 - (zA * t48)) + t68;
-        let t73 = self.zB * self.mB;
-        let ITxz = (((self.IBxz + self.IHxz) - (self.xB * t73))
-            - ((self.xH * self.zH) * self.mH)) + (self.w * t30);
-        let t81 = t45 / self.w;
-        let mu = self.c * t81;
-        let t84 = IAlx + (ITxz * mu);
-        let t88 = self.IHzz + self.IFxx;
-        let IAzz = (t88 + (self.mH * (t53 * t53))) + (self.mF * (t42 * t42));
-        let IAlz = ((xA * t48) + (IAxz * t34)) + (IAzz * t45);
-        let ITzz = ((((self.IRxx + self.IBzz) + (self.mB * (self.xB * self.xB)))
-            + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w))) + t88;
-        let t124 = (((mA * (uA * uA)) + (IAzz * (t45 * t45)))
-            + (mu * ((IAlz * ::carvallo::Number::like(self.w, 2.0)) + (ITzz * mu))))
-            + (t34 * (t68 + (::carvallo::Number::like(self.w, 2.0) * t60)));
+        let t4 = self.rR * self.mR;
+        let t8 = self.zB * self.mB;
+        let t12 = self.rF * self.mF;
+        let t16 = self.zH * self.mH;
+        let t22 = (((self.rF * t12) + (self.zH * t16)) + self.IHxx) + self.IFxx;
+        let ITxx = (((self.IRxx + self.IBxx) + (self.rR * t4)) + (self.zB * t8)) + t22;
+        let t36 = (self.IHxz + (t12 * self.w)) - (t16 * self.xH);
+        let ITxz = (self.IBxz + t36) - (t8 * self.xB);
+        let (t52, t41) = ::carvallo::Number::sin_cos(self.lam);
+        let t42 = t41 / self.w;
+        let mu = self.c * t42;
+        let t47 = (self.w + self.c) - self.xH;
+        let t51 = t41 * ((self.IHxz + (t16 * t47)) - (t12 * self.c));
+        let t54 = t51 + (t22 * t52);
+        let t55 = (ITxz * mu) + t54;
+        let t57 = self.IFxx + self.IHzz;
+        let t58 = self.mH * t47;
+        let t60 = self.mF * self.c;
+        let t69 = self.mH * self.xH;
+        let IAlz = (t41 * ((t57 - (self.w * t60)) - (t47 * t69))) + (t36 * t52);
+        let t77 = self.mB * self.xB;
+        let t80 = self.mF * self.w;
+        let ITzz = ((((self.IRxx + t57) + self.IBzz) + (self.xB * t77))
+            + (self.xH * t69)) + (self.w * t80);
+        let t88 = IAlz + (mu * ITzz);
+        let t92 = (((t41 * t41) * ((t57 + (t47 * t58)) + (self.c * t60)))
+            + (t52 * (t51 + t54))) + (mu * (IAlz + t88));
         let SF = self.IFyy / self.rF;
-        let ST = SF + (self.IRyy / self.rR);
-        let t134 = (t73 + t31) - (self.rR * self.mR);
-        let t135 = ST - t134;
-        let t138 = SF * t45;
-        let t139 = ((ITxz * t81) + (mu * t135)) + t138;
-        let SA = t48 + (mu * (t40 + (self.xB * self.mB)));
-        let t150 = (IAlz * t81) + (mu * (SA + (ITzz * t81)));
-        let t152 = t81 * t135;
-        let t155 = t81 * (SA + (SF * t34));
-        let t156 = -(t138 + (mu * ST));
-        let t157 = -SA;
-        let t158 = -(t34 * SA);
+        let SR = self.IRyy / self.rR;
+        let ST = SF + SR;
+        let t100 = t12 - t16;
+        let t102 = t8 - (t4 + t100);
+        let t103 = ST - t102;
+        let t107 = t42 * ((ITxz + (self.w * SF)) + (self.c * t103));
+        let t118 = (t41 * (t58 + t60)) - ((mu * ((t69 + t77) + t80)) + (t52 * t100));
+        let t121 = (t42 * t88) - (mu * t118);
+        let t122 = t52 * t118;
+        let t123 = t42 * t103;
+        let t126 = t42 * ((t52 * SF) - t118);
+        let t127 = -((mu * ST) + (t41 * SF));
         WhippleMatrices {
-            m: [[t26, t84], [t84, t124]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t139], [t156, t150]],
-            k0: [[t134, t157], [t157, t158]],
+            m: [[ITxx, t55], [t55, t92]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t107], [t127, t121]],
+            k0: [[t102, t118], [t118, t122]],
             k2: [
-                [::carvallo::Number::like(self.w, 0.0), t152],
-                [::carvallo::Number::like(self.w, 0.0), t155],
+                [::carvallo::Number::like(self.w, 0.0), t123],
+                [::carvallo::Number::like(self.w, 0.0), t126],
             ],
         }
     }
@@ -919,8 +909,8 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
                 ::carvallo::Scalar::to_f64(self.IFyy),
             ],
         )?;
-        let t5 = self.mH + self.mF;
-        let t6 = (self.mR + self.mB) + t5;
+        let t4 = self.mH + self.mF;
+        let t6 = (self.mR + self.mB) + t4;
         info.require(
             "mR + mB + mH + mF",
             ::carvallo::Scalar::to_f64(t6),
@@ -933,7 +923,7 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
         )?;
         info.require(
             "mH + mF",
-            ::carvallo::Scalar::to_f64(t5),
+            ::carvallo::Scalar::to_f64(t4),
             "",
             ::carvallo::Domain {
                 lower: ::carvallo::Bound::Open(0.0),
@@ -1034,171 +1024,171 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for Whipple<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 158],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 124],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 121).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 122),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 123),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1232,7 +1222,10 @@ impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1240,7 +1233,7 @@ impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 207 additions, 337 multiplications, 4 divisions, 40 negations and 2 trigonometric functions: 590 operations.
+    /// 155 additions, 258 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 419 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1248,771 +1241,355 @@ impl<T: ::carvallo::Number> Whipple<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
-        let (
-            t5,
-            t9,
-            t14,
-            t19,
-            t24,
-            t26,
-            t54,
-            t28,
-            mA,
-            t32,
-            t33,
-            t34,
-            t35,
-            zA,
-            t37,
-            t39,
-            ITxz_rF,
-            t42,
-            xA,
-            t44,
-            t45,
-            t48,
-            t49,
-            t50,
-            IAxz,
-            t53,
-            t55,
-            t58,
-            IAxx,
-            t61,
-            t65,
-            uA,
-            t68,
-            t74,
-            t77,
-            ITxz,
-            t82,
-            t83,
-            mu,
-            t86,
-            M22_mA,
-            t91,
-            t97,
-            ITzz_mB,
-            ITzz_mH,
-            ITzz_mF,
-            ITzz,
-            t108,
-            IAzz_mH,
-            IAzz_mF,
-            IAzz,
-            t117,
-            t118,
-            IAlz,
-            M22_IAzz,
-            t126,
-            t129,
-            SF,
-            t131,
-            t133,
-            ST,
-            t137,
-            t138,
-            t139,
-            t142,
-            t143,
-            SA_mu,
-            SA,
-            C122_mu,
-            t154,
-            t156,
-            t157,
-            t158,
-            t159,
-            t160,
-            t161,
-            t162,
-            t163,
-            t164,
-            t168,
-            t169,
-            xA_w,
-            t173,
-            t174,
-            M12_xA,
-            t177,
-            t179,
-            t180,
-            IAlz_uA,
-            t184,
-            t187,
-            M22_uA,
-            t190,
-            t193,
-            ITzz_w,
-            M22_ITzz,
-            t199,
-            M22_mu,
-            t201,
-            t205,
-            t206,
-            t208,
-            t213,
-            IAlz_xA,
-            t215,
-            M22_xA,
-            t219,
-            t222,
-            t224,
-            t225,
-            t226,
-            t228,
-            t229,
-            t232,
-            t233,
-            t234,
-            SA_w,
-            C122_ITzz,
-            t242,
-            C122_xA,
-            t247,
-            t252,
-            t253,
-            t254,
-            t258,
-            t262,
-            SA_c,
-            t265,
-            t267,
-            t272,
-            t275,
-            t277,
-            IAlz_lam,
-            t291,
-            t295,
-            t299,
-            t303,
-            t310,
-            t311,
-            t313,
-            t314,
-            t315,
-            t316,
-            t317,
-            t318,
-            t319,
-            t320,
-            t321,
-            t323,
-            ITzz_xB,
-            t325,
-            SA_xB,
-            t330,
-            t332,
-            t333,
-            SA_mB,
-            t337,
-            t341,
-            t345,
-            t348,
-            zA_zH,
-            t353,
-            ITzz_xH,
-            t360,
-            t363,
-            SA_xH,
-            t371,
-            t373,
-            t374,
-            t375,
-            t376,
-            t377,
-            t381,
-            t382,
-            t383,
-            t384,
-            t387,
-            t389,
-            t392,
-            t393,
-            t394,
-            IAlz_zA,
-            IAlz_zH,
-            t404,
-            M22_zA,
-            t409,
-            t413,
-            t414,
-            t416,
-            t417,
-            t420,
-            t421,
-            t423,
-            t427,
-            t428,
-            zA_mH,
-            t433,
-            xA_mH,
-            t437,
-            IAlz_mA,
-            IAlz_mH,
-            t454,
-            t458,
-            t466,
-            t467,
-            SA_mH,
-            t474,
-            t477,
-            t478,
-            t481,
-            t483,
-            C112_SF,
-            t485,
-            K222_SF,
-            t487,
-            t491,
-            t493,
-            t497,
-            t501,
-            t502,
-            t503,
-            SA_rF,
-            t507,
-            t510,
-            t513,
-            t514,
-            t515,
-            ITxz_mF,
-            t522,
-            xA_mF,
-            t528,
-            IAlz_mF,
-            t544,
-            t548,
-            t551,
-            SA_mF,
-            t564,
-            t566,
-            t567,
-            t568,
-            t569,
-            t570,
-            t571,
-            t572,
-            t573,
-            t574,
-            t575,
-            t576,
-            t577,
-            t578,
-            t579,
-        );
-        t5 = self.IHxx + self.IFxx;
-        t9 = self.rR * self.rR;
-        t14 = self.zB * self.zB;
-        t19 = self.zH * self.zH;
-        t24 = self.rF * self.rF;
-        t26 = (((((self.IRxx + self.IBxx) + t5) + (self.mR * t9)) + (self.mB * t14))
-            + (self.mH * t19)) + (self.mF * t24);
-        (t54, t28) = ::carvallo::Number::sin_cos(self.lam);
-        mA = self.mH + self.mF;
-        t32 = ::carvallo::Number::like(self.w, 1.0) / mA;
-        t33 = self.rF * self.mF;
-        t34 = self.zH * self.mH;
-        t35 = t34 - t33;
-        zA = t32 * t35;
-        t37 = self.zH - zA;
-        t39 = self.xH * self.mH;
-        ITxz_rF = self.w * self.mF;
-        t42 = t39 + ITxz_rF;
-        xA = t32 * t42;
-        t44 = self.xH - xA;
-        t45 = t37 * t44;
-        t48 = xA - self.w;
-        t49 = self.rF + zA;
-        t50 = t48 * t49;
-        IAxz = (self.IHxz - (self.mH * t45)) - (self.mF * t50);
-        t53 = t28 * IAxz;
-        t55 = t37 * t37;
-        t58 = t49 * t49;
-        IAxx = (t5 + (self.mH * t55)) + (self.mF * t58);
-        t61 = t54 * IAxx;
-        t65 = t48 - self.c;
-        uA = (t28 * t65) - (zA * t54);
-        t68 = mA * uA;
-        t74 = self.zB * self.mB;
-        t77 = self.xH * self.zH;
-        ITxz = (((self.IBxz + self.IHxz) - (self.xB * t74)) - (self.mH * t77))
-            + (self.w * t33);
-        t82 = ::carvallo::Number::like(self.w, 1.0) / self.w;
-        t83 = t28 * t82;
-        mu = self.c * t83;
-        t86 = ((t53 + t61) - (t68 * zA)) + (ITxz * mu);
-        M22_mA = uA * uA;
-        t91 = t61 + (t53 * ::carvallo::Number::like(self.w, 2.0));
-        t97 = self.IHzz + self.IFxx;
-        ITzz_mB = self.xB * self.xB;
-        ITzz_mH = self.xH * self.xH;
-        ITzz_mF = self.w * self.w;
-        ITzz = ((((self.IRxx + self.IBzz) + t97) + (self.mB * ITzz_mB))
-            + (self.mH * ITzz_mH)) + (self.mF * ITzz_mF);
-        t108 = mu * ITzz;
-        IAzz_mH = t44 * t44;
-        IAzz_mF = t48 * t48;
-        IAzz = (t97 + (self.mH * IAzz_mH)) + (self.mF * IAzz_mF);
-        t117 = t54 * IAxz;
-        t118 = (t28 * IAzz) + t117;
-        IAlz = (xA * t68) + t118;
-        M22_IAzz = t28 * t28;
-        t126 = (((mA * M22_mA) + (t54 * t91))
-            + (mu * (t108 + (IAlz * ::carvallo::Number::like(self.w, 2.0)))))
-            + (IAzz * M22_IAzz);
-        t129 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        SF = self.IFyy * t129;
-        t131 = t28 * SF;
-        t133 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        ST = SF + (self.IRyy * t133);
-        t137 = self.rR * self.mR;
-        t138 = (t35 + t74) - t137;
-        t139 = ST - t138;
-        t142 = ITxz * t83;
-        t143 = (t131 + (mu * t139)) + t142;
-        SA_mu = t42 + (self.xB * self.mB);
-        SA = t68 + (mu * SA_mu);
-        C122_mu = SA + (t83 * ITzz);
-        t154 = (t83 * IAlz) + (mu * C122_mu);
-        t156 = t83 * t139;
-        t157 = t54 * SF;
-        t158 = SA + t157;
-        t159 = t83 * t158;
-        t160 = t49 * self.mF;
-        t161 = t28 * t160;
-        t162 = mA * zA;
-        t163 = t28 * t162;
-        t164 = t161 + t163;
-        t168 = t28 * (t82 * t82);
-        t169 = self.c * ITxz;
-        xA_w = self.mF * t32;
-        t173 = t37 * self.mH;
-        t174 = t28 * t173;
-        M12_xA = t174 - t164;
-        t177 = ((t164 + (t33 * mu)) - (t168 * t169)) + (xA_w * M12_xA);
-        t179 = self.mF * ::carvallo::Number::like(self.w, 2.0);
-        t180 = t48 * t179;
-        IAlz_uA = mA * xA;
-        t184 = (t28 * (t180 + IAlz_uA)) - (t54 * t160);
-        t187 = t54 * ::carvallo::Number::like(self.w, 2.0);
-        M22_uA = ::carvallo::Number::like(self.w, 2.0) * t68;
-        t190 = t28 * M22_uA;
-        t193 = (t190 - (t161 * t187)) + (t180 * M22_IAzz);
-        ITzz_w = self.w * t179;
-        M22_ITzz = mu * mu;
-        t199 = IAlz + t108;
-        M22_mu = ::carvallo::Number::like(self.w, 2.0) * t199;
-        t201 = self.c * M22_mu;
-        t205 = self.mH * t44;
-        t206 = t205 * ::carvallo::Number::like(self.w, 2.0);
-        t208 = (t206 * M22_IAzz) - (t174 * t187);
-        t213 = (t28 * t206) - (t54 * t173);
-        IAlz_xA = (t68 + t184) - t213;
-        t215 = mu * ::carvallo::Number::like(self.w, 2.0);
-        M22_xA = (t193 - t208) + (IAlz_xA * t215);
-        t219 = (((ITzz_w * M22_ITzz)
-            - (((mu * t184) * ::carvallo::Number::like(self.w, 2.0)) + t193))
-            - (t168 * t201)) + (xA_w * M22_xA);
-        t222 = ITxz + (self.c * t139);
-        t224 = (t33 * t83) - (t168 * t222);
-        t225 = ST * self.c;
-        t226 = t168 * t225;
-        t228 = self.mF * mu;
-        t229 = mA * t28;
-        t232 = t228 + (t229 * (xA_w - ::carvallo::Number::like(self.w, 1.0)));
-        t233 = self.c * SA_mu;
-        t234 = t168 * t233;
-        SA_w = t232 - t234;
-        C122_ITzz = t83 * mu;
-        t242 = t199 + (self.c * C122_mu);
-        C122_xA = t83 * IAlz_xA;
-        t247 = ((((mu * SA_w) - (t184 * t83)) + (ITzz_w * C122_ITzz)) - (t168 * t242))
-            + (xA_w * C122_xA);
-        t252 = (t83 * SA_w) - (t168 * t158);
-        t253 = t142 + t163;
-        t254 = IAlz_uA * t28;
-        t258 = (t83 * M22_mu) - (t190 + (t254 * t215));
-        t262 = t83 * SA_mu;
-        SA_c = t262 - t229;
-        t265 = (t83 * (C122_mu - t254)) + (mu * SA_c);
-        t267 = t83 * SA_c;
-        t272 = (t28 * zA) + (t54 * t65);
-        t275 = t82 * t54;
-        t277 = (((IAxx * t28) - t117) + (t272 * t162)) - (t275 * t169);
-        IAlz_lam = (t53 - (IAzz * t54)) - (t272 * IAlz_uA);
-        t291 = ((((IAlz_lam * t215) - (t187 * t118)) + (t28 * (t61 + t91)))
-            - (t272 * M22_uA)) - (t275 * t201);
-        t295 = t157 + (t275 * t225);
-        t299 = (mA * t272) + (t275 * t233);
-        t303 = ((t83 * IAlz_lam) - (mu * t299)) - (t275 * t242);
-        t310 = (t83 * (t131 - t299)) - (t275 * t158);
-        t311 = t137 * ::carvallo::Number::like(self.w, 2.0);
-        t313 = self.IRyy * (t133 * t133);
-        t314 = self.mR - t313;
-        t315 = mu * t314;
-        t316 = t313 * mu;
-        t317 = t83 * t314;
-        t318 = self.rR * mu;
-        t319 = self.rR * t83;
-        t320 = mu * t133;
-        t321 = t83 * t133;
-        t323 = self.mB * ::carvallo::Number::like(self.w, 2.0);
-        ITzz_xB = self.xB * t323;
-        t325 = ITzz_xB * M22_ITzz;
-        SA_xB = self.mB * mu;
-        t330 = (mu * SA_xB) + (ITzz_xB * C122_ITzz);
-        t332 = t83 * SA_xB;
-        t333 = self.zB * t323;
-        SA_mB = self.xB * mu;
-        t337 = mu + (self.xB * t83);
-        t341 = ITzz_mB * M22_ITzz;
-        t345 = (mu * SA_mB) + (ITzz_mB * C122_ITzz);
-        t348 = t83 * SA_mB;
-        zA_zH = self.mH * t32;
-        t353 = (zA_zH * M12_xA) - (t174 + (mu * t34));
-        ITzz_xH = ::carvallo::Number::like(self.w, 2.0) * t39;
-        t360 = ((t208 + (t213 * t215)) + (ITzz_xH * M22_ITzz)) + (zA_zH * M22_xA);
-        t363 = self.mH * mu;
-        SA_xH = t363 + (t229 * zA_zH);
-        t371 = (((t83 * t213) + (mu * SA_xH)) + (ITzz_xH * C122_ITzz))
-            + (zA_zH * C122_xA);
-        t373 = t83 * SA_xH;
-        t374 = t34 * ::carvallo::Number::like(self.w, 2.0);
-        t375 = t28 * t205;
-        t376 = t173 * t187;
-        t377 = t376 - t375;
-        t381 = t48 * self.mF;
-        t382 = t28 * t381;
-        t383 = t160 * t187;
-        t384 = t383 - t382;
-        t387 = ((t68 + t377) - t384) - (t54 * t162);
-        t389 = (t377 - (mu * t39)) - (zA_zH * t387);
-        t392 = t54 * (t376 - (t375 * ::carvallo::Number::like(self.w, 2.0)));
-        t393 = t54 * t205;
-        t394 = t54 * t381;
-        IAlz_zA = t393 - (t394 + (IAlz_uA * t54));
-        IAlz_zH = (zA_zH * IAlz_zA) - t393;
-        t404 = t54 * (t383 - (t382 * ::carvallo::Number::like(self.w, 2.0)));
-        M22_zA = (t404 - (M22_uA * t54)) - t392;
-        t409 = (t392 + (IAlz_zH * t215)) + (zA_zH * M22_zA);
-        t413 = mA * t54;
-        t414 = zA_zH * t413;
-        t416 = (t83 * IAlz_zH) - (mu * t414);
-        t417 = t414 * t54;
-        t420 = t28 * t45;
-        t421 = t54 * t55;
-        t423 = uA * zA;
-        t427 = t32 * t32;
-        t428 = t35 * t427;
-        zA_mH = (self.zH * t32) - t428;
-        t433 = t42 * t427;
-        xA_mH = (self.xH * t32) - t433;
-        t437 = ((((t421 - t420) - t423) - (mu * t77)) - (zA_mH * t387))
-            + (xA_mH * M12_xA);
-        IAlz_mA = xA * uA;
-        IAlz_mH = ((IAlz_mA - (t54 * t45)) + (t28 * IAzz_mH)) + (zA_mH * IAlz_zA);
-        t454 = (((M22_mA + (IAlz_mH * t215))
-            + (t54 * (t421 - (t420 * ::carvallo::Number::like(self.w, 2.0)))))
-            + (ITzz_mH * M22_ITzz)) + (IAzz_mH * M22_IAzz);
-        t458 = (t454 + (zA_mH * M22_zA)) + (xA_mH * M22_xA);
-        t466 = (uA + (self.xH * mu)) + (t229 * xA_mH);
-        t467 = zA_mH * t413;
-        SA_mH = t466 - t467;
-        t474 = (((t83 * IAlz_mH) + (mu * SA_mH)) + (ITzz_mH * C122_ITzz))
-            + (xA_mH * C122_xA);
-        t477 = t83 * SA_mH;
-        t478 = t54 * t54;
-        t481 = (M22_ITzz + M22_IAzz) + (t28 * t215);
-        t483 = C122_ITzz + (t28 * t83);
-        C112_SF = t28 + mu;
-        t485 = t187 * C112_SF;
-        K222_SF = t54 * t83;
-        t487 = t33 * ::carvallo::Number::like(self.w, 2.0);
-        t491 = (t384 + (mu * ITxz_rF)) + (xA_w * t387);
-        t493 = t394 + (xA_w * IAlz_zA);
-        t497 = (t404 - (t493 * t215)) - (xA_w * M22_zA);
-        t501 = self.IFyy * (t129 * t129);
-        t502 = t501 * C112_SF;
-        t503 = (t228 + (t83 * ITxz_rF)) - t502;
-        SA_rF = xA_w * t413;
-        t507 = (mu * SA_rF) - (t83 * t493);
-        t510 = t83 * (self.mF - t501);
-        t513 = (t83 * SA_rF) - (t501 * K222_SF);
-        t514 = t28 * t50;
-        t515 = t54 * t58;
-        ITxz_mF = self.w * self.rF;
-        t522 = t428 + (self.rF * t32);
-        xA_mF = (self.w * t32) - t433;
-        t528 = ((((t515 - t514) - t423) + (mu * ITxz_mF)) + (t522 * t387))
-            + (xA_mF * M12_xA);
-        IAlz_mF = ((IAlz_mA - (t54 * t50)) + (t28 * IAzz_mF)) - (t522 * IAlz_zA);
-        t544 = (((M22_mA + (IAlz_mF * t215))
-            + (t54 * (t515 - (t514 * ::carvallo::Number::like(self.w, 2.0)))))
-            + (ITzz_mF * M22_ITzz)) + (IAzz_mF * M22_IAzz);
-        t548 = (t544 - (t522 * M22_zA)) + (xA_mF * M22_xA);
-        t551 = (self.rF * mu) + (t83 * ITxz_mF);
-        SA_mF = ((uA + (self.w * mu)) + (t229 * xA_mF)) + (t522 * t413);
-        t564 = (((t83 * IAlz_mF) + (mu * SA_mF)) + (ITzz_mF * C122_ITzz))
-            + (xA_mF * C122_xA);
-        t566 = self.rF * t83;
-        t567 = t83 * SA_mF;
-        t568 = t478 + t481;
-        t569 = t129 * C112_SF;
-        t570 = t83 * t129;
-        t571 = t129 * K222_SF;
-        t572 = -(t131 + (mu * ST));
-        t573 = -SA;
-        t574 = -(SA * t54);
-        t575 = t234 - t232;
-        t576 = -(SA_w * t54);
-        t577 = -(t139 * t168);
-        t578 = -(ST * t83);
-        t579 = t229 - t262;
-        let (
-            t580,
-            t581,
-            t582,
-            t583,
-            t584,
-            t585,
-            t586,
-            t587,
-            t588,
-            t589,
-            t590,
-            t591,
-            t592,
-            t593,
-            t594,
-            t595,
-            t596,
-            t597,
-            t598,
-            t599,
-            t600,
-            t601,
-            t602,
-            t603,
-            t604,
-            t605,
-            t606,
-            t607,
-            t608,
-            t609,
-            t610,
-            t611,
-            t612,
-            t613,
-            t614,
-            t615,
-        );
-        t580 = -(SA_c * t54);
-        t581 = -(t157 + (t275 * t222));
-        t582 = (t54 * t299) - (SA * t28);
-        t583 = -(t139 * t275);
-        t584 = -self.mR;
-        t585 = -self.rR;
-        t586 = -t320;
-        t587 = -(t74 * mu);
-        t588 = -(t74 * t83);
-        t589 = -SA_xB;
-        t590 = -(SA_xB * t54);
-        t591 = -(self.mB * SA_mB);
-        t592 = -(self.mB * t337);
-        t593 = -(self.mB * t83);
-        t594 = -(self.zB * SA_mB);
-        t595 = -(self.zB * t337);
-        t596 = -SA_mB;
-        t597 = -(SA_mB * t54);
-        t598 = -(self.zB * t83);
-        t599 = -(t83 * t34);
-        t600 = -SA_xH;
-        t601 = -(SA_xH * t54);
-        t602 = -(t363 + (t83 * t39));
-        t603 = -(self.mH * t83);
-        t604 = -(t83 * t414);
-        t605 = -((self.zH * mu) + (t83 * t77));
-        t606 = t467 - t466;
-        t607 = -(SA_mH * t54);
-        t608 = -(self.zH * t83);
-        t609 = -self.mF;
-        t610 = -SA_rF;
-        t611 = -(SA_rF * t54);
-        t612 = -self.rF;
-        t613 = -SA_mF;
-        t614 = -(SA_mF * t54);
-        t615 = -t569;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let t14 = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + t14) + (self.rR * t17)) + (self.zB * t21);
+        let (t40, t28) = ::carvallo::Number::sin_cos(self.lam);
+        let t35 = (self.c + self.w) - self.xH;
+        let t38 = (self.IHxz + (t6 * t35)) - (t10 * self.c);
+        let t39 = t28 * t38;
+        let t42 = t39 + (t14 * t40);
+        let t47 = (self.IHxz + (t10 * self.w)) - (t6 * self.xH);
+        let ITxz = (self.IBxz + t47) - (t21 * self.xB);
+        let t52 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let t53 = t28 * t52;
+        let mu = self.c * t53;
+        let t56 = t42 + (ITxz * mu);
+        let t59 = self.IFxx + self.IHzz;
+        let t60 = self.mF * self.c;
+        let t62 = self.mH * self.xH;
+        let t65 = (t59 - (self.w * t60)) - (t35 * t62);
+        let IAlz = (t40 * t47) + (t28 * t65);
+        let t69 = self.mF * self.w;
+        let t71 = self.mB * self.xB;
+        let ITzz = ((((self.IRxx + t59) + self.IBzz) + (self.w * t69)) + (self.xB * t71))
+            + (self.xH * t62);
+        let t80 = IAlz + (mu * ITzz);
+        let t85 = t28 * t28;
+        let t87 = self.mH * t35;
+        let t90 = (t59 + (self.c * t60)) + (t35 * t87);
+        let t93 = ((mu * (IAlz + t80)) + (t40 * (t39 + t42))) + (t85 * t90);
+        let t96 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let SF = self.IFyy * t96;
+        let t100 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let t101 = self.IRyy * t100;
+        let ST = SF + t101;
+        let t103 = t10 - t6;
+        let t105 = (t21 - t17) - t103;
+        let t106 = ST - t105;
+        let t109 = (ITxz + (self.w * SF)) + (self.c * t106);
+        let t110 = t53 * t109;
+        let t111 = t28 * SF;
+        let t115 = (t62 + t69) + t71;
+        let t118 = t60 + t87;
+        let t121 = ((t28 * t118) - (mu * t115)) - (t40 * t103);
+        let t124 = (t53 * t80) - (mu * t121);
+        let t125 = t40 * t121;
+        let t126 = t53 * t106;
+        let t127 = t40 * SF;
+        let t128 = t127 - t121;
+        let t129 = t53 * t128;
+        let t130 = t6 * t28;
+        let t132 = t52 * t53;
+        let t133 = self.c * t132;
+        let t136 = (t130 + (t10 * mu)) - (ITxz * t133);
+        let t137 = t40 + t40;
+        let t139 = t35 * t85;
+        let t143 = ((t130 * t137) + (self.mH * t139)) + (t85 * t87);
+        let t144 = t28 * t62;
+        let IAlz_w = ((t10 * t40) - t144) - (t28 * t60);
+        let t149 = mu + mu;
+        let M22_mu = t80 + t80;
+        let ITzz_w = t69 + t69;
+        let M22_ITzz = mu * mu;
+        let t158 = ((t143 + (IAlz_w * t149)) + (ITzz_w * M22_ITzz)) - (t133 * M22_mu);
+        let t162 = (t53 * (t10 + SF)) - (t109 * t132);
+        let t163 = ST * t133;
+        let t164 = self.mH * t28;
+        let t168 = (t164 + (t115 * t133)) - (self.mF * mu);
+        let C122_mu = (t53 * ITzz) - t121;
+        let C122_ITzz = t53 * mu;
+        let t180 = ((((t53 * IAlz_w) + (ITzz_w * C122_ITzz)) - (mu * t168))
+            - (t80 * t132)) - (t133 * C122_mu);
+        let t181 = t40 * t168;
+        let t182 = t106 * t132;
+        let t185 = (t53 * t168) + (t128 * t132);
+        let t186 = t10 * t28;
+        let t189 = (t130 + (ITxz * t53)) - t186;
+        let t190 = t28 * self.w;
+        let t192 = t144 + (self.mF * t190);
+        let t195 = self.c * t85;
+        let t203 = ((((t143 + (self.mF * t195)) + (t53 * M22_mu)) + (t60 * t85))
+            - (t149 * t192)) - (t137 * t186);
+        let t204 = t53 * ST;
+        let t208 = (t164 + (self.mF * t28)) - (t53 * t115);
+        let t212 = (t53 * (C122_mu - t192)) - (mu * t208);
+        let t213 = t40 * t208;
+        let t214 = t53 * t208;
+        let t216 = t40 * t52;
+        let t217 = self.c * t216;
+        let t219 = t38 * t40;
+        let t221 = ((t14 * t28) - (ITxz * t217)) - t219;
+        let IAlz_lam = (t28 * t47) - (t40 * t65);
+        let t234 = (((t149 * IAlz_lam) + (t28 * (t42 + t42)))
+            - (t137 * (t219 + (t28 * t90)))) - (M22_mu * t217);
+        let t235 = t109 * t216;
+        let t237 = t127 + (ST * t217);
+        let t242 = ((t115 * t217) - (t28 * t103)) - (t40 * t118);
+        let t249 = (((t53 * IAlz_lam) - (mu * t242)) - (t80 * t216)) - (C122_mu * t217);
+        let t252 = (t40 * t242) + (t28 * t121);
+        let t253 = t106 * t216;
+        let t257 = (t53 * (t111 - t242)) - (t128 * t216);
+        let t258 = t17 + t17;
+        let t259 = t100 * t101;
+        let t260 = self.mR - t259;
+        let t261 = mu * t260;
+        let t262 = mu * t259;
+        let t263 = t53 * t260;
+        let t264 = self.rR * self.rR;
+        let t265 = self.rR * mu;
+        let t266 = self.rR * t53;
+        let t268 = mu * t100;
+        let t269 = t53 * t100;
+        let t270 = t21 * mu;
+        let ITzz_xB = t71 + t71;
+        let t272 = M22_ITzz * ITzz_xB;
+        let t273 = t21 * t53;
+        let t274 = self.mB * mu;
+        let t277 = (mu * t274) + (C122_ITzz * ITzz_xB);
+        let t278 = t40 * t274;
+        let t279 = t53 * t274;
+        let t280 = t21 + t21;
+        let t281 = self.xB * mu;
+        let t282 = self.mB * t281;
+        let t284 = mu + (self.xB * t53);
+        let t285 = self.mB * t284;
+        let t286 = self.mB * t53;
+        let t287 = self.zB * self.zB;
+        let t288 = self.zB * t281;
+        let ITzz_mB = self.xB * self.xB;
+        let t290 = M22_ITzz * ITzz_mB;
+        let t291 = self.zB * t284;
+        let t294 = (mu * t281) + (C122_ITzz * ITzz_mB);
+        let t295 = t40 * t281;
+        let t296 = self.zB * t53;
+        let t297 = t53 * t281;
+        let t299 = t130 + (t6 * mu);
+        let t301 = t28 * t35;
+        let IAlz_xH = (t144 - (t6 * t40)) - (self.mH * t301);
+        let ITzz_xH = t62 + t62;
+        let t309 = ((t149 * IAlz_xH) + (M22_ITzz * ITzz_xH)) - t143;
+        let t310 = t6 * t53;
+        let t312 = t164 + (self.mH * mu);
+        let t317 = ((mu * t312) + (t53 * IAlz_xH)) + (C122_ITzz * ITzz_xH);
+        let t318 = t40 * t312;
+        let t319 = t53 * t312;
+        let t320 = t6 + t6;
+        let t322 = t301 - (self.xH * mu);
+        let t325 = (self.mH * t322) + (t40 * t320);
+        let t326 = self.xH * t40;
+        let t327 = self.mH * t326;
+        let t329 = t137 * t301;
+        let t331 = t40 * t40;
+        let t334 = ((self.mH * t329) + (t320 * t331)) - (t149 * t327);
+        let t336 = mu + (self.xH * t53);
+        let t337 = self.mH * t336;
+        let t338 = self.mH * t40;
+        let t341 = (mu * t338) + (t53 * t327);
+        let t342 = t40 * t338;
+        let t343 = self.mH * t53;
+        let t344 = t53 * t338;
+        let t345 = self.zH * self.zH;
+        let t348 = (self.zH * t322) + (t40 * t345);
+        let t351 = (self.xH * t301) + (self.zH * t326);
+        let ITzz_mH = self.xH * self.xH;
+        let t361 = ((((self.zH * t329) + (t35 * t139)) + (t331 * t345))
+            + (M22_ITzz * ITzz_mH)) - (t149 * t351);
+        let t362 = self.zH * t336;
+        let t364 = t322 + (self.zH * t40);
+        let t369 = ((C122_ITzz * ITzz_mH) - (mu * t364)) - (t53 * t351);
+        let t370 = t40 * t364;
+        let t371 = self.zH * t53;
+        let t372 = t53 * t364;
+        let t375 = M22_ITzz + (t28 * (t28 + t149));
+        let t377 = C122_ITzz + (t28 * t53);
+        let t378 = t28 + mu;
+        let t379 = t137 * t378;
+        let K222_SF = t40 * t53;
+        let t381 = t10 + t10;
+        let t382 = t40 * t381;
+        let t383 = self.w * t40;
+        let IAlz_rF = self.mF * t383;
+        let t386 = t28 * self.c;
+        let t387 = t137 * t386;
+        let t391 = ((t149 * IAlz_rF) + (t331 * t381)) - (self.mF * t387);
+        let C112_SF = mu + (self.w * t53);
+        let t395 = t96 * SF;
+        let t397 = (self.mF * C112_SF) - (C112_SF * t395);
+        let t398 = t378 * t395;
+        let t399 = self.mF * t40;
+        let t402 = (mu * t399) + (t53 * IAlz_rF);
+        let t403 = t40 * t399;
+        let t405 = t53 * (self.mF - t395);
+        let t408 = (t53 * t399) - (K222_SF * t395);
+        let t409 = self.rF * self.rF;
+        let t410 = t40 * t409;
+        let IAlz_mF = (self.rF * t383) - (self.c * t190);
+        let t414 = mu * IAlz_mF;
+        let ITzz_mF = self.w * self.w;
+        let t424 = ((((t414 + t414) + (self.c * t195)) + (t331 * t409))
+            + (M22_ITzz * ITzz_mF)) - (self.rF * t387);
+        let t425 = self.rF * C112_SF;
+        let t429 = (t386 - (self.w * mu)) - (self.rF * t40);
+        let t434 = ((t53 * IAlz_mF) + (C122_ITzz * ITzz_mF)) - (mu * t429);
+        let t435 = t40 * t429;
+        let t436 = self.rF * t53;
+        let t437 = t53 * t429;
+        let t438 = t331 + t375;
+        let t439 = t96 * C112_SF;
+        let t440 = t96 * t378;
+        let t441 = t53 * t96;
+        let t442 = t96 * K222_SF;
+        let t443 = -(t111 + (mu * ST));
         (
             WhippleMatrices {
-                m: [[t26, t86], [t86, t126]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t143], [t572, t154]],
-                k0: [[t138, t573], [t573, t574]],
+                m: [[t26, t56], [t56, t93]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t110], [t443, t124]],
+                k0: [[t105, t121], [t121, t125]],
                 k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t156],
-                    [::carvallo::Number::like(self.w, 0.0), t159],
+                    [::carvallo::Number::like(self.w, 0.0), t126],
+                    [::carvallo::Number::like(self.w, 0.0), t129],
                 ],
             },
             WhippleDerivatives {
                 values: [
-                    t177,
-                    t177,
-                    t219,
-                    t224,
-                    t226,
-                    t247,
-                    t575,
-                    t575,
-                    t576,
-                    t577,
+                    t136,
+                    t158,
+                    t162,
+                    t163,
+                    t180,
+                    t168,
+                    t181,
+                    t182,
+                    t185,
+                    t189,
+                    t203,
+                    t126,
+                    t204,
+                    t212,
+                    t208,
+                    t213,
+                    t214,
+                    t221,
+                    t234,
+                    t235,
+                    t237,
+                    t249,
+                    t242,
                     t252,
                     t253,
-                    t253,
+                    t257,
                     t258,
-                    t156,
-                    t578,
+                    t261,
+                    t262,
+                    self.mR,
+                    t263,
+                    t264,
                     t265,
-                    t579,
-                    t579,
-                    t580,
-                    t267,
-                    t277,
-                    t277,
-                    t291,
-                    t581,
-                    t295,
-                    t303,
-                    t299,
-                    t299,
-                    t582,
-                    t583,
-                    t310,
-                    t311,
-                    t315,
-                    t316,
-                    t584,
-                    t317,
-                    t9,
-                    t318,
-                    t585,
-                    t319,
+                    self.rR,
+                    t266,
                     ::carvallo::Number::like(self.w, 1.0),
                     M22_ITzz,
                     C122_ITzz,
-                    t320,
-                    t586,
-                    t321,
-                    t587,
-                    t587,
-                    t325,
-                    t588,
-                    t330,
-                    t589,
-                    t589,
-                    t590,
-                    t332,
-                    t333,
-                    t591,
-                    t591,
-                    t592,
+                    t268,
+                    t269,
+                    t270,
+                    t272,
+                    t273,
+                    t277,
+                    t274,
+                    t278,
+                    t279,
+                    t280,
+                    t282,
+                    t285,
                     self.mB,
-                    t593,
-                    t14,
-                    t594,
-                    t594,
-                    t341,
-                    t595,
-                    t345,
+                    t286,
+                    t287,
+                    t288,
+                    t290,
+                    t291,
+                    t294,
                     self.zB,
-                    t596,
-                    t596,
-                    t597,
-                    t598,
-                    t348,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    M22_ITzz,
-                    C122_ITzz,
+                    t281,
+                    t295,
+                    t296,
+                    t297,
                     mu,
-                    mu,
-                    t83,
-                    t353,
-                    t353,
-                    t360,
-                    t599,
-                    t371,
-                    t600,
-                    t600,
-                    t601,
-                    t373,
-                    t374,
-                    t389,
-                    t389,
-                    t409,
-                    t602,
-                    t416,
+                    t53,
+                    t299,
+                    t309,
+                    t310,
+                    t317,
+                    t312,
+                    t318,
+                    t319,
+                    t320,
+                    t325,
+                    t334,
+                    t337,
+                    t341,
                     self.mH,
-                    t414,
-                    t414,
-                    t417,
-                    t603,
-                    t604,
-                    t19,
-                    t437,
-                    t437,
-                    t458,
-                    t605,
-                    t474,
+                    t338,
+                    t342,
+                    t343,
+                    t344,
+                    t345,
+                    t348,
+                    t361,
+                    t362,
+                    t369,
                     self.zH,
-                    t606,
-                    t606,
-                    t607,
-                    t608,
-                    t477,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t54,
-                    t54,
-                    t478,
-                    t481,
-                    t483,
-                    C112_SF,
-                    C112_SF,
-                    t485,
-                    t83,
+                    t364,
+                    t370,
+                    t371,
+                    t372,
+                    t40,
+                    t331,
+                    t375,
+                    t377,
+                    t378,
+                    t379,
                     K222_SF,
-                    t487,
-                    t491,
-                    t491,
-                    t497,
-                    t503,
-                    t502,
-                    t507,
-                    t609,
-                    t610,
-                    t610,
-                    t611,
-                    t510,
-                    t513,
-                    t24,
-                    t528,
-                    t528,
-                    t548,
-                    t551,
-                    t564,
-                    t612,
-                    t613,
-                    t613,
-                    t614,
-                    t566,
-                    t567,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t54,
-                    t54,
-                    t568,
-                    t483,
-                    t569,
-                    t615,
-                    t570,
-                    t571,
+                    t381,
+                    t382,
+                    t391,
+                    t397,
+                    t398,
+                    t402,
+                    self.mF,
+                    t399,
+                    t403,
+                    t405,
+                    t408,
+                    t409,
+                    t410,
+                    t424,
+                    t425,
+                    t434,
+                    self.rF,
+                    t429,
+                    t435,
+                    t436,
+                    t437,
+                    t438,
+                    t439,
+                    t440,
+                    t441,
+                    t442,
                 ],
             },
         )
@@ -2029,8 +1606,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for Whipple<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 26];
         for position in 0..158 {
-            <WhippleDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

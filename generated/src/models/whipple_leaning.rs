@@ -369,74 +369,74 @@ pub struct WhippleLeaningMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 61 additions, 71 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 141 operations.
+    /// 61 additions, 59 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 128 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleLeaningMatrices<T> {
-        let t7 = self.zU - self.zP;
-        let Jxx_theta = self.IUxx + (self.mU * (t7 * t7));
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
-            + (self.mF * (self.rF * self.rF));
-        let Sz_theta = self.mU * t7;
-        let t30 = self.zP * self.mU;
-        let t44 = (((((self.IRxx + self.IBxx) + Jxx_theta) + Jxx_delta)
-            + ((self.zP * ::carvallo::Number::like(self.w, 2.0))
-                * (Sz_theta + (::carvallo::Number::like(self.w, 0.5) * t30))))
-            + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t46, t60) = ::carvallo::Number::sin_cos(self.lam);
-        let t50 = self.rF * self.mF;
-        let t55 = self.w + self.c;
-        let t56 = self.xH - t55;
-        let t57 = self.mH * t56;
-        let Jxz_delta = (self.IHxz - (self.c * t50)) - (self.zH * t57);
-        let hx_delta = (Jxx_delta * t46) + (Jxz_delta * t60);
-        let yaw_per_v_delta = t60 / self.w;
+        let t5 = self.zU - self.zP;
+        let Sz_theta = t5 * self.mU;
+        let Jxx_theta = self.IUxx + (t5 * Sz_theta);
+        let t14 = self.zH * self.mH;
+        let t18 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t14)) + (self.rF * t18);
+        let t25 = self.rR * self.mR;
+        let t29 = self.zB * self.mB;
+        let t32 = Sz_theta + (self.zP * self.mU);
+        let t40 = (((((self.IRxx + self.IBxx) + Jxx_theta) + Jxx_delta)
+            + (self.rR * t25)) + (self.zB * t29)) + (self.zP * (Sz_theta + t32));
+        let (t42, t54) = ::carvallo::Number::sin_cos(self.lam);
+        let t49 = self.c + self.w;
+        let t50 = t49 - self.xH;
+        let Jxz_delta = (self.IHxz + (t14 * t50)) - (t18 * self.c);
+        let hx_delta = (Jxx_delta * t42) + (Jxz_delta * t54);
+        let yaw_per_v_delta = t54 / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let Jxz_theta = self.IUxz - (self.xU * Sz_theta);
-        let t73 = self.zB * self.mB;
         let Sx_theta = self.mU * self.xU;
-        let Sz_delta = (self.zH * self.mH) - t50;
-        let Jxz_all = ((((self.IBxz + Jxz_theta) + Jxz_delta) - (self.xB * t73))
-            - (Sx_theta * self.zP)) - (Sz_delta * t55);
-        let t84 = hx_delta + (yaw_by_delta * Jxz_all);
+        let Jxz_theta = self.IUxz - (t5 * Sx_theta);
+        let Sz_delta = t14 - t18;
+        let Jxz_all = ((((Jxz_delta + self.IBxz) + Jxz_theta) - (t29 * self.xB))
+            - (self.zP * Sx_theta)) - (t49 * Sz_delta);
+        let t76 = hx_delta + (yaw_by_delta * Jxz_all);
         let M_phi_theta = Jxx_theta + (self.zP * Sz_theta);
-        let t94 = self.IHzz + self.IFxx;
-        let hz_delta = (Jxz_delta * t46)
-            + (t60 * (((self.mH * (t56 * t56)) + (self.mF * (self.c * self.c))) + t94));
-        let Sx_delta = t57 - (self.c * self.mF);
-        let py_delta = (Sx_delta * t60) - (Sz_delta * t46);
-        let M_yaw_delta = hz_delta + (py_delta * t55);
-        let t118 = (((((self.IRxx + self.IBzz) + self.IUzz) + t94)
-            + (self.mB * (self.xB * self.xB))) + (self.mH * (self.xH * self.xH)))
-            + (self.mF * (self.w * self.w));
-        let P_delta_yaw = M_yaw_delta
-            + (yaw_by_delta * (t118 + (self.mU * (self.xU * self.xU))));
-        let t129 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t46))
-            + (hz_delta * t60);
+        let t80 = self.mH * t50;
+        let t82 = self.mF * self.c;
+        let t85 = self.IFxx + self.IHzz;
+        let hz_delta = (t42 * Jxz_delta)
+            + (t54 * (((t50 * t80) + (self.c * t82)) + t85));
+        let t93 = (t42 * Sz_delta) + (t54 * (t80 + t82));
+        let M_yaw_delta = hz_delta - (t49 * t93);
+        let t98 = self.mB * self.xB;
+        let t100 = self.mH * self.xH;
+        let t102 = self.mF * self.w;
+        let t110 = (((((self.IRxx + t85) + self.IBzz) + self.IUzz) + (self.xB * t98))
+            + (self.xH * t100)) + (self.w * t102);
+        let P_delta_yaw = M_yaw_delta + (yaw_by_delta * (t110 + (self.xU * Sx_theta)));
+        let t119 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t42 * hx_delta))
+            + (t54 * hz_delta);
         let P_delta_theta = yaw_by_delta * Jxz_theta;
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
-        let Sz_all = (((Sz_theta + Sz_delta) + t73) - (self.rR * self.mR)) + t30;
-        let t143 = h_wheels_all - Sz_all;
-        let t147 = h_spin_F * t60;
-        let t148 = ((yaw_by_delta * t143) + (yaw_per_v_delta * Jxz_all)) + t147;
-        let Sx_all = ((Sx_theta + Sx_delta) + (self.xB * self.mB))
-            + (t55 * (self.mH + self.mF));
-        let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t161 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t164 = (yaw_per_v_delta * Jxz_theta) - (yaw_by_delta * Sz_theta);
-        let t167 = yaw_per_v_delta * t143;
-        let t170 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t46));
-        let t172 = -(t147 + (yaw_by_delta * h_wheels_all));
-        let t173 = -P_delta_lateral;
-        let t174 = -(t46 * P_delta_lateral);
-        let t175 = -(yaw_per_v_delta * Sz_theta);
+        let Sz_all = ((t29 + t32) + Sz_delta) - t25;
+        let t131 = h_wheels_all - Sz_all;
+        let t134 = t54 * h_spin_F;
+        let t136 = ((yaw_by_delta * t131) + (yaw_per_v_delta * Jxz_all)) + t134;
+        let Sx_all = ((Sx_theta + t98) + t100) + t102;
+        let t142 = yaw_by_delta * Sx_all;
+        let P_delta_lateral = t142 - t93;
+        let t146 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t149 = (yaw_per_v_delta * Jxz_theta) - (Sz_theta * yaw_by_delta);
+        let t152 = yaw_per_v_delta * t131;
+        let t155 = yaw_per_v_delta * (P_delta_lateral + (t42 * h_spin_F));
+        let t157 = -(t134 + (yaw_by_delta * h_wheels_all));
+        let t158 = t93 - t142;
+        let t159 = -(t42 * P_delta_lateral);
+        let t160 = -(Sz_theta * yaw_per_v_delta);
         WhippleLeaningMatrices {
             m: [
-                [t44, t84, M_phi_theta],
-                [t84, t129, P_delta_theta],
+                [t40, t76, M_phi_theta],
+                [t76, t119, P_delta_theta],
                 [M_phi_theta, P_delta_theta, Jxx_theta],
             ],
             c0: [
@@ -459,13 +459,13 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             c1: [
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t148,
+                    t136,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
-                [t172, t161, ::carvallo::Number::like(self.w, 0.0)],
+                [t157, t146, ::carvallo::Number::like(self.w, 0.0)],
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t164,
+                    t149,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
             ],
@@ -487,24 +487,24 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                 ],
             ],
             k0: [
-                [Sz_all, t173, Sz_theta],
-                [t173, t174, ::carvallo::Number::like(self.w, 0.0)],
+                [Sz_all, t158, Sz_theta],
+                [t158, t159, ::carvallo::Number::like(self.w, 0.0)],
                 [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
             ],
             k2: [
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t167,
+                    t152,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t170,
+                    t155,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t175,
+                    t160,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
             ],
@@ -1410,256 +1410,256 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 3> for WhippleLeaning<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleLeaningDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 243],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 164],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleLeaningDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 243] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 34),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 0, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 9).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 10).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 0, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 16).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 1, 18).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 20).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 25).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 2, 28).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 31).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 2, 33),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 37).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 42),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 46).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 49),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 51),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 52).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 52).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 55),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 56).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 57).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 61).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 61).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 63).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 67).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 69),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 72).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 72).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 76).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 76).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 77).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 97).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 98).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 104),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 106),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 112).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 113).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 113).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 122).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 123),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 123),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 124).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 125),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 126),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 127),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 128).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 129),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 130),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 26, 131),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 26, 132),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 26, 131),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 26, 132),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 26, 133).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 26, 134),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 26, 135).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 26, 136),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 27, 137),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 27, 138).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 27, 139),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 27, 138).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 27, 140),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 27, 141).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 27, 139),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 27, 141).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 27, 142),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 27, 143).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 27, 144),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 27, 145).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27, 146),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27, 147).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27, 147).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27, 149).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 27, 148),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 27, 150).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 27, 151),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 27, 152).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 28, 153).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 28, 153).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 28, 154),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 28, 155).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 28, 155).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 28, 156).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 28, 157),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 28, 158).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 28, 159).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 28, 159).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 28, 160).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 28, 161),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 29, 162),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 29, 163),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 29, 163),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 29, 132).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 29, 133),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 29, 134).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 29, 134).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 29, 135),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 29, 136).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 29, 136).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 30, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 32, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 32, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 33, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 33, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 33, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 34, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 35, 43),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1696,7 +1696,10 @@ impl<T: ::carvallo::Scalar> WhippleLeaningDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1704,7 +1707,7 @@ impl<T: ::carvallo::Scalar> WhippleLeaningDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 184 additions, 330 multiplications, 3 divisions, 71 negations and 2 trigonometric functions: 590 operations.
+    /// 195 additions, 315 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 519 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1713,646 +1716,599 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         &self,
     ) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
         let (
-            t8,
-            Jxx_theta_mU,
-            Jxx_theta,
-            Jxx_delta_mH,
-            Jxx_delta_mF,
-            Jxx_delta,
+            t5,
             Sz_theta,
-            t30,
-            t38,
-            t43,
-            t45,
-            t47,
-            t61,
+            Jxx_theta,
+            t14,
+            t18,
+            Jxx_delta,
+            t25,
+            t29,
+            t31,
+            t32,
+            t40,
+            t42,
+            t54,
+            t48,
             t50,
-            t56,
-            t57,
-            t58,
             Jxz_delta,
-            t62,
+            t55,
             hx_delta,
-            t64,
+            t57,
             yaw_per_v_delta,
             yaw_by_delta,
-            Jxz_theta,
-            t75,
             Sx_theta,
-            t81,
+            Jxz_theta,
             Sz_delta,
             Jxz_all,
-            t86,
+            t77,
             M_phi_theta,
-            t90,
-            t92,
-            t93,
-            t96,
-            t98,
+            t81,
+            t83,
+            t84,
+            t86,
+            t89,
             hz_delta,
-            Sx_delta,
-            py_delta,
+            t94,
+            t96,
             M_yaw_delta,
-            t115,
-            t118,
-            t121,
-            t123,
-            t124,
+            t101,
+            t103,
+            t105,
+            t113,
             P_delta_yaw_yaw_by_delta,
-            t127,
+            t115,
             P_delta_yaw,
-            t129,
-            t131,
+            t117,
+            t120,
             P_delta_theta,
-            t136,
+            t125,
             h_spin_F,
-            t138,
-            t140,
+            t127,
+            t129,
+            t130,
             h_wheels_all,
-            t143,
-            t146,
             Sz_all,
-            t148,
+            t135,
+            t137,
+            t139,
+            Sx_all,
+            t147,
+            t149,
             t151,
             t152,
-            t157,
+            t154,
+            t155,
+            t156,
+            K222_yaw_per_v_delta,
+            t158,
             t159,
-            Sx_all,
-            P_delta_lateral,
+            C112_h_spin_F,
+            t161,
+            t163,
+            t164,
             t165,
-            t166,
             t167,
             t168,
-            t171,
-            t172,
-            K222_yaw_per_v_delta,
-            t174,
-            C112_h_spin_F,
-            t177,
-            t179,
-            t181,
-            M12_yaw_per_v_delta,
-            t185,
-            t186,
-            t187,
-            t188,
             M22_hz_delta,
-            t191,
-            M22_py_delta,
             M22_Jxz_delta,
-            t198,
-            t200,
+            t173,
+            t174,
+            t176,
+            t179,
+            t182,
+            t184,
+            t185,
             P_delta_yaw_w,
             M22_yaw_by_delta,
             M22_yaw_per_v_delta,
-            t208,
-            M23_yaw_per_v_delta,
-            t211,
-            t213,
+            t194,
+            P_delta_theta_yaw_per_v_delta,
+            t196,
+            t197,
+            t199,
             C112_yaw_per_v_delta,
-            t218,
-            t219,
-            C122_py_delta,
-            C122_Jxz_delta,
-            t226,
-            t228,
-            t231,
-            t232,
-            t234,
-            P_delta_lateral_yaw_per_v_delta,
-            t236,
-            P_delta_lateral_w,
+            t203,
+            t204,
+            t205,
+            K222_h_spin_F,
+            t209,
+            t212,
+            t214,
+            t217,
+            t220,
             C122_yaw_by_delta,
             C122_yaw_per_v_delta,
-            t245,
+            t229,
             C132_yaw_per_v_delta,
-            t253,
-            t254,
-            t259,
-            t264,
-            t265,
+            t232,
+            t233,
+            t234,
+            t237,
+            t238,
+            t241,
+            t244,
+            t246,
             hz_delta_c,
-            t269,
-            t271,
-            t274,
+            t254,
+            t257,
+            t258,
+            t262,
+            t263,
             P_delta_lateral_c,
-            t289,
-            t291,
+            t270,
+            t271,
+            t272,
             hx_delta_lam,
+            t275,
+            t277,
+            t283,
+            hz_delta_lam,
+            t293,
             t294,
             t296,
-            hz_delta_lam,
+            t298,
+            t301,
+            t307,
             t308,
+            t311,
             t312,
+            t316,
             t317,
+            t318,
+            t319,
             t320,
+            t321,
+            t322,
+            t323,
+            t324,
+            t325,
             t326,
+            t328,
+            t329,
+            t330,
+            t331,
+            t332,
+            t333,
             t334,
-            t335,
-            t336,
+            P_delta_yaw_xB,
+            t337,
             t338,
-            t339,
             t340,
-            t341,
             t342,
             t343,
             t344,
             t345,
-            t346,
             t347,
             t348,
-            P_delta_yaw_xB,
+            t349,
+            t350,
             t351,
-            P_delta_lateral_xB,
-            t356,
+            P_delta_yaw_mB,
+            t353,
+            t354,
+            t357,
             t358,
             t359,
-            P_delta_lateral_mB,
-            t363,
-            P_delta_yaw_mB,
-            t368,
-            t372,
-            t375,
+            t360,
+            t361,
+            t362,
             P_delta_yaw_xH,
+            t367,
+            t368,
+            P_delta_lateral_xH,
+            t376,
+            t377,
+            t378,
             t379,
-            t383,
-            t385,
-            Jxx_delta_zH,
-            t391,
-            t393,
+            t380,
+            t381,
+            t384,
+            t387,
+            t388,
             M22_Jxx_delta,
+            t393,
+            t396,
             t398,
+            t399,
             t400,
+            t401,
+            t403,
+            t405,
+            t407,
             t408,
+            t409,
+            t410,
+            t411,
             t412,
-            t416,
-            t418,
-            P_delta_yaw_mH,
             hz_delta_mH,
-            py_delta_mH,
-            t431,
-            P_delta_lateral_mH,
-            t445,
-            t448,
+            t420,
+            t421,
+            t426,
+            t432,
+            t433,
+            t434,
+            t435,
+            t437,
+            t438,
+            t439,
+            t441,
+            t443,
+            t446,
             t450,
-            t451,
-            Jxx_delta_rF,
             t453,
             t454,
-            t455,
+            t456,
             t457,
+            t458,
             t460,
-            t461,
-            t462,
-            t465,
             P_delta_lateral_rF,
-            t469,
+            t464,
+            t465,
+            t467,
+            t470,
+            t471,
             t472,
-            t475,
-            t476,
             P_delta_yaw_mF,
             hz_delta_mF,
-            t485,
-            t486,
-            P_delta_lateral_mF,
+            t481,
+            t482,
+            t487,
+            t492,
+            t494,
+            t496,
+            t497,
             t498,
+            t499,
             t500,
             t501,
             t502,
             t503,
-            t504,
             t505,
             t506,
             t507,
-            t508,
-            P_delta_lateral_mU,
-            t510,
+        );
+        t5 = self.zU - self.zP;
+        Sz_theta = t5 * self.mU;
+        Jxx_theta = self.IUxx + (t5 * Sz_theta);
+        t14 = self.zH * self.mH;
+        t18 = self.rF * self.mF;
+        Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t14)) + (self.rF * t18);
+        t25 = self.rR * self.mR;
+        t29 = self.zB * self.mB;
+        t31 = self.zP * self.mU;
+        t32 = Sz_theta + t31;
+        t40 = (((((self.IRxx + self.IBxx) + Jxx_theta) + Jxx_delta) + (self.rR * t25))
+            + (self.zB * t29)) + (self.zP * (Sz_theta + t32));
+        (t42, t54) = ::carvallo::Number::sin_cos(self.lam);
+        t48 = self.c + self.w;
+        t50 = t48 - self.xH;
+        Jxz_delta = (self.IHxz + (t14 * t50)) - (t18 * self.c);
+        t55 = Jxz_delta * t54;
+        hx_delta = (Jxx_delta * t42) + t55;
+        t57 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        yaw_per_v_delta = t54 * t57;
+        yaw_by_delta = self.c * yaw_per_v_delta;
+        Sx_theta = self.mU * self.xU;
+        Jxz_theta = self.IUxz - (t5 * Sx_theta);
+        Sz_delta = t14 - t18;
+        Jxz_all = ((((Jxz_delta + self.IBxz) + Jxz_theta) - (t29 * self.xB))
+            - (self.zP * Sx_theta)) - (t48 * Sz_delta);
+        t77 = hx_delta + (yaw_by_delta * Jxz_all);
+        M_phi_theta = Jxx_theta + (self.zP * Sz_theta);
+        t81 = t42 * Jxz_delta;
+        t83 = self.IFxx + self.IHzz;
+        t84 = self.mF * self.c;
+        t86 = self.mH * t50;
+        t89 = (t83 + (self.c * t84)) + (t50 * t86);
+        hz_delta = t81 + (t54 * t89);
+        t94 = t84 + t86;
+        t96 = (t42 * Sz_delta) + (t54 * t94);
+        M_yaw_delta = hz_delta - (t48 * t96);
+        t101 = self.mF * self.w;
+        t103 = self.mB * self.xB;
+        t105 = self.mH * self.xH;
+        t113 = (((((self.IRxx + t83) + self.IBzz) + self.IUzz) + (self.w * t101))
+            + (self.xB * t103)) + (self.xH * t105);
+        P_delta_yaw_yaw_by_delta = t113 + (self.xU * Sx_theta);
+        t115 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
+        P_delta_yaw = M_yaw_delta + t115;
+        t117 = M_yaw_delta + P_delta_yaw;
+        t120 = ((t42 * hx_delta) + (t54 * hz_delta)) + (yaw_by_delta * t117);
+        P_delta_theta = yaw_by_delta * Jxz_theta;
+        t125 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        h_spin_F = self.IFyy * t125;
+        t127 = t54 * h_spin_F;
+        t129 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        t130 = self.IRyy * t129;
+        h_wheels_all = h_spin_F + t130;
+        Sz_all = ((t29 + t32) + Sz_delta) - t25;
+        t135 = h_wheels_all - Sz_all;
+        t137 = yaw_per_v_delta * Jxz_all;
+        t139 = (t127 + (yaw_by_delta * t135)) + t137;
+        Sx_all = ((Sx_theta + t101) + t103) + t105;
+        t147 = t96 - (yaw_by_delta * Sx_all);
+        t149 = (yaw_per_v_delta * P_delta_yaw) - (yaw_by_delta * t147);
+        t151 = yaw_per_v_delta * Jxz_theta;
+        t152 = t151 - (Sz_theta * yaw_by_delta);
+        t154 = t42 * t147;
+        t155 = yaw_per_v_delta * t135;
+        t156 = t42 * h_spin_F;
+        K222_yaw_per_v_delta = t156 - t147;
+        t158 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        t159 = Sz_theta * yaw_per_v_delta;
+        C112_h_spin_F = t54 + yaw_by_delta;
+        t161 = t14 * C112_h_spin_F;
+        t163 = t161 - (yaw_by_delta * Sz_delta);
+        t164 = t57 * yaw_per_v_delta;
+        t165 = self.c * Jxz_all;
+        t167 = t163 - (t164 * t165);
+        t168 = yaw_by_delta + yaw_by_delta;
+        M22_hz_delta = t54 + t168;
+        M22_Jxz_delta = t42 * (t54 + M22_hz_delta);
+        t173 = self.mH * t54;
+        t174 = t48 * t168;
+        t176 = t50 * t54;
+        t179 = (self.mH * t176) + (t54 * t86);
+        t182 = ((t14 * M22_Jxz_delta) + (M22_hz_delta * t179)) - (t173 * t174);
+        t184 = t182 - (t96 * t168);
+        t185 = self.w * yaw_by_delta;
+        P_delta_yaw_w = (self.mF * t185) + (yaw_by_delta * t101);
+        M22_yaw_by_delta = t115 + t117;
+        M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
+        t194 = (t184 + (yaw_by_delta * P_delta_yaw_w)) - (t164 * M22_yaw_per_v_delta);
+        P_delta_theta_yaw_per_v_delta = self.c * Jxz_theta;
+        t196 = t164 * P_delta_theta_yaw_per_v_delta;
+        t197 = t14 * yaw_per_v_delta;
+        t199 = t197 - (yaw_per_v_delta * Sz_delta);
+        C112_yaw_per_v_delta = Jxz_all + (self.c * t135);
+        t203 = t199 - (t164 * C112_yaw_per_v_delta);
+        t204 = self.c * h_wheels_all;
+        t205 = t164 * t204;
+        K222_h_spin_F = t42 * yaw_per_v_delta;
+        t209 = t48 * yaw_per_v_delta;
+        t212 = ((t14 * K222_h_spin_F) + (yaw_per_v_delta * t179)) - (t173 * t209);
+        t214 = t212 - (yaw_per_v_delta * t96);
+        t217 = self.c * Sx_all;
+        t220 = (t173 + (t164 * t217)) - (self.mF * yaw_by_delta);
+        C122_yaw_by_delta = (yaw_per_v_delta * P_delta_yaw_yaw_by_delta) - t147;
+        C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
+        t229 = ((t214 + (yaw_per_v_delta * P_delta_yaw_w)) - (yaw_by_delta * t220))
+            - (t164 * C122_yaw_per_v_delta);
+        C132_yaw_per_v_delta = Jxz_theta - (Sz_theta * self.c);
+        t232 = t164 * C132_yaw_per_v_delta;
+        t233 = t42 * t220;
+        t234 = t135 * t164;
+        t237 = (yaw_per_v_delta * t220) + (K222_yaw_per_v_delta * t164);
+        t238 = Sz_theta * t164;
+        t241 = (t137 + t163) - (t18 * C112_h_spin_F);
+        t244 = self.mF * t54;
+        t246 = self.c * t54;
+        hz_delta_c = (self.mF * t246) + (t54 * t84);
+        t254 = (((t184 + (yaw_per_v_delta * M22_yaw_by_delta))
+            + (M22_hz_delta * hz_delta_c)) - (t18 * M22_Jxz_delta)) - (t174 * t244);
+        t257 = t199 + (yaw_per_v_delta * (t135 - t18));
+        t258 = yaw_per_v_delta * h_wheels_all;
+        t262 = yaw_per_v_delta * Sx_all;
+        t263 = t173 + t244;
+        P_delta_lateral_c = t262 - t263;
+        t270 = (((t214 + (yaw_per_v_delta * (C122_yaw_by_delta + hz_delta_c)))
+            + (yaw_by_delta * P_delta_lateral_c)) - (t18 * K222_h_spin_F))
+            - (t209 * t244);
+        t271 = t42 * P_delta_lateral_c;
+        t272 = yaw_per_v_delta * P_delta_lateral_c;
+        hx_delta_lam = (Jxx_delta * t54) - t81;
+        t275 = t42 * t57;
+        t277 = hx_delta_lam - (t165 * t275);
+        t283 = (t54 * Sz_delta) - (t42 * t94);
+        hz_delta_lam = t55 - (t42 * t89);
+        t293 = (((((t42 * hx_delta_lam) + (t54 * hx_delta))
+            + (M22_hz_delta * hz_delta_lam)) - (t42 * hz_delta)) - (t174 * t283))
+            - (M22_yaw_per_v_delta * t275);
+        t294 = P_delta_theta_yaw_per_v_delta * t275;
+        t296 = t156 + (C112_yaw_per_v_delta * t275);
+        t298 = t156 + (t204 * t275);
+        t301 = t283 + (t217 * t275);
+        t307 = (((yaw_per_v_delta * hz_delta_lam) - (yaw_by_delta * t301))
+            - (t209 * t283)) - (C122_yaw_per_v_delta * t275);
+        t308 = C132_yaw_per_v_delta * t275;
+        t311 = (t42 * t301) + (t54 * t147);
+        t312 = t135 * t275;
+        t316 = (yaw_per_v_delta * (t127 - t301)) - (K222_yaw_per_v_delta * t275);
+        t317 = Sz_theta * t275;
+        t318 = t25 + t25;
+        t319 = t129 * t130;
+        t320 = self.mR - t319;
+        t321 = yaw_by_delta * t320;
+        t322 = yaw_by_delta * t319;
+        t323 = yaw_per_v_delta * t320;
+        t324 = self.rR * self.rR;
+        t325 = self.rR * yaw_by_delta;
+        t326 = self.rR * yaw_per_v_delta;
+        t328 = yaw_by_delta * yaw_by_delta;
+        t329 = yaw_per_v_delta * yaw_by_delta;
+        t330 = yaw_by_delta * t129;
+        t331 = yaw_per_v_delta * t129;
+        t332 = t29 * yaw_by_delta;
+        t333 = yaw_by_delta * self.xB;
+        t334 = self.mB * t333;
+        P_delta_yaw_xB = t334 + (yaw_by_delta * t103);
+        t337 = yaw_by_delta * P_delta_yaw_xB;
+        t338 = t29 * yaw_per_v_delta;
+        t340 = self.mB * yaw_by_delta;
+        t342 = (yaw_per_v_delta * P_delta_yaw_xB) + (yaw_by_delta * t340);
+        t343 = t42 * t340;
+        t344 = yaw_per_v_delta * t340;
+        t345 = t29 + t29;
+        t347 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        t348 = self.mB * t347;
+        t349 = self.mB * yaw_per_v_delta;
+        t350 = self.zB * self.zB;
+        t351 = self.zB * t333;
+        P_delta_yaw_mB = self.xB * t333;
+        t353 = yaw_by_delta * P_delta_yaw_mB;
+        t354 = self.zB * t347;
+        t357 = (yaw_per_v_delta * P_delta_yaw_mB) + (yaw_by_delta * t333);
+        t358 = t42 * t333;
+        t359 = self.zB * yaw_per_v_delta;
+        t360 = yaw_per_v_delta * t333;
+        t361 = self.xH * yaw_by_delta;
+        t362 = yaw_by_delta * t361;
+        P_delta_yaw_xH = yaw_by_delta * t105;
+        t367 = ((self.mH * t362) + (yaw_by_delta * P_delta_yaw_xH)) - t182;
+        t368 = yaw_per_v_delta * t361;
+        P_delta_lateral_xH = t173 + (self.mH * yaw_by_delta);
+        t376 = (((self.mH * t368) + (yaw_per_v_delta * P_delta_yaw_xH))
+            + (yaw_by_delta * P_delta_lateral_xH)) - t212;
+        t377 = t42 * P_delta_lateral_xH;
+        t378 = yaw_per_v_delta * P_delta_lateral_xH;
+        t379 = t14 + t14;
+        t380 = t48 * yaw_by_delta;
+        t381 = self.zH * t42;
+        t384 = (t381 + (t50 * C112_h_spin_F)) - t380;
+        t387 = (self.mH * t384) + (t14 * t42);
+        t388 = t42 * t174;
+        M22_Jxx_delta = t42 * t42;
+        t393 = ((self.zH * M22_Jxx_delta) + (t50 * M22_Jxz_delta)) - t388;
+        t396 = (self.mH * t393) + (t14 * M22_Jxx_delta);
+        t398 = yaw_by_delta + t209;
+        t399 = (t50 * yaw_per_v_delta) - t398;
+        t400 = self.mH * t399;
+        t401 = t42 * t209;
+        t403 = (t50 * K222_h_spin_F) - t401;
+        t405 = self.mH * t42;
+        t407 = (self.mH * t403) - (yaw_by_delta * t405);
+        t408 = t42 * t405;
+        t409 = self.mH * yaw_per_v_delta;
+        t410 = yaw_per_v_delta * t405;
+        t411 = self.zH * self.zH;
+        t412 = self.zH * t384;
+        hz_delta_mH = t50 * t176;
+        t420 = (((self.xH * t362) + (self.zH * t393)) + (M22_hz_delta * hz_delta_mH))
+            - (t174 * t176);
+        t421 = self.zH * t399;
+        t426 = (t176 + t381) - t361;
+        t432 = ((((self.xH * t368) + (self.zH * t403)) + (yaw_per_v_delta * hz_delta_mH))
+            - (yaw_by_delta * t426)) - (t176 * t209);
+        t433 = t42 * t426;
+        t434 = self.zH * yaw_per_v_delta;
+        t435 = yaw_per_v_delta * t426;
+        t437 = t328 + (t54 * M22_hz_delta);
+        t438 = yaw_per_v_delta * C112_h_spin_F;
+        t439 = t18 + t18;
+        t441 = self.rF * t42;
+        t443 = (t380 + t441) - (self.c * C112_h_spin_F);
+        t446 = (self.mF * t443) + (t18 * t42);
+        t450 = (t388 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
+        t453 = (self.mF * t450) + (t18 * M22_Jxx_delta);
+        t454 = t398 - yaw_by_delta;
+        t456 = t125 * h_spin_F;
+        t457 = C112_h_spin_F * t456;
+        t458 = (self.mF * t454) - t457;
+        t460 = (self.c * K222_h_spin_F) - t401;
+        P_delta_lateral_rF = self.mF * t42;
+        t464 = (yaw_by_delta * P_delta_lateral_rF) - (self.mF * t460);
+        t465 = t42 * P_delta_lateral_rF;
+        t467 = yaw_per_v_delta * (self.mF - t456);
+        t470 = (yaw_per_v_delta * P_delta_lateral_rF) - (K222_h_spin_F * t456);
+        t471 = self.rF * self.rF;
+        t472 = self.rF * t443;
+        P_delta_yaw_mF = self.w * t185;
+        hz_delta_mF = self.c * t246;
+        t481 = (((self.rF * t450) + (yaw_by_delta * P_delta_yaw_mF))
+            + (M22_hz_delta * hz_delta_mF)) - (t174 * t246);
+        t482 = self.rF * t454;
+        t487 = (t246 - t185) - t441;
+        t492 = (((yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF)) - (self.rF * t460))
+            - (yaw_by_delta * t487)) - (t209 * t246);
+        t494 = self.rF * yaw_per_v_delta;
+        t496 = M22_Jxx_delta + t437;
+        t497 = t125 * C112_h_spin_F;
+        t498 = yaw_per_v_delta * t125;
+        t499 = t125 * K222_h_spin_F;
+        t500 = Sz_theta + Sz_theta;
+        t501 = t31 + t500;
+        t502 = Sz_theta - t501;
+        t503 = yaw_by_delta * Sx_theta;
+        t505 = self.mU * yaw_by_delta;
+        t506 = (yaw_per_v_delta * Sx_theta) + t505;
+        t507 = self.mU * yaw_per_v_delta;
+        let (
+            Jxx_theta_mU,
+            t509,
             t512,
             t513,
             t514,
-            t518,
-            Sz_all_mU,
-            t520,
-            t523,
+            t516,
+            P_delta_yaw_Sx_theta,
             P_delta_yaw_mU,
-            t525,
+            t519,
+            t520,
+            t521,
+            t524,
+            t527,
+            t528,
+            t530,
+            t531,
             t532,
-            t536,
+            t533,
+            t534,
+            t535,
             P_delta_yaw_xU,
+            t538,
+            t539,
             t540,
-            P_delta_lateral_xU,
+            t543,
+            t544,
             t545,
+            t546,
             t547,
+            t548,
             t549,
-            t553,
-            t554,
-            t555,
-            t556,
-            t557,
-            t558,
-            t559,
-            t560,
-            t561,
-            t562,
-            t563,
-            t564,
-            t565,
-            t566,
-            t567,
-            t568,
-            t569,
-            t570,
-            t571,
-            t572,
+            t550,
+            t551,
+            t552,
         );
-        t8 = self.zU - self.zP;
-        Jxx_theta_mU = t8 * t8;
-        Jxx_theta = self.IUxx + (self.mU * Jxx_theta_mU);
-        Jxx_delta_mH = self.zH * self.zH;
-        Jxx_delta_mF = self.rF * self.rF;
-        Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * Jxx_delta_mH))
-            + (self.mF * Jxx_delta_mF);
-        Sz_theta = self.mU * t8;
-        t30 = self.zP * self.mU;
-        t38 = self.rR * self.rR;
-        t43 = self.zB * self.zB;
-        t45 = (((((self.IRxx + self.IBxx) + Jxx_theta) + Jxx_delta)
-            + ((self.zP * ::carvallo::Number::like(self.w, 2.0))
-                * (Sz_theta + (t30 * ::carvallo::Number::like(self.w, 0.5)))))
-            + (self.mR * t38)) + (self.mB * t43);
-        (t47, t61) = ::carvallo::Number::sin_cos(self.lam);
-        t50 = self.rF * self.mF;
-        t56 = self.w + self.c;
-        t57 = self.xH - t56;
-        t58 = self.mH * t57;
-        Jxz_delta = (self.IHxz - (t50 * self.c)) - (t58 * self.zH);
-        t62 = Jxz_delta * t61;
-        hx_delta = (Jxx_delta * t47) + t62;
-        t64 = ::carvallo::Number::like(self.w, 1.0) / self.w;
-        yaw_per_v_delta = t61 * t64;
-        yaw_by_delta = self.c * yaw_per_v_delta;
-        Jxz_theta = self.IUxz - (self.xU * Sz_theta);
-        t75 = self.zB * self.mB;
-        Sx_theta = self.mU * self.xU;
-        t81 = self.zH * self.mH;
-        Sz_delta = t81 - t50;
-        Jxz_all = ((((self.IBxz + Jxz_delta) + Jxz_theta) - (self.xB * t75))
-            - (Sx_theta * self.zP)) - (t56 * Sz_delta);
-        t86 = hx_delta + (yaw_by_delta * Jxz_all);
-        M_phi_theta = Jxx_theta + (self.zP * Sz_theta);
-        t90 = t47 * Jxz_delta;
-        t92 = self.IHzz + self.IFxx;
-        t93 = t57 * t57;
-        t96 = self.c * self.c;
-        t98 = (t92 + (self.mH * t93)) + (self.mF * t96);
-        hz_delta = t90 + (t61 * t98);
-        Sx_delta = t58 - (self.mF * self.c);
-        py_delta = (t61 * Sx_delta) - (Sz_delta * t47);
-        M_yaw_delta = hz_delta + (t56 * py_delta);
-        t115 = self.xB * self.xB;
-        t118 = self.xH * self.xH;
-        t121 = self.w * self.w;
-        t123 = (((((self.IRxx + self.IBzz) + self.IUzz) + t92) + (self.mB * t115))
-            + (self.mH * t118)) + (self.mF * t121);
-        t124 = self.xU * self.xU;
-        P_delta_yaw_yaw_by_delta = t123 + (self.mU * t124);
-        t127 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-        P_delta_yaw = M_yaw_delta + t127;
-        t129 = M_yaw_delta + P_delta_yaw;
-        t131 = ((t47 * hx_delta) + (t61 * hz_delta)) + (yaw_by_delta * t129);
-        P_delta_theta = yaw_by_delta * Jxz_theta;
-        t136 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        h_spin_F = self.IFyy * t136;
-        t138 = t61 * h_spin_F;
-        t140 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        h_wheels_all = h_spin_F + (self.IRyy * t140);
-        t143 = Sz_theta + t30;
-        t146 = self.rR * self.mR;
-        Sz_all = ((t143 + t75) + Sz_delta) - t146;
-        t148 = h_wheels_all - Sz_all;
-        t151 = yaw_per_v_delta * Jxz_all;
-        t152 = (t138 + (yaw_by_delta * t148)) + t151;
-        t157 = self.xB * self.mB;
-        t159 = self.mH + self.mF;
-        Sx_all = ((Sx_theta + Sx_delta) + t157) + (t56 * t159);
-        P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        t165 = (yaw_per_v_delta * P_delta_yaw) + (yaw_by_delta * P_delta_lateral);
-        t166 = Sz_theta * yaw_by_delta;
-        t167 = yaw_per_v_delta * Jxz_theta;
-        t168 = t167 - t166;
-        t171 = yaw_per_v_delta * t148;
-        t172 = t47 * h_spin_F;
-        K222_yaw_per_v_delta = P_delta_lateral + t172;
-        t174 = yaw_per_v_delta * K222_yaw_per_v_delta;
-        C112_h_spin_F = t61 + yaw_by_delta;
-        t177 = t81 * C112_h_spin_F;
-        t179 = (yaw_by_delta * Sz_delta) - t177;
-        t181 = t61 * (t64 * t64);
-        M12_yaw_per_v_delta = self.c * Jxz_all;
-        t185 = self.mH * ::carvallo::Number::like(self.w, 2.0);
-        t186 = t57 * t61;
-        t187 = t185 * t186;
-        t188 = yaw_by_delta * ::carvallo::Number::like(self.w, 2.0);
-        M22_hz_delta = t61 + t188;
-        t191 = self.mH * t61;
-        M22_py_delta = t56 * t188;
-        M22_Jxz_delta = t47 * (t61 + M22_hz_delta);
-        t198 = ((t187 * M22_hz_delta) + (t191 * M22_py_delta)) - (t81 * M22_Jxz_delta);
-        t200 = (py_delta * t188) - t198;
-        P_delta_yaw_w = (self.w * self.mF) * t188;
-        M22_yaw_by_delta = t127 + t129;
-        M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        t208 = (t200 + (yaw_by_delta * P_delta_yaw_w)) - (t181 * M22_yaw_per_v_delta);
-        M23_yaw_per_v_delta = self.c * Jxz_theta;
-        t211 = yaw_per_v_delta * t81;
-        t213 = (yaw_per_v_delta * Sz_delta) - t211;
-        C112_yaw_per_v_delta = Jxz_all + (self.c * t148);
-        t218 = h_wheels_all * self.c;
-        t219 = t181 * t218;
-        C122_py_delta = t56 * yaw_per_v_delta;
-        C122_Jxz_delta = t47 * yaw_per_v_delta;
-        t226 = ((yaw_per_v_delta * t187) + (t191 * C122_py_delta))
-            - (t81 * C122_Jxz_delta);
-        t228 = (yaw_per_v_delta * py_delta) - t226;
-        t231 = self.mH * yaw_by_delta;
-        t232 = t191 + t231;
-        t234 = (yaw_by_delta * t159) - t232;
-        P_delta_lateral_yaw_per_v_delta = self.c * Sx_all;
-        t236 = t181 * P_delta_lateral_yaw_per_v_delta;
-        P_delta_lateral_w = t234 - t236;
-        C122_yaw_by_delta = P_delta_lateral
-            + (yaw_per_v_delta * P_delta_yaw_yaw_by_delta);
-        C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
-        t245 = ((t228 + (yaw_per_v_delta * P_delta_yaw_w))
-            + (yaw_by_delta * P_delta_lateral_w)) - (t181 * C122_yaw_per_v_delta);
-        C132_yaw_per_v_delta = Jxz_theta - (Sz_theta * self.c);
-        t253 = (yaw_per_v_delta * P_delta_lateral_w) - (t181 * K222_yaw_per_v_delta);
-        t254 = t181 * Sz_theta;
-        t259 = ((t151 - t179) - (t61 * t50)) - (t50 * yaw_by_delta);
-        t264 = self.c * t61;
-        t265 = self.mF * ::carvallo::Number::like(self.w, 2.0);
-        hz_delta_c = t264 * t265;
-        t269 = self.mF * t61;
-        t271 = (((t200 - (M22_Jxz_delta * t50)) + (yaw_per_v_delta * M22_yaw_by_delta))
-            + (hz_delta_c * M22_hz_delta)) - (t269 * M22_py_delta);
-        t274 = (yaw_per_v_delta * (t148 - t50)) - t213;
-        P_delta_lateral_c = ((t234 - t269) - (self.mF * yaw_by_delta))
-            + (yaw_per_v_delta * Sx_all);
-        t289 = (((t228 - (C122_Jxz_delta * t50))
-            + (yaw_per_v_delta * (hz_delta_c + C122_yaw_by_delta)))
-            + (yaw_by_delta * P_delta_lateral_c)) - (t269 * C122_py_delta);
-        t291 = yaw_per_v_delta * P_delta_lateral_c;
-        hx_delta_lam = (Jxx_delta * t61) - t90;
-        t294 = t64 * t47;
-        t296 = hx_delta_lam - (t294 * M12_yaw_per_v_delta);
-        hz_delta_lam = t62 - (t47 * t98);
-        t308 = (t61 * Sz_delta) + (Sx_delta * t47);
-        t312 = (((((t47 * hx_delta_lam) + (hx_delta * t61)) - (hz_delta * t47))
-            + (hz_delta_lam * M22_hz_delta)) - (t308 * M22_py_delta))
-            - (t294 * M22_yaw_per_v_delta);
-        t317 = t172 + (t294 * t218);
-        t320 = t308 + (t294 * P_delta_lateral_yaw_per_v_delta);
-        t326 = (((yaw_per_v_delta * hz_delta_lam) - (yaw_by_delta * t320))
-            - (t308 * C122_py_delta)) - (t294 * C122_yaw_per_v_delta);
-        t334 = (yaw_per_v_delta * (t138 - t320)) - (t294 * K222_yaw_per_v_delta);
-        t335 = t294 * Sz_theta;
-        t336 = t146 * ::carvallo::Number::like(self.w, 2.0);
-        t338 = self.IRyy * (t140 * t140);
-        t339 = self.mR - t338;
-        t340 = yaw_by_delta * t339;
-        t341 = t338 * yaw_by_delta;
-        t342 = yaw_per_v_delta * t339;
-        t343 = self.rR * yaw_by_delta;
-        t344 = self.rR * yaw_per_v_delta;
-        t345 = yaw_by_delta * yaw_by_delta;
-        t346 = yaw_per_v_delta * yaw_by_delta;
-        t347 = yaw_by_delta * t140;
-        t348 = yaw_per_v_delta * t140;
-        P_delta_yaw_xB = t157 * t188;
-        t351 = yaw_by_delta * P_delta_yaw_xB;
-        P_delta_lateral_xB = self.mB * yaw_by_delta;
-        t356 = (yaw_per_v_delta * P_delta_yaw_xB) + (yaw_by_delta * P_delta_lateral_xB);
-        t358 = yaw_per_v_delta * P_delta_lateral_xB;
-        t359 = t75 * ::carvallo::Number::like(self.w, 2.0);
-        P_delta_lateral_mB = self.xB * yaw_by_delta;
-        t363 = yaw_by_delta + (self.xB * yaw_per_v_delta);
-        P_delta_yaw_mB = yaw_by_delta * t115;
-        t368 = yaw_by_delta * P_delta_yaw_mB;
-        t372 = (yaw_per_v_delta * P_delta_yaw_mB) + (yaw_by_delta * P_delta_lateral_mB);
-        t375 = yaw_per_v_delta * P_delta_lateral_mB;
-        P_delta_yaw_xH = (self.xH * self.mH) * t188;
-        t379 = t198 + (yaw_by_delta * P_delta_yaw_xH);
-        t383 = (t226 + (yaw_per_v_delta * P_delta_yaw_xH)) + (yaw_by_delta * t232);
-        t385 = yaw_per_v_delta * t232;
-        Jxx_delta_zH = self.zH * t185;
-        t391 = t58 + (self.mH * t56);
-        t393 = ((t47 * Jxx_delta_zH) - (t61 * t58)) - (yaw_by_delta * t391);
-        M22_Jxx_delta = t47 * t47;
-        t398 = self.mH * t47;
-        t400 = ((Jxx_delta_zH * M22_Jxx_delta) - (M22_Jxz_delta * t58))
-            - (t398 * M22_py_delta);
-        t408 = t398 * t47;
-        t412 = t57 * self.zH;
-        t416 = t412 + (t56 * self.zH);
-        t418 = ((t47 * Jxx_delta_mH) - (t61 * t412)) - (yaw_by_delta * t416);
-        P_delta_yaw_mH = yaw_by_delta * t118;
-        hz_delta_mH = t61 * t93;
-        py_delta_mH = t186 - (self.zH * t47);
-        t431 = ((((yaw_by_delta * P_delta_yaw_mH) + (Jxx_delta_mH * M22_Jxx_delta))
-            + (hz_delta_mH * M22_hz_delta)) + (py_delta_mH * M22_py_delta))
-            - (t412 * M22_Jxz_delta);
-        P_delta_lateral_mH = py_delta_mH + (yaw_by_delta * (t56 + t57));
-        t445 = (((yaw_per_v_delta * (P_delta_yaw_mH + hz_delta_mH))
-            + (yaw_by_delta * P_delta_lateral_mH)) + (py_delta_mH * C122_py_delta))
-            - (t412 * C122_Jxz_delta);
-        t448 = yaw_per_v_delta * P_delta_lateral_mH;
-        t450 = (t61 * M22_hz_delta) + t345;
-        t451 = yaw_per_v_delta * C112_h_spin_F;
-        Jxx_delta_rF = self.rF * t265;
-        t453 = t47 * Jxx_delta_rF;
-        t454 = Jxx_delta_rF * M22_Jxx_delta;
-        t455 = t56 - self.c;
-        t457 = yaw_by_delta + (yaw_per_v_delta * t455);
-        t460 = self.IFyy * (t136 * t136);
-        t461 = t460 * C112_h_spin_F;
-        t462 = (self.mF * t457) - t461;
-        t465 = (t47 * C122_py_delta) - (C122_Jxz_delta * self.c);
-        P_delta_lateral_rF = self.mF * t47;
-        t469 = (self.mF * t465) + (yaw_by_delta * P_delta_lateral_rF);
-        t472 = yaw_per_v_delta * (self.mF - t460);
-        t475 = (yaw_per_v_delta * P_delta_lateral_rF) - (t460 * C122_Jxz_delta);
-        t476 = t47 * Jxx_delta_mF;
-        P_delta_yaw_mF = yaw_by_delta * t121;
-        hz_delta_mF = t61 * t96;
-        t485 = (((yaw_by_delta * P_delta_yaw_mF) + (Jxx_delta_mF * M22_Jxx_delta))
-            + (hz_delta_mF * M22_hz_delta)) - (t264 * M22_py_delta);
-        t486 = self.rF * t457;
-        P_delta_lateral_mF = ((self.rF * t47) - t264) + (yaw_by_delta * t455);
-        t498 = (((self.rF * t465) + (yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF)))
-            + (yaw_by_delta * P_delta_lateral_mF)) - (t264 * C122_py_delta);
-        t500 = self.rF * yaw_per_v_delta;
-        t501 = yaw_per_v_delta * P_delta_lateral_mF;
-        t502 = M22_Jxx_delta + t450;
-        t503 = t136 * C112_h_spin_F;
-        t504 = yaw_per_v_delta * t136;
-        t505 = t136 * C122_Jxz_delta;
-        t506 = ::carvallo::Number::like(self.w, 2.0) * Sz_theta;
-        t507 = t506 + t30;
-        t508 = Sz_theta - t507;
-        P_delta_lateral_mU = self.xU * yaw_by_delta;
-        t510 = self.mU * P_delta_lateral_mU;
-        t512 = yaw_by_delta + (self.xU * yaw_per_v_delta);
-        t513 = self.mU * t512;
-        t514 = self.mU * yaw_per_v_delta;
-        t518 = Jxx_theta_mU
-            + (self.zP * (self.zP + (t8 * ::carvallo::Number::like(self.w, 2.0))));
-        Sz_all_mU = self.zP + t8;
-        t520 = Sz_all_mU * self.xU;
-        t523 = Jxx_theta_mU + (self.zP * t8);
-        P_delta_yaw_mU = yaw_by_delta * t124;
-        t525 = yaw_by_delta * P_delta_yaw_mU;
-        t532 = (yaw_per_v_delta * P_delta_yaw_mU) + (yaw_by_delta * P_delta_lateral_mU);
-        t536 = yaw_per_v_delta * P_delta_lateral_mU;
-        P_delta_yaw_xU = Sx_theta * t188;
-        t540 = yaw_by_delta * P_delta_yaw_xU;
-        P_delta_lateral_xU = self.mU * yaw_by_delta;
-        t545 = (yaw_per_v_delta * P_delta_yaw_xU) + (yaw_by_delta * P_delta_lateral_xU);
-        t547 = yaw_per_v_delta * P_delta_lateral_xU;
-        t549 = t506 + (t30 * ::carvallo::Number::like(self.w, 2.0));
-        t553 = -(t138 + (yaw_by_delta * h_wheels_all));
-        t554 = -P_delta_lateral;
-        t555 = -(P_delta_lateral * t47);
-        t556 = -(yaw_per_v_delta * Sz_theta);
-        t557 = -(t179 + (t181 * M12_yaw_per_v_delta));
-        t558 = -(t181 * M23_yaw_per_v_delta);
-        t559 = -(t213 + (t181 * C112_yaw_per_v_delta));
-        t560 = -(t181 * C132_yaw_per_v_delta);
-        t561 = t236 - t234;
-        t562 = -(P_delta_lateral_w * t47);
-        t563 = -(t148 * t181);
-        t564 = -(h_wheels_all * yaw_per_v_delta);
-        t565 = -P_delta_lateral_c;
-        t566 = -(P_delta_lateral_c * t47);
-        t567 = -(t294 * M23_yaw_per_v_delta);
-        t568 = -(t172 + (t294 * C112_yaw_per_v_delta));
-        t569 = -(t294 * C132_yaw_per_v_delta);
-        t570 = (t47 * t320) - (P_delta_lateral * t61);
-        t571 = -(t148 * t294);
-        t572 = -self.mR;
-        let (
-            t573,
-            t574,
-            t575,
-            t576,
-            t577,
-            t578,
-            t579,
-            t580,
-            t581,
-            t582,
-            t583,
-            t584,
-            t585,
-            t586,
-            t587,
-            t588,
-            t589,
-            t590,
-            t591,
-            t592,
-            t593,
-            t594,
-            t595,
-            t596,
-            t597,
-            t598,
-            t599,
-            t600,
-            t601,
-            t602,
-            t603,
-            t604,
-            t605,
-            t606,
-            t607,
-            t608,
-            t609,
-            t610,
-            t611,
-            t612,
-            t613,
-            t614,
-            t615,
-            t616,
-            t617,
-            t618,
-            t619,
-            t620,
-            t621,
-            t622,
-            t623,
-            t624,
-            t625,
-        );
-        t573 = -self.rR;
-        t574 = -t347;
-        t575 = -(t75 * yaw_by_delta);
-        t576 = -(t75 * yaw_per_v_delta);
-        t577 = -P_delta_lateral_xB;
-        t578 = -(P_delta_lateral_xB * t47);
-        t579 = -(self.mB * P_delta_lateral_mB);
-        t580 = -(self.mB * t363);
-        t581 = -(self.mB * yaw_per_v_delta);
-        t582 = -(self.zB * P_delta_lateral_mB);
-        t583 = -(self.zB * t363);
-        t584 = -P_delta_lateral_mB;
-        t585 = -(P_delta_lateral_mB * t47);
-        t586 = -(self.zB * yaw_per_v_delta);
-        t587 = -t177;
-        t588 = -t211;
-        t589 = -t232;
-        t590 = -(t232 * t47);
-        t591 = -(t231 + (yaw_per_v_delta * t391));
-        t592 = -(((C122_Jxz_delta * t58) + (yaw_by_delta * t398))
-            + (t398 * C122_py_delta));
-        t593 = -(self.mH * yaw_per_v_delta);
-        t594 = -(yaw_per_v_delta * t398);
-        t595 = -((self.zH * yaw_by_delta) + (yaw_per_v_delta * t416));
-        t596 = -P_delta_lateral_mH;
-        t597 = -(P_delta_lateral_mH * t47);
-        t598 = -(self.zH * yaw_per_v_delta);
-        t599 = -self.mF;
-        t600 = -P_delta_lateral_rF;
-        t601 = -(P_delta_lateral_rF * t47);
-        t602 = -self.rF;
-        t603 = -P_delta_lateral_mF;
-        t604 = -(P_delta_lateral_mF * t47);
-        t605 = -t503;
-        t606 = -t506;
-        t607 = -self.mU;
-        t608 = -(yaw_by_delta * t520);
-        t609 = -(t8 * P_delta_lateral_mU);
-        t610 = -((Sz_all_mU * yaw_by_delta) + (yaw_per_v_delta * t520));
-        t611 = -(t8 * t512);
-        t612 = -P_delta_lateral_mU;
-        t613 = -(P_delta_lateral_mU * t47);
-        t614 = -(Sz_all_mU * yaw_per_v_delta);
-        t615 = -(t8 * yaw_per_v_delta);
-        t616 = -(yaw_by_delta * t143);
-        t617 = -t166;
-        t618 = -(yaw_per_v_delta * t143);
-        t619 = -P_delta_lateral_xU;
-        t620 = -(P_delta_lateral_xU * t47);
-        t621 = -(yaw_by_delta * Sx_theta);
-        t622 = -t510;
-        t623 = -(P_delta_lateral_xU + (yaw_per_v_delta * Sx_theta));
-        t624 = -t513;
-        t625 = -t514;
+        Jxx_theta_mU = t5 * t5;
+        t509 = self.zP + t5;
+        t512 = Jxx_theta_mU + (self.zP * (t5 + t509));
+        t513 = self.xU * t509;
+        t514 = yaw_by_delta * t513;
+        t516 = Jxx_theta_mU + (self.zP * t5);
+        P_delta_yaw_Sx_theta = yaw_by_delta * self.xU;
+        P_delta_yaw_mU = self.xU * P_delta_yaw_Sx_theta;
+        t519 = yaw_by_delta * P_delta_yaw_mU;
+        t520 = t5 * yaw_by_delta;
+        t521 = self.xU * t520;
+        t524 = (yaw_by_delta * t509) + (yaw_per_v_delta * t513);
+        t527 = (yaw_per_v_delta * P_delta_yaw_mU)
+            + (yaw_by_delta * P_delta_yaw_Sx_theta);
+        t528 = t5 * yaw_per_v_delta;
+        t530 = t520 + (self.xU * t528);
+        t531 = t42 * P_delta_yaw_Sx_theta;
+        t532 = yaw_per_v_delta * t509;
+        t533 = yaw_per_v_delta * P_delta_yaw_Sx_theta;
+        t534 = self.mU * t509;
+        t535 = yaw_by_delta * t534;
+        P_delta_yaw_xU = t503 + (self.mU * P_delta_yaw_Sx_theta);
+        t538 = yaw_by_delta * P_delta_yaw_xU;
+        t539 = self.mU * t520;
+        t540 = yaw_per_v_delta * t534;
+        t543 = (yaw_per_v_delta * P_delta_yaw_xU) + (yaw_by_delta * t505);
+        t544 = self.mU * t528;
+        t545 = t42 * t505;
+        t546 = yaw_per_v_delta * t505;
+        t547 = t31 + t501;
+        t548 = -(t127 + (yaw_by_delta * h_wheels_all));
+        t549 = -t159;
+        t550 = t263 - t262;
+        t551 = -(t42 * t487);
+        t552 = -(yaw_per_v_delta * t487);
         (
             WhippleLeaningMatrices {
                 m: [
-                    [t45, t86, M_phi_theta],
-                    [t86, t131, P_delta_theta],
+                    [t40, t77, M_phi_theta],
+                    [t77, t120, P_delta_theta],
                     [M_phi_theta, P_delta_theta, Jxx_theta],
                 ],
                 c0: [
@@ -2375,13 +2331,13 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                 c1: [
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t152,
+                        t139,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
-                    [t553, t165, ::carvallo::Number::like(self.w, 0.0)],
+                    [t548, t149, ::carvallo::Number::like(self.w, 0.0)],
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t168,
+                        t152,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                 ],
@@ -2403,273 +2359,194 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                     ],
                 ],
                 k0: [
-                    [Sz_all, t554, Sz_theta],
-                    [t554, t555, ::carvallo::Number::like(self.w, 0.0)],
+                    [Sz_all, t147, Sz_theta],
+                    [t147, t154, ::carvallo::Number::like(self.w, 0.0)],
                     [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
                 ],
                 k2: [
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t171,
+                        t155,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t174,
+                        t158,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t556,
+                        t549,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                 ],
             },
             WhippleLeaningDerivatives {
                 values: [
-                    t557,
-                    t557,
-                    t208,
-                    t558,
-                    t558,
-                    t559,
-                    t219,
-                    t245,
-                    t560,
-                    t561,
-                    t561,
-                    t562,
-                    t563,
-                    t253,
+                    t167,
+                    t194,
+                    t196,
+                    t203,
+                    t205,
+                    t229,
+                    t232,
+                    t220,
+                    t233,
+                    t234,
+                    t237,
+                    t238,
+                    t241,
                     t254,
-                    t259,
-                    t259,
+                    t151,
+                    t257,
+                    t258,
+                    t270,
+                    t159,
+                    t550,
                     t271,
-                    t167,
-                    t167,
-                    t274,
-                    t564,
-                    t289,
-                    t556,
-                    t565,
-                    t565,
-                    t566,
-                    t291,
+                    t272,
+                    t277,
+                    t293,
+                    t294,
                     t296,
-                    t296,
+                    t298,
+                    t307,
+                    t308,
+                    t301,
+                    t311,
                     t312,
-                    t567,
-                    t567,
-                    t568,
+                    t316,
                     t317,
+                    t318,
+                    t321,
+                    t322,
+                    self.mR,
+                    t323,
+                    t324,
+                    t325,
+                    self.rR,
                     t326,
-                    t569,
-                    t320,
-                    t320,
-                    t570,
-                    t571,
-                    t334,
-                    t335,
-                    t336,
-                    t340,
-                    t341,
-                    t572,
-                    t342,
-                    t38,
-                    t343,
-                    t573,
-                    t344,
                     ::carvallo::Number::like(self.w, 1.0),
+                    t328,
+                    t329,
+                    t330,
+                    t331,
+                    t332,
+                    t337,
+                    t338,
+                    t342,
+                    t340,
+                    t343,
+                    t344,
                     t345,
-                    t346,
-                    t347,
-                    t574,
+                    t334,
                     t348,
-                    t575,
-                    t575,
+                    self.mB,
+                    t349,
+                    t350,
                     t351,
-                    t576,
-                    t356,
-                    t577,
-                    t577,
-                    t578,
+                    t353,
+                    t354,
+                    t357,
+                    self.zB,
+                    t333,
                     t358,
                     t359,
-                    t579,
-                    t579,
-                    t580,
-                    self.mB,
-                    t581,
-                    t43,
-                    t582,
-                    t582,
-                    t368,
-                    t583,
-                    t372,
-                    self.zB,
-                    t584,
-                    t584,
-                    t585,
-                    t586,
-                    t375,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t345,
-                    t346,
-                    yaw_by_delta,
+                    t360,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t587,
-                    t587,
+                    t161,
+                    t367,
+                    t197,
+                    t376,
+                    P_delta_lateral_xH,
+                    t377,
+                    t378,
                     t379,
-                    t588,
-                    t383,
-                    t589,
-                    t589,
-                    t590,
-                    t385,
-                    Jxx_delta_zH,
-                    t393,
-                    t393,
+                    t387,
+                    t396,
                     t400,
-                    t591,
-                    t592,
+                    t407,
                     self.mH,
-                    t398,
-                    t398,
+                    t405,
                     t408,
-                    t593,
-                    t594,
-                    Jxx_delta_mH,
-                    t418,
-                    t418,
-                    t431,
-                    t595,
-                    t445,
+                    t409,
+                    t410,
+                    t411,
+                    t412,
+                    t420,
+                    t421,
+                    t432,
                     self.zH,
-                    t596,
-                    t596,
-                    t597,
-                    t598,
-                    t448,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t47,
-                    t47,
+                    t426,
+                    t433,
+                    t434,
+                    t435,
+                    t42,
                     M22_Jxx_delta,
-                    t450,
-                    t451,
-                    C112_h_spin_F,
+                    t437,
+                    t438,
                     C112_h_spin_F,
                     M22_Jxz_delta,
-                    yaw_per_v_delta,
-                    C122_Jxz_delta,
-                    Jxx_delta_rF,
+                    K222_h_spin_F,
+                    t439,
+                    t446,
                     t453,
-                    t453,
-                    t454,
-                    t462,
-                    t461,
-                    t469,
-                    t599,
-                    t600,
-                    t600,
-                    t601,
+                    t458,
+                    t457,
+                    t464,
+                    self.mF,
+                    P_delta_lateral_rF,
+                    t465,
+                    t467,
+                    t470,
+                    t471,
                     t472,
-                    t475,
-                    Jxx_delta_mF,
-                    t476,
-                    t476,
-                    t485,
-                    t486,
+                    t481,
+                    t482,
+                    t492,
+                    self.rF,
+                    t487,
+                    t551,
+                    t494,
+                    t552,
+                    t496,
+                    t497,
                     t498,
-                    t602,
-                    t603,
-                    t603,
-                    t604,
-                    t500,
-                    t501,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t47,
-                    t47,
+                    t499,
                     t502,
-                    t451,
                     t503,
-                    t605,
-                    t504,
-                    t505,
-                    t508,
-                    t510,
-                    t508,
-                    t510,
-                    t606,
-                    t513,
-                    t607,
-                    t607,
-                    t607,
-                    t514,
-                    t518,
-                    t608,
-                    t523,
-                    t608,
-                    t525,
-                    t609,
-                    t523,
-                    t609,
-                    Jxx_theta_mU,
-                    t610,
-                    t532,
-                    t611,
-                    Sz_all_mU,
-                    t612,
-                    t8,
-                    t612,
-                    t613,
-                    t8,
-                    t8,
-                    t614,
-                    t536,
-                    t615,
-                    t616,
-                    t616,
-                    t540,
-                    t617,
-                    t617,
-                    t618,
-                    t545,
-                    t556,
-                    t619,
-                    t619,
-                    t620,
-                    t547,
-                    t549,
-                    t621,
-                    t507,
-                    t621,
-                    t622,
-                    t507,
-                    t622,
+                    t500,
                     t506,
-                    t623,
-                    t624,
                     self.mU,
-                    self.mU,
-                    self.mU,
-                    self.mU,
-                    t625,
-                    t625,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t345,
-                    t346,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_per_v_delta,
-                    yaw_per_v_delta,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
+                    t507,
+                    t512,
+                    t514,
+                    t516,
+                    t519,
+                    t521,
+                    Jxx_theta_mU,
+                    t524,
+                    t527,
+                    t530,
+                    t509,
+                    P_delta_yaw_Sx_theta,
+                    t5,
+                    t531,
+                    t532,
+                    t533,
+                    t528,
+                    t535,
+                    t538,
+                    t539,
+                    t540,
+                    t543,
+                    t544,
+                    t505,
+                    t545,
+                    t546,
+                    t547,
+                    t501,
                 ],
             },
         )
@@ -2686,8 +2563,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<3> for WhippleLeaning<T> 
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 3]; 3]; 6],
         ); 36];
         for position in 0..243 {
-            <WhippleLeaningDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleLeaningDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -350,66 +350,67 @@ pub struct WhippleMechanismMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 46 additions, 53 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 107 operations.
+    /// 47 additions, 44 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 98 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleMechanismMatrices<T> {
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
-            + (self.mF * (self.rF * self.rF));
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
-            + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
-        let t32 = self.rF * self.mF;
-        let t37 = self.w + self.c;
-        let t38 = self.xH - t37;
-        let t39 = self.mH * t38;
-        let Jxz_delta = (self.IHxz - (self.c * t32)) - (self.zH * t39);
-        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t42);
-        let yaw_per_v_delta = t42 / self.w;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t40) = ::carvallo::Number::sin_cos(self.lam);
+        let t35 = self.c + self.w;
+        let t36 = t35 - self.xH;
+        let Jxz_delta = (self.IHxz + (t6 * t36)) - (t10 * self.c);
+        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t40);
+        let yaw_per_v_delta = t40 / self.w;
         let mu = self.c * yaw_per_v_delta;
-        let t50 = self.zB * self.mB;
-        let Sz_delta = (self.zH * self.mH) - t32;
-        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t50)) - (Sz_delta * t37);
-        let t58 = hx_delta + (mu * Jxz_all);
-        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * (t38 * t38)))
-            + (self.mF * (self.c * self.c));
-        let hz_delta = (Jxz_delta * t28) + (Jzz_delta * t42);
-        let Sx_delta = t39 - (self.c * self.mF);
-        let py_delta = (Sx_delta * t42) - (Sz_delta * t28);
-        let M_yaw_delta = hz_delta + (py_delta * t37);
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t35 * Sz_delta);
+        let t54 = hx_delta + (mu * Jxz_all);
+        let t57 = self.mH * t36;
+        let t59 = self.mF * self.c;
+        let Jzz_delta = ((self.IFxx + self.IHzz) + (t36 * t57)) + (self.c * t59);
+        let hz_delta = (t28 * Jxz_delta) + (t40 * Jzz_delta);
+        let t67 = t57 + t59;
+        let t69 = (t28 * Sz_delta) + (t40 * t67);
+        let M_yaw_delta = hz_delta - (t35 * t69);
+        let t73 = self.mB * self.xB;
         let mA = self.mH + self.mF;
-        let t84 = mA * t37;
-        let t92 = mu
-            * ((((self.IRxx + self.IBzz) + Jzz_delta)
-                + ((::carvallo::Number::like(self.w, 2.0) * t37)
-                    * (Sx_delta + (::carvallo::Number::like(self.w, 0.5) * t84))))
-                + (self.mB * (self.xB * self.xB)));
-        let P_delta_yaw = M_yaw_delta + t92;
-        let t99 = ((mu * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
-            + (hz_delta * t42);
+        let t77 = t67 - (t35 * mA);
+        let P_delta_yaw = M_yaw_delta
+            + (mu
+                * ((((self.IRxx + Jzz_delta) + self.IBzz) + (self.xB * t73))
+                    - (t35 * (t67 + t77))));
+        let t91 = ((mu * (M_yaw_delta + P_delta_yaw)) + (t28 * hx_delta))
+            + (t40 * hz_delta);
         let SF = self.IFyy / self.rF;
         let ST = SF + (self.IRyy / self.rR);
-        let Sz_all = (Sz_delta + t50) - (self.rR * self.mR);
-        let t109 = ST - Sz_all;
-        let t113 = SF * t42;
-        let t114 = ((mu * t109) + (yaw_per_v_delta * Jxz_all)) + t113;
-        let Sx_all = (Sx_delta + (self.xB * self.mB)) + t84;
-        let P_delta_lateral = py_delta + (mu * Sx_all);
-        let t124 = (mu * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t126 = yaw_per_v_delta * t109;
-        let t129 = yaw_per_v_delta * (P_delta_lateral + (SF * t28));
-        let t130 = -(t113 + (mu * ST));
-        let t131 = -P_delta_lateral;
-        let t132 = -(t28 * P_delta_lateral);
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t100 = ST - Sz_all;
+        let t103 = t40 * SF;
+        let t105 = ((mu * t100) + (yaw_per_v_delta * Jxz_all)) + t103;
+        let Sx_all = t73 - t77;
+        let t109 = mu * Sx_all;
+        let P_delta_lateral = t109 - t69;
+        let t113 = (mu * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t115 = yaw_per_v_delta * t100;
+        let t118 = yaw_per_v_delta * (P_delta_lateral + (t28 * SF));
+        let t119 = -(t103 + (mu * ST));
+        let t120 = t69 - t109;
+        let t121 = -(t28 * P_delta_lateral);
         WhippleMechanismMatrices {
-            m: [[t26, t58], [t58, t99]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t114], [t130, t124]],
-            k0: [[Sz_all, t131], [t131, t132]],
+            m: [[t26, t54], [t54, t91]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t105], [t119, t113]],
+            k0: [[Sz_all, t120], [t120, t121]],
             k2: [
-                [::carvallo::Number::like(self.w, 0.0), t126],
-                [::carvallo::Number::like(self.w, 0.0), t129],
+                [::carvallo::Number::like(self.w, 0.0), t115],
+                [::carvallo::Number::like(self.w, 0.0), t118],
             ],
         }
     }
@@ -1167,171 +1168,171 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleMechanism<T> 
     ::core::cmp::PartialEq
 )]
 pub struct WhippleMechanismDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 158],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleMechanismDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1365,7 +1366,10 @@ impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1373,7 +1377,7 @@ impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 151 additions, 261 multiplications, 3 divisions, 48 negations and 2 trigonometric functions: 465 operations.
+    /// 159 additions, 241 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 406 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1381,430 +1385,367 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (WhippleMechanismMatrices<T>, WhippleMechanismDerivatives<T>) {
-        let Jxx_delta_mH = self.zH * self.zH;
-        let Jxx_delta_mF = self.rF * self.rF;
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * Jxx_delta_mH))
-            + (self.mF * Jxx_delta_mF);
-        let t19 = self.rR * self.rR;
-        let t24 = self.zB * self.zB;
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.mR * t19))
-            + (self.mB * t24);
-        let (t28, t43) = ::carvallo::Number::sin_cos(self.lam);
-        let t32 = self.rF * self.mF;
-        let t38 = self.w + self.c;
-        let t39 = self.xH - t38;
-        let t40 = self.mH * t39;
-        let Jxz_delta = (self.IHxz - (self.c * t32)) - (t40 * self.zH);
-        let t44 = Jxz_delta * t43;
-        let hx_delta = (Jxx_delta * t28) + t44;
-        let t46 = ::carvallo::Number::like(self.w, 1.0) / self.w;
-        let yaw_per_v_delta = t43 * t46;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t40) = ::carvallo::Number::sin_cos(self.lam);
+        let t34 = self.c + self.w;
+        let t36 = t34 - self.xH;
+        let Jxz_delta = (self.IHxz + (t6 * t36)) - (t10 * self.c);
+        let t41 = Jxz_delta * t40;
+        let hx_delta = (Jxx_delta * t28) + t41;
+        let t43 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let yaw_per_v_delta = t40 * t43;
         let mu = self.c * yaw_per_v_delta;
-        let t52 = self.zB * self.mB;
-        let Sz_delta = (self.zH * self.mH) - t32;
-        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t52)) - (t38 * Sz_delta);
-        let t60 = hx_delta + (mu * Jxz_all);
-        let t62 = t28 * Jxz_delta;
-        let Jzz_delta_mH = t39 * t39;
-        let Jzz_delta_mF = self.c * self.c;
-        let Jzz_delta = ((self.IHzz + self.IFxx) + (self.mH * Jzz_delta_mH))
-            + (self.mF * Jzz_delta_mF);
-        let hz_delta = t62 + (t43 * Jzz_delta);
-        let Sx_delta = t40 - (self.c * self.mF);
-        let py_delta = (t43 * Sx_delta) - (Sz_delta * t28);
-        let M_yaw_delta = hz_delta + (t38 * py_delta);
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t34 * Sz_delta);
+        let t55 = hx_delta + (mu * Jxz_all);
+        let t57 = t28 * Jxz_delta;
+        let t59 = self.mF * self.c;
+        let t61 = self.mH * t36;
+        let Jzz_delta = ((self.IFxx + self.IHzz) + (self.c * t59)) + (t36 * t61);
+        let hz_delta = t57 + (t40 * Jzz_delta);
+        let t70 = t59 + t61;
+        let t72 = (t28 * Sz_delta) + (t40 * t70);
+        let M_yaw_delta = hz_delta - (t34 * t72);
         let mA = self.mH + self.mF;
-        let t88 = t38 * mA;
-        let t91 = Sx_delta + (t88 * ::carvallo::Number::like(self.w, 0.5));
-        let t94 = self.xB * self.xB;
-        let P_delta_yaw_mu = (((self.IRxx + self.IBzz) + Jzz_delta)
-            + ((t38 * ::carvallo::Number::like(self.w, 2.0)) * t91)) + (self.mB * t94);
-        let t97 = mu * P_delta_yaw_mu;
-        let P_delta_yaw = M_yaw_delta + t97;
-        let t99 = M_yaw_delta + P_delta_yaw;
-        let t101 = ((t28 * hx_delta) + (t43 * hz_delta)) + (mu * t99);
-        let t104 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        let SF = self.IFyy * t104;
-        let t106 = t43 * SF;
-        let t108 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        let ST = SF + (self.IRyy * t108);
-        let t112 = self.rR * self.mR;
-        let Sz_all = (t52 + Sz_delta) - t112;
-        let t114 = ST - Sz_all;
-        let t117 = yaw_per_v_delta * Jxz_all;
-        let t118 = (t106 + (mu * t114)) + t117;
-        let t123 = self.xB * self.mB;
-        let Sx_all = (Sx_delta + t88) + t123;
-        let P_delta_lateral = py_delta + (mu * Sx_all);
-        let t128 = (yaw_per_v_delta * P_delta_yaw) + (mu * P_delta_lateral);
-        let t130 = yaw_per_v_delta * t114;
-        let t131 = t28 * SF;
-        let K222_yaw_per_v_delta = P_delta_lateral + t131;
-        let t133 = yaw_per_v_delta * K222_yaw_per_v_delta;
-        let M12_Jxz_delta = t43 + mu;
-        let t135 = M12_Jxz_delta * self.zH;
-        let t136 = self.mH * t135;
-        let t138 = (mu * Sz_delta) - t136;
-        let t140 = t43 * (t46 * t46);
-        let M12_yaw_per_v_delta = self.c * Jxz_all;
-        let t144 = mu * ::carvallo::Number::like(self.w, 2.0);
-        let P_delta_yaw_Sx_delta = t38 * t144;
-        let M22_Sx_delta = (t43 * P_delta_yaw_Sx_delta) + (mu * P_delta_yaw_Sx_delta);
-        let M22_hz_delta = t43 + t144;
-        let M22_Jxz_delta = t28 * (t43 + M22_hz_delta);
-        let t153 = M22_Sx_delta - (M22_Jxz_delta * self.zH);
-        let t155 = self.mH * ::carvallo::Number::like(self.w, 2.0);
-        let t156 = t39 * t155;
-        let t158 = mu * mu;
-        let M22_Jzz_delta = (t43 * M22_hz_delta) + t158;
-        let t161 = (self.mH * t153) + (t156 * M22_Jzz_delta);
-        let P_delta_lateral_mA = t38 * mu;
-        let t165 = (t91 * t144) + (mA * P_delta_lateral_mA);
-        let t169 = (mu * (t165 + (py_delta * ::carvallo::Number::like(self.w, 2.0))))
-            - t161;
-        let M22_mu = t97 + t99;
+        let t78 = t70 - (t34 * mA);
+        let t79 = t70 + t78;
+        let t81 = self.mB * self.xB;
+        let P_delta_yaw_mu = (((self.IRxx + Jzz_delta) + self.IBzz) + (self.xB * t81))
+            - (t34 * t79);
+        let t87 = mu * P_delta_yaw_mu;
+        let P_delta_yaw = M_yaw_delta + t87;
+        let t89 = M_yaw_delta + P_delta_yaw;
+        let t92 = ((t28 * hx_delta) + (t40 * hz_delta)) + (mu * t89);
+        let t95 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let SF = self.IFyy * t95;
+        let t97 = t40 * SF;
+        let t99 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let t100 = self.IRyy * t99;
+        let ST = SF + t100;
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t104 = ST - Sz_all;
+        let t106 = yaw_per_v_delta * Jxz_all;
+        let t108 = (t97 + (mu * t104)) + t106;
+        let Sx_all = t81 - t78;
+        let t114 = t72 - (mu * Sx_all);
+        let t116 = (yaw_per_v_delta * P_delta_yaw) - (mu * t114);
+        let t117 = t28 * t114;
+        let t118 = yaw_per_v_delta * t104;
+        let t119 = t28 * SF;
+        let K222_yaw_per_v_delta = t119 - t114;
+        let t121 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        let t122 = t43 * yaw_per_v_delta;
+        let t123 = self.c * Jxz_all;
+        let M12_Jxz_delta = t40 + mu;
+        let t127 = t6 * M12_Jxz_delta;
+        let t128 = t127 - (mu * Sz_delta);
+        let t129 = t128 - (t122 * t123);
+        let M22_mu = t87 + t89;
         let M22_yaw_per_v_delta = self.c * M22_mu;
-        let t173 = t169 - (t140 * M22_yaw_per_v_delta);
-        let t174 = self.zH * yaw_per_v_delta;
-        let t175 = self.mH * t174;
-        let t177 = (yaw_per_v_delta * Sz_delta) - t175;
-        let C112_yaw_per_v_delta = Jxz_all + (self.c * t114);
-        let t182 = ST * self.c;
-        let t183 = t140 * t182;
-        let C122_py_delta = t38 * yaw_per_v_delta;
-        let C122_Sx_delta = (t43 * C122_py_delta)
-            + (yaw_per_v_delta * P_delta_yaw_Sx_delta);
-        let C122_Jxz_delta = t28 * yaw_per_v_delta;
-        let t190 = C122_Sx_delta - (C122_Jxz_delta * self.zH);
-        let C122_Jzz_delta = yaw_per_v_delta * M12_Jxz_delta;
-        let t194 = (self.mH * t190) + (t156 * C122_Jzz_delta);
-        let t197 = (yaw_per_v_delta * (py_delta + t165)) - t194;
-        let t199 = self.mH * M12_Jxz_delta;
-        let t200 = (mu * mA) - t199;
-        let P_delta_lateral_yaw_per_v_delta = self.c * Sx_all;
-        let t202 = t140 * P_delta_lateral_yaw_per_v_delta;
-        let P_delta_lateral_w = t200 - t202;
-        let C122_mu = P_delta_lateral + (yaw_per_v_delta * P_delta_yaw_mu);
+        let t134 = t34 * mu;
+        let t137 = (t72 + (mu * t79)) - (mA * t134);
+        let t140 = t134 + t134;
+        let t143 = (t40 * t140) + (mu * t140);
+        let M22_hz_delta = mu + M12_Jxz_delta;
+        let t146 = mu * mu;
+        let M22_Jzz_delta = (t40 * M22_hz_delta) + t146;
+        let t149 = (t36 * M22_Jzz_delta) - t143;
+        let M22_Jxz_delta = t28 * (t40 + M22_hz_delta);
+        let t156 = ((self.mH * t149) + (t6 * M22_Jxz_delta)) + (t61 * M22_Jzz_delta);
+        let t157 = t156 - (mu * (t72 + t137));
+        let t158 = t157 - (t122 * M22_yaw_per_v_delta);
+        let C112_yaw_per_v_delta = Jxz_all + (self.c * t104);
+        let t163 = t6 * yaw_per_v_delta;
+        let t164 = t163 - (yaw_per_v_delta * Sz_delta);
+        let t165 = t164 - (t122 * C112_yaw_per_v_delta);
+        let t166 = self.c * ST;
+        let t167 = t122 * t166;
+        let t168 = mu * mA;
+        let t169 = self.c * Sx_all;
+        let t171 = t168 - (t122 * t169);
+        let t172 = self.mH * M12_Jxz_delta;
+        let P_delta_lateral_w = t171 - t172;
+        let C122_mu = (yaw_per_v_delta * P_delta_yaw_mu) - t114;
         let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_mu);
-        let t211 = (t197 + (mu * P_delta_lateral_w)) - (t140 * C122_yaw_per_v_delta);
-        let t216 = (yaw_per_v_delta * P_delta_lateral_w) - (t140 * K222_yaw_per_v_delta);
-        let t219 = (t117 - t138) - (M12_Jxz_delta * t32);
-        let t226 = self.mF * ::carvallo::Number::like(self.w, 2.0);
-        let Jzz_delta_c = self.c * t226;
-        let t229 = (((t169 - (M22_Sx_delta * self.mF)) - (M22_Jxz_delta * t32))
-            + (yaw_per_v_delta * M22_mu)) + (Jzz_delta_c * M22_Jzz_delta);
-        let t232 = (yaw_per_v_delta * (t114 - t32)) - t177;
-        let P_delta_lateral_c = (t200 - (M12_Jxz_delta * self.mF))
-            + (yaw_per_v_delta * Sx_all);
-        let t247 = ((((t197 - (C122_Sx_delta * self.mF)) - (C122_Jxz_delta * t32))
-            + (yaw_per_v_delta * C122_mu)) + (mu * P_delta_lateral_c))
-            + (Jzz_delta_c * C122_Jzz_delta);
-        let t249 = yaw_per_v_delta * P_delta_lateral_c;
-        let hx_delta_lam = (Jxx_delta * t43) - t62;
-        let t252 = t46 * t28;
-        let t254 = hx_delta_lam - (t252 * M12_yaw_per_v_delta);
-        let t262 = (t43 * Sz_delta) + (Sx_delta * t28);
-        let hz_delta_lam = t44 - (Jzz_delta * t28);
-        let t270 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
-            - (t262 * P_delta_yaw_Sx_delta)) + (hz_delta_lam * M22_hz_delta))
-            - (t252 * M22_yaw_per_v_delta);
-        let t274 = t131 + (t252 * t182);
-        let t277 = t262 + (t252 * P_delta_lateral_yaw_per_v_delta);
-        let t283 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t277))
-            - (t262 * C122_py_delta)) - (t252 * C122_yaw_per_v_delta);
-        let t290 = (yaw_per_v_delta * (t106 - t277)) - (t252 * K222_yaw_per_v_delta);
-        let t291 = t112 * ::carvallo::Number::like(self.w, 2.0);
-        let t293 = self.IRyy * (t108 * t108);
-        let t294 = self.mR - t293;
-        let t295 = mu * t294;
-        let t296 = t293 * mu;
-        let t297 = yaw_per_v_delta * t294;
-        let t298 = self.rR * mu;
-        let t299 = self.rR * yaw_per_v_delta;
-        let t300 = yaw_per_v_delta * mu;
-        let t301 = mu * t108;
-        let t302 = yaw_per_v_delta * t108;
-        let P_delta_yaw_xB = t123 * t144;
-        let t305 = mu * P_delta_yaw_xB;
-        let P_delta_lateral_xB = self.mB * mu;
-        let t310 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * P_delta_lateral_xB);
-        let t312 = yaw_per_v_delta * P_delta_lateral_xB;
-        let t313 = ::carvallo::Number::like(self.w, 2.0) * t52;
-        let P_delta_lateral_mB = self.xB * mu;
-        let t317 = mu + (self.xB * yaw_per_v_delta);
-        let P_delta_yaw_mB = mu * t94;
-        let t322 = mu * P_delta_yaw_mB;
-        let t326 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * P_delta_lateral_mB);
-        let t329 = yaw_per_v_delta * P_delta_lateral_mB;
-        let t331 = t194 + (mu * t199);
-        let t333 = yaw_per_v_delta * t199;
-        let Jxx_delta_zH = self.zH * t155;
-        let t339 = (t28 * Jxx_delta_zH)
-            - ((M12_Jxz_delta * t40) + (self.mH * P_delta_lateral_mA));
-        let t341 = P_delta_yaw_Sx_delta * t28;
+        let t181 = t34 * yaw_per_v_delta;
+        let t184 = (t40 * t181) + (yaw_per_v_delta * t140);
+        let C122_Jzz_delta = yaw_per_v_delta * M12_Jxz_delta;
+        let t187 = (t36 * C122_Jzz_delta) - t184;
+        let C122_Jxz_delta = t28 * yaw_per_v_delta;
+        let t193 = ((self.mH * t187) + (t6 * C122_Jxz_delta)) + (t61 * C122_Jzz_delta);
+        let t194 = t193 - (yaw_per_v_delta * t137);
+        let t196 = ((mu * P_delta_lateral_w) + t194) - (t122 * C122_yaw_per_v_delta);
+        let t197 = t28 * P_delta_lateral_w;
+        let t198 = t104 * t122;
+        let t201 = (yaw_per_v_delta * P_delta_lateral_w) - (K222_yaw_per_v_delta * t122);
+        let t204 = (t106 + t128) - (t10 * M12_Jxz_delta);
+        let t207 = (self.c * M22_Jzz_delta) - t143;
+        let t214 = (((t157 + (self.mF * t207)) + (yaw_per_v_delta * M22_mu))
+            + (t59 * M22_Jzz_delta)) - (t10 * M22_Jxz_delta);
+        let t217 = t164 + (yaw_per_v_delta * (t104 - t10));
+        let t218 = yaw_per_v_delta * ST;
+        let t221 = (self.c * C122_Jzz_delta) - t184;
+        let t226 = (t168 + (yaw_per_v_delta * Sx_all)) - t172;
+        let t227 = self.mF * M12_Jxz_delta;
+        let P_delta_lateral_c = t226 - t227;
+        let t235 = ((((t194 + (self.mF * t221)) + (yaw_per_v_delta * C122_mu))
+            + (mu * P_delta_lateral_c)) + (t59 * C122_Jzz_delta))
+            - (t10 * C122_Jxz_delta);
+        let t236 = t28 * P_delta_lateral_c;
+        let t237 = yaw_per_v_delta * P_delta_lateral_c;
+        let hx_delta_lam = (Jxx_delta * t40) - t57;
+        let t240 = t28 * t43;
+        let t242 = hx_delta_lam - (t123 * t240);
+        let hz_delta_lam = t41 - (t28 * Jzz_delta);
+        let t252 = (t40 * Sz_delta) - (t28 * t70);
+        let t258 = (((((t28 * hx_delta_lam) + (t40 * hx_delta))
+            + (M22_hz_delta * hz_delta_lam)) - (t28 * hz_delta))
+            - (M22_yaw_per_v_delta * t240)) - (t140 * t252);
+        let t260 = t119 + (C112_yaw_per_v_delta * t240);
+        let t262 = t119 + (t166 * t240);
+        let t265 = t252 + (t169 * t240);
+        let t271 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t265))
+            - (C122_yaw_per_v_delta * t240)) - (t181 * t252);
+        let t274 = (t28 * t265) + (t40 * t114);
+        let t275 = t104 * t240;
+        let t279 = (yaw_per_v_delta * (t97 - t265)) - (K222_yaw_per_v_delta * t240);
+        let t280 = t17 + t17;
+        let t281 = t99 * t100;
+        let t282 = self.mR - t281;
+        let t283 = mu * t282;
+        let t284 = mu * t281;
+        let t285 = yaw_per_v_delta * t282;
+        let t286 = self.rR * self.rR;
+        let t287 = self.rR * mu;
+        let t288 = self.rR * yaw_per_v_delta;
+        let t290 = yaw_per_v_delta * mu;
+        let t291 = mu * t99;
+        let t292 = yaw_per_v_delta * t99;
+        let t293 = t21 * mu;
+        let t294 = mu * self.xB;
+        let t295 = self.mB * t294;
+        let P_delta_yaw_xB = t295 + (mu * t81);
+        let t298 = mu * P_delta_yaw_xB;
+        let t299 = t21 * yaw_per_v_delta;
+        let t301 = self.mB * mu;
+        let t303 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * t301);
+        let t304 = t28 * t301;
+        let t305 = yaw_per_v_delta * t301;
+        let t306 = t21 + t21;
+        let t308 = mu + (yaw_per_v_delta * self.xB);
+        let t309 = self.mB * t308;
+        let t310 = self.mB * yaw_per_v_delta;
+        let t311 = self.zB * self.zB;
+        let t312 = self.zB * t294;
+        let P_delta_yaw_mB = self.xB * t294;
+        let t314 = mu * P_delta_yaw_mB;
+        let t315 = self.zB * t308;
+        let t318 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * t294);
+        let t319 = t28 * t294;
+        let t320 = self.zB * yaw_per_v_delta;
+        let t321 = yaw_per_v_delta * t294;
+        let t323 = (mu * t172) - t193;
+        let t324 = t28 * t172;
+        let t325 = yaw_per_v_delta * t172;
+        let t326 = t6 + t6;
+        let t330 = ((self.zH * t28) + (t36 * M12_Jxz_delta)) - t134;
+        let t333 = (self.mH * t330) + (t6 * t28);
+        let t334 = t28 * t140;
         let M22_Jxx_delta = t28 * t28;
-        let t346 = (Jxx_delta_zH * M22_Jxx_delta)
-            - ((M22_Jxz_delta * t40) + (self.mH * t341));
-        let t348 = mu + C122_py_delta;
-        let t352 = C122_py_delta * t28;
-        let t355 = self.mH * t28;
-        let t358 = t355 * t28;
-        let t365 = ((t28 * Jxx_delta_mH) - (self.zH * P_delta_lateral_mA))
-            - (t39 * t135);
-        let P_delta_yaw_mA = t38 * P_delta_lateral_mA;
+        let t339 = ((self.zH * M22_Jxx_delta) + (t36 * M22_Jxz_delta)) - t334;
+        let t342 = (self.mH * t339) + (t6 * M22_Jxx_delta);
+        let t343 = mu + t181;
+        let t345 = (t36 * yaw_per_v_delta) - t343;
+        let t346 = self.mH * t345;
+        let t347 = t28 * t181;
+        let t349 = (t36 * C122_Jxz_delta) - t347;
+        let t351 = self.mH * t28;
+        let t353 = (self.mH * t349) - (mu * t351);
+        let t354 = t28 * t351;
+        let t355 = self.mH * yaw_per_v_delta;
+        let t356 = yaw_per_v_delta * t351;
+        let t357 = self.zH * self.zH;
+        let t358 = self.zH * t330;
+        let P_delta_yaw_mA = t34 * t134;
         let M22_mA = mu * P_delta_yaw_mA;
-        let t375 = (((M22_mA - (self.zH * t341)) + (t39 * t153))
-            + (Jxx_delta_mH * M22_Jxx_delta)) + (Jzz_delta_mH * M22_Jzz_delta);
+        let t364 = (M22_mA + (self.zH * t339)) + (t36 * t149);
+        let t365 = self.zH * t345;
         let C122_mA = yaw_per_v_delta * P_delta_yaw_mA;
-        let P_delta_lateral_mH = (P_delta_lateral_mA - (self.zH * t28))
-            + (t39 * M12_Jxz_delta);
-        let t391 = (((C122_mA - (self.zH * t352)) + (t39 * t190))
-            + (mu * P_delta_lateral_mH)) + (Jzz_delta_mH * C122_Jzz_delta);
-        let t393 = yaw_per_v_delta * P_delta_lateral_mH;
-        let Jxx_delta_rF = self.rF * t226;
-        let t395 = t28 * Jxx_delta_rF;
-        let t396 = Jxx_delta_rF * M22_Jxx_delta;
-        let t397 = mu - t348;
-        let t400 = self.IFyy * (t104 * t104);
-        let t401 = t400 * M12_Jxz_delta;
-        let t404 = (self.c * C122_Jxz_delta) - t352;
+        let t372 = ((C122_mA + (self.zH * t349)) + (t36 * t187)) - (mu * t330);
+        let t373 = t28 * t330;
+        let t374 = self.zH * yaw_per_v_delta;
+        let t375 = yaw_per_v_delta * t330;
+        let t376 = t10 + t10;
+        let t380 = ((self.c * M12_Jxz_delta) - t134) - (self.rF * t28);
+        let t383 = (t10 * t28) - (self.mF * t380);
+        let t387 = (t334 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
+        let t390 = (self.mF * t387) + (t10 * M22_Jxx_delta);
+        let t391 = mu - t343;
+        let t393 = t95 * SF;
+        let t394 = M12_Jxz_delta * t393;
+        let t395 = (self.mF * t391) + t394;
+        let t397 = (self.c * C122_Jxz_delta) - t347;
         let P_delta_lateral_rF = self.mF * t28;
-        let t408 = (mu * P_delta_lateral_rF) - (self.mF * t404);
-        let t411 = yaw_per_v_delta * (self.mF - t400);
-        let t414 = (yaw_per_v_delta * P_delta_lateral_rF) - (t400 * C122_Jxz_delta);
-        let t415 = t28 * Jxx_delta_mF;
-        let t421 = ((M22_mA - (M22_Sx_delta * self.c)) + (Jxx_delta_mF * M22_Jxx_delta))
-            + (Jzz_delta_mF * M22_Jzz_delta);
-        let P_delta_lateral_mF = (P_delta_lateral_mA - (M12_Jxz_delta * self.c))
-            + (self.rF * t28);
-        let t434 = (((C122_mA - (C122_Sx_delta * self.c)) - (self.rF * t404))
-            + (mu * P_delta_lateral_mF)) + (Jzz_delta_mF * C122_Jzz_delta);
-        let t436 = self.rF * yaw_per_v_delta;
-        let t437 = yaw_per_v_delta * P_delta_lateral_mF;
-        let t438 = M22_Jxx_delta + M22_Jzz_delta;
-        let t439 = t104 * M12_Jxz_delta;
-        let t440 = yaw_per_v_delta * t104;
-        let t441 = t104 * C122_Jxz_delta;
-        let t442 = -(t106 + (mu * ST));
-        let t443 = -P_delta_lateral;
-        let t444 = -(P_delta_lateral * t28);
-        let t445 = -(t138 + (t140 * M12_yaw_per_v_delta));
-        let t446 = -(t177 + (t140 * C112_yaw_per_v_delta));
-        let t447 = t202 - t200;
-        let t448 = -(P_delta_lateral_w * t28);
-        let t449 = -(t114 * t140);
-        let t450 = -(ST * yaw_per_v_delta);
-        let t451 = -P_delta_lateral_c;
-        let t452 = -(P_delta_lateral_c * t28);
-        let t453 = -(t131 + (t252 * C112_yaw_per_v_delta));
-        let t454 = (t28 * t277) - (P_delta_lateral * t43);
-        let t455 = -(t114 * t252);
-        let t456 = -self.mR;
-        let t457 = -self.rR;
-        let t458 = -t301;
-        let t459 = -(t52 * mu);
-        let t460 = -(t52 * yaw_per_v_delta);
-        let t461 = -P_delta_lateral_xB;
-        let t462 = -(P_delta_lateral_xB * t28);
-        let t463 = -(self.mB * P_delta_lateral_mB);
-        let t464 = -(self.mB * t317);
-        let t465 = -(self.mB * yaw_per_v_delta);
-        let t466 = -(self.zB * P_delta_lateral_mB);
-        let t467 = -(self.zB * t317);
-        let t468 = -P_delta_lateral_mB;
-        let t469 = -(P_delta_lateral_mB * t28);
-        let t470 = -(self.zB * yaw_per_v_delta);
-        let t471 = -t136;
-        let t472 = -t175;
-        let t473 = -t199;
-        let t474 = -(t199 * t28);
-        let t475 = -((t40 * yaw_per_v_delta) + (self.mH * t348));
-        let t476 = -(((C122_Jxz_delta * t40) + (self.mH * t352)) + (mu * t355));
-        let t477 = -(self.mH * yaw_per_v_delta);
-        let t478 = -(yaw_per_v_delta * t355);
-        let t479 = -((self.zH * t348) + (t39 * t174));
-        let t480 = -P_delta_lateral_mH;
-        let t481 = -(P_delta_lateral_mH * t28);
-        let t482 = -t174;
-        let t483 = -((self.mF * t397) + t401);
-        let t484 = -self.mF;
-        let t485 = -P_delta_lateral_rF;
-        let t486 = -(t28 * P_delta_lateral_rF);
-        let t487 = -(self.rF * t397);
-        let t488 = -self.rF;
-        let t489 = -P_delta_lateral_mF;
-        let t490 = -(t28 * P_delta_lateral_mF);
-        let t491 = -t439;
+        let t401 = (mu * P_delta_lateral_rF) - (self.mF * t397);
+        let t402 = t28 * P_delta_lateral_rF;
+        let t404 = yaw_per_v_delta * (self.mF - t393);
+        let t407 = (yaw_per_v_delta * P_delta_lateral_rF) - (C122_Jxz_delta * t393);
+        let t408 = self.rF * self.rF;
+        let t409 = self.rF * t380;
+        let t413 = (M22_mA + (self.c * t207)) + (self.rF * t387);
+        let t414 = self.rF * t391;
+        let t420 = ((C122_mA + (self.c * t221)) - (self.rF * t397)) - (mu * t380);
+        let t421 = t28 * t380;
+        let t422 = self.rF * yaw_per_v_delta;
+        let t423 = yaw_per_v_delta * t380;
+        let t424 = M22_Jzz_delta + M22_Jxx_delta;
+        let t425 = t95 * M12_Jxz_delta;
+        let t426 = yaw_per_v_delta * t95;
+        let t427 = t95 * C122_Jxz_delta;
+        let t428 = -(t97 + (mu * ST));
+        let t429 = t172 - t171;
+        let t430 = t227 - t226;
         (
             WhippleMechanismMatrices {
-                m: [[t26, t60], [t60, t101]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t118], [t442, t128]],
-                k0: [[Sz_all, t443], [t443, t444]],
+                m: [[t26, t55], [t55, t92]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t428, t116]],
+                k0: [[Sz_all, t114], [t114, t117]],
                 k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t130],
-                    [::carvallo::Number::like(self.w, 0.0), t133],
+                    [::carvallo::Number::like(self.w, 0.0), t118],
+                    [::carvallo::Number::like(self.w, 0.0), t121],
                 ],
             },
             WhippleMechanismDerivatives {
                 values: [
-                    t445,
-                    t445,
-                    t173,
-                    t446,
-                    t183,
-                    t211,
-                    t447,
-                    t447,
-                    t448,
-                    t449,
-                    t216,
-                    t219,
-                    t219,
-                    t229,
-                    t232,
-                    t450,
-                    t247,
-                    t451,
-                    t451,
-                    t452,
-                    t249,
-                    t254,
-                    t254,
-                    t270,
-                    t453,
+                    t129,
+                    t158,
+                    t165,
+                    t167,
+                    t196,
+                    t429,
+                    t197,
+                    t198,
+                    t201,
+                    t204,
+                    t214,
+                    t217,
+                    t218,
+                    t235,
+                    t430,
+                    t236,
+                    t237,
+                    t242,
+                    t258,
+                    t260,
+                    t262,
+                    t271,
+                    t265,
                     t274,
+                    t275,
+                    t279,
+                    t280,
                     t283,
-                    t277,
-                    t277,
-                    t454,
-                    t455,
+                    t284,
+                    self.mR,
+                    t285,
+                    t286,
+                    t287,
+                    self.rR,
+                    t288,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t146,
                     t290,
                     t291,
-                    t295,
-                    t296,
-                    t456,
-                    t297,
-                    t19,
+                    t292,
+                    t293,
                     t298,
-                    t457,
                     t299,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t158,
-                    t300,
+                    t303,
                     t301,
-                    t458,
-                    t302,
-                    t459,
-                    t459,
+                    t304,
                     t305,
-                    t460,
-                    t310,
-                    t461,
-                    t461,
-                    t462,
-                    t312,
-                    t313,
-                    t463,
-                    t463,
-                    t464,
+                    t306,
+                    t295,
+                    t309,
                     self.mB,
-                    t465,
-                    t24,
-                    t466,
-                    t466,
-                    t322,
-                    t467,
-                    t326,
+                    t310,
+                    t311,
+                    t312,
+                    t314,
+                    t315,
+                    t318,
                     self.zB,
-                    t468,
-                    t468,
-                    t469,
-                    t470,
-                    t329,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t158,
-                    t300,
-                    mu,
+                    t294,
+                    t319,
+                    t320,
+                    t321,
                     mu,
                     yaw_per_v_delta,
-                    t471,
-                    t471,
-                    t161,
-                    t472,
-                    t331,
-                    t473,
-                    t473,
-                    t474,
+                    t127,
+                    t156,
+                    t163,
+                    t323,
+                    t172,
+                    t324,
+                    t325,
+                    t326,
                     t333,
-                    Jxx_delta_zH,
-                    t339,
-                    t339,
+                    t342,
                     t346,
-                    t475,
-                    t476,
+                    t353,
                     self.mH,
+                    t351,
+                    t354,
                     t355,
-                    t355,
+                    t356,
+                    t357,
                     t358,
-                    t477,
-                    t478,
-                    Jxx_delta_mH,
+                    t364,
                     t365,
-                    t365,
-                    t375,
-                    t479,
-                    t391,
+                    t372,
                     self.zH,
-                    t480,
-                    t480,
-                    t481,
-                    t482,
-                    t393,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
+                    t330,
+                    t373,
+                    t374,
+                    t375,
                     t28,
                     M22_Jxx_delta,
                     M22_Jzz_delta,
                     C122_Jzz_delta,
                     M12_Jxz_delta,
-                    M12_Jxz_delta,
                     M22_Jxz_delta,
-                    yaw_per_v_delta,
                     C122_Jxz_delta,
-                    Jxx_delta_rF,
+                    t376,
+                    t383,
+                    t390,
                     t395,
-                    t395,
-                    t396,
-                    t483,
+                    t394,
                     t401,
+                    self.mF,
+                    P_delta_lateral_rF,
+                    t402,
+                    t404,
+                    t407,
                     t408,
-                    t484,
-                    t485,
-                    t485,
-                    t486,
-                    t411,
+                    t409,
+                    t413,
                     t414,
-                    Jxx_delta_mF,
-                    t415,
-                    t415,
+                    t420,
+                    self.rF,
+                    t380,
                     t421,
-                    t487,
-                    t434,
-                    t488,
-                    t489,
-                    t489,
-                    t490,
-                    t436,
-                    t437,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
-                    t28,
-                    t438,
-                    C122_Jzz_delta,
-                    t439,
-                    t491,
-                    t440,
-                    t441,
+                    t422,
+                    t423,
+                    t424,
+                    t425,
+                    t426,
+                    t427,
                 ],
             },
         )
@@ -1821,8 +1762,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleMechanism<T
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 26];
         for position in 0..158 {
-            <WhippleMechanismDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleMechanismDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -338,57 +338,62 @@ pub struct WhippleSprungMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleSprung<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 46 additions, 54 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 108 operations.
+    /// 45 additions, 46 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 99 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleSprungMatrices<T> {
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
-            + (self.mF * (self.rF * self.rF));
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
-            + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
-        let t32 = self.rF * self.mF;
-        let t37 = self.w + self.c;
-        let t38 = self.xH - t37;
-        let t39 = self.mH * t38;
-        let Jxz_delta = (self.IHxz - (self.c * t32)) - (self.zH * t39);
-        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t42);
-        let yaw_per_v_delta = t42 / self.w;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t41) = ::carvallo::Number::sin_cos(self.lam);
+        let t35 = self.c + self.w;
+        let t36 = self.xH - t35;
+        let t37 = self.mH * t36;
+        let Jxz_delta = (self.IHxz - (t10 * self.c)) - (self.zH * t37);
+        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t41);
+        let yaw_per_v_delta = t41 / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t50 = self.zB * self.mB;
-        let Sz_delta = (self.zH * self.mH) - t32;
-        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t50)) - (Sz_delta * t37);
-        let t58 = hx_delta + (yaw_by_delta * Jxz_all);
-        let t66 = self.IHzz + self.IFxx;
-        let hz_delta = (Jxz_delta * t28)
-            + (t42 * (((self.mH * (t38 * t38)) + (self.mF * (self.c * self.c))) + t66));
-        let Sx_delta = t39 - (self.c * self.mF);
-        let py_delta = (Sx_delta * t42) - (Sz_delta * t28);
-        let M_yaw_delta = hz_delta + (py_delta * t37);
-        let t89 = yaw_by_delta
-            * (((((self.IRxx + self.IBzz) + t66) + (self.mB * (self.xB * self.xB)))
-                + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w)));
-        let P_delta_yaw = M_yaw_delta + t89;
-        let t96 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
-            + (hz_delta * t42);
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t35 * Sz_delta);
+        let t55 = hx_delta + (yaw_by_delta * Jxz_all);
+        let t58 = self.mF * self.c;
+        let t61 = self.IFxx + self.IHzz;
+        let hz_delta = (t28 * Jxz_delta)
+            + (t41 * (((t36 * t37) + (self.c * t58)) + t61));
+        let Sx_delta = t37 - t58;
+        let py_delta = (t41 * Sx_delta) - (t28 * Sz_delta);
+        let M_yaw_delta = hz_delta + (t35 * py_delta);
+        let t73 = self.mB * self.xB;
+        let t75 = self.mH * self.xH;
+        let t77 = self.mF * self.w;
+        let t84 = yaw_by_delta
+            * (((((self.IRxx + t61) + self.IBzz) + (self.xB * t73)) + (self.xH * t75))
+                + (self.w * t77));
+        let P_delta_yaw = M_yaw_delta + t84;
+        let t91 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t28 * hx_delta))
+            + (t41 * hz_delta);
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
-        let Sz_all = (Sz_delta + t50) - (self.rR * self.mR);
-        let t107 = h_wheels_all - Sz_all;
-        let t111 = h_spin_F * t42;
-        let t112 = ((yaw_by_delta * t107) + (yaw_per_v_delta * Jxz_all)) + t111;
-        let Sx_all = (Sx_delta + (self.xB * self.mB)) + (t37 * (self.mH + self.mF));
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t101 = h_wheels_all - Sz_all;
+        let t104 = t41 * h_spin_F;
+        let t106 = ((yaw_by_delta * t101) + (yaw_per_v_delta * Jxz_all)) + t104;
+        let Sx_all = (t73 + t75) + t77;
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t124 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t127 = yaw_per_v_delta * t107;
-        let t130 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
-        let t131 = -(t111 + (yaw_by_delta * h_wheels_all));
-        let t132 = -P_delta_lateral;
-        let t133 = -(t28 * P_delta_lateral);
+        let t115 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t118 = yaw_per_v_delta * t101;
+        let t121 = yaw_per_v_delta * (P_delta_lateral + (t28 * h_spin_F));
+        let t122 = -(t104 + (yaw_by_delta * h_wheels_all));
+        let t123 = -P_delta_lateral;
+        let t124 = -(t28 * P_delta_lateral);
         WhippleSprungMatrices {
-            m: [[t26, t58], [t58, t96]],
+            m: [[t26, t55], [t55, t91]],
             c0: [
                 [
                     ::carvallo::Number::like(self.w, 0.0),
@@ -396,7 +401,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                 ],
                 [::carvallo::Number::like(self.w, 0.0), self.d],
             ],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t112], [t131, t124]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t106], [t122, t115]],
             kc: [
                 [
                     ::carvallo::Number::like(self.w, 0.0),
@@ -404,10 +409,10 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                 ],
                 [::carvallo::Number::like(self.w, 0.0), self.k],
             ],
-            k0: [[Sz_all, t132], [t132, t133]],
+            k0: [[Sz_all, t123], [t123, t124]],
             k2: [
-                [::carvallo::Number::like(self.w, 0.0), t127],
-                [::carvallo::Number::like(self.w, 0.0), t130],
+                [::carvallo::Number::like(self.w, 0.0), t118],
+                [::carvallo::Number::like(self.w, 0.0), t121],
             ],
         }
     }
@@ -1167,173 +1172,173 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleSprung<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleSprungDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 160],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 123],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleSprungDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 160] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
+        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 26, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 27, 35),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1370,7 +1375,10 @@ impl<T: ::carvallo::Scalar> WhippleSprungDerivatives<T> {
                 ::carvallo::MatrixName::K0 => &mut matrices.k0,
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1378,7 +1386,7 @@ impl<T: ::carvallo::Scalar> WhippleSprungDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 162 additions, 278 multiplications, 3 divisions, 46 negations and 2 trigonometric functions: 491 operations.
+    /// 164 additions, 255 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 427 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1386,277 +1394,259 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
     pub fn matrices_and_derivatives(
         &self,
     ) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
-        let Jxx_delta_mH = self.zH * self.zH;
-        let Jxx_delta_mF = self.rF * self.rF;
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * Jxx_delta_mH))
-            + (self.mF * Jxx_delta_mF);
-        let t19 = self.rR * self.rR;
-        let t24 = self.zB * self.zB;
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.mR * t19))
-            + (self.mB * t24);
-        let (t28, t43) = ::carvallo::Number::sin_cos(self.lam);
-        let t31 = self.rF * self.mF;
-        let t38 = self.w + self.c;
-        let t39 = self.xH - t38;
-        let t40 = self.mH * t39;
-        let Jxz_delta = (self.IHxz - (t31 * self.c)) - (t40 * self.zH);
-        let t44 = Jxz_delta * t43;
-        let hx_delta = (Jxx_delta * t28) + t44;
-        let t46 = ::carvallo::Number::like(self.w, 1.0) / self.w;
-        let yaw_per_v_delta = t43 * t46;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t41) = ::carvallo::Number::sin_cos(self.lam);
+        let t35 = self.c + self.w;
+        let t36 = self.xH - t35;
+        let t37 = self.mH * t36;
+        let Jxz_delta = (self.IHxz - (t10 * self.c)) - (self.zH * t37);
+        let t42 = Jxz_delta * t41;
+        let hx_delta = (Jxx_delta * t28) + t42;
+        let t44 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let yaw_per_v_delta = t41 * t44;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t52 = self.zB * self.mB;
-        let t55 = self.zH * self.mH;
-        let Sz_delta = t55 - t31;
-        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t52)) - (t38 * Sz_delta);
-        let t60 = hx_delta + (yaw_by_delta * Jxz_all);
-        let t62 = t28 * Jxz_delta;
-        let t64 = self.IHzz + self.IFxx;
-        let t65 = t39 * t39;
-        let t68 = self.c * self.c;
-        let t70 = (t64 + (self.mH * t65)) + (self.mF * t68);
-        let hz_delta = t62 + (t43 * t70);
-        let Sx_delta = t40 - (self.mF * self.c);
-        let py_delta = (t43 * Sx_delta) - (Sz_delta * t28);
-        let M_yaw_delta = hz_delta + (t38 * py_delta);
-        let t85 = self.xB * self.xB;
-        let t88 = self.xH * self.xH;
-        let t91 = self.w * self.w;
-        let P_delta_yaw_yaw_by_delta = ((((self.IRxx + self.IBzz) + t64)
-            + (self.mB * t85)) + (self.mH * t88)) + (self.mF * t91);
-        let t94 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-        let P_delta_yaw = M_yaw_delta + t94;
-        let t96 = M_yaw_delta + P_delta_yaw;
-        let t98 = ((t28 * hx_delta) + (t43 * hz_delta)) + (yaw_by_delta * t96);
-        let t102 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        let h_spin_F = self.IFyy * t102;
-        let t104 = t43 * h_spin_F;
-        let t106 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        let h_wheels_all = h_spin_F + (self.IRyy * t106);
-        let t110 = self.rR * self.mR;
-        let Sz_all = (t52 + Sz_delta) - t110;
-        let t112 = h_wheels_all - Sz_all;
-        let t115 = yaw_per_v_delta * Jxz_all;
-        let t116 = (t104 + (yaw_by_delta * t112)) + t115;
-        let t120 = self.xB * self.mB;
-        let t122 = self.mH + self.mF;
-        let Sx_all = (Sx_delta + t120) + (t38 * t122);
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t35 * Sz_delta);
+        let t56 = hx_delta + (yaw_by_delta * Jxz_all);
+        let t58 = t28 * Jxz_delta;
+        let t60 = self.IFxx + self.IHzz;
+        let t61 = self.mF * self.c;
+        let t65 = (t60 + (self.c * t61)) + (t36 * t37);
+        let hz_delta = t58 + (t41 * t65);
+        let Sx_delta = t37 - t61;
+        let py_delta = (t41 * Sx_delta) - (t28 * Sz_delta);
+        let M_yaw_delta = hz_delta + (t35 * py_delta);
+        let t76 = self.mF * self.w;
+        let t78 = self.mB * self.xB;
+        let t80 = self.mH * self.xH;
+        let P_delta_yaw_yaw_by_delta = ((((self.IRxx + t60) + self.IBzz)
+            + (self.w * t76)) + (self.xB * t78)) + (self.xH * t80);
+        let t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
+        let P_delta_yaw = M_yaw_delta + t87;
+        let t89 = M_yaw_delta + P_delta_yaw;
+        let t92 = ((t28 * hx_delta) + (t41 * hz_delta)) + (yaw_by_delta * t89);
+        let t96 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let h_spin_F = self.IFyy * t96;
+        let t98 = t41 * h_spin_F;
+        let t100 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let t101 = self.IRyy * t100;
+        let h_wheels_all = h_spin_F + t101;
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t105 = h_wheels_all - Sz_all;
+        let t107 = yaw_per_v_delta * Jxz_all;
+        let t109 = (t98 + (yaw_by_delta * t105)) + t107;
+        let Sx_all = (t76 + t78) + t80;
         let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t128 = (yaw_per_v_delta * P_delta_yaw) + (yaw_by_delta * P_delta_lateral);
-        let t131 = yaw_per_v_delta * t112;
-        let t132 = t28 * h_spin_F;
-        let K222_yaw_per_v_delta = P_delta_lateral + t132;
-        let t134 = yaw_per_v_delta * K222_yaw_per_v_delta;
-        let t135 = t43 * t55;
-        let t137 = t135 + (yaw_by_delta * t55);
-        let t139 = (yaw_by_delta * Sz_delta) - t137;
-        let t141 = t43 * (t46 * t46);
-        let t142 = self.c * Jxz_all;
-        let t146 = self.mH * t43;
-        let t148 = yaw_by_delta * ::carvallo::Number::like(self.w, 2.0);
-        let M22_py_delta = t38 * t148;
-        let t152 = self.mH * ::carvallo::Number::like(self.w, 2.0);
-        let t153 = t39 * t43;
-        let t156 = (t152 * t153) - (t28 * t55);
-        let M22_hz_delta = t43 + t148;
-        let t159 = ((t146 * M22_py_delta) - (t28 * t135)) + (t156 * M22_hz_delta);
-        let t161 = (py_delta * t148) - t159;
-        let P_delta_yaw_w = (self.w * self.mF) * t148;
-        let M22_yaw_by_delta = t94 + t96;
+        let t118 = (yaw_per_v_delta * P_delta_yaw) + (yaw_by_delta * P_delta_lateral);
+        let t121 = yaw_per_v_delta * t105;
+        let t122 = t28 * h_spin_F;
+        let K222_yaw_per_v_delta = P_delta_lateral + t122;
+        let t124 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        let t125 = self.zH * t41;
+        let t126 = self.mH * t125;
+        let t128 = t126 + (t6 * yaw_by_delta);
+        let t130 = (yaw_by_delta * Sz_delta) - t128;
+        let t131 = t44 * yaw_per_v_delta;
+        let M12_yaw_per_v_delta = self.c * Jxz_all;
+        let t134 = t130 + (t131 * M12_yaw_per_v_delta);
+        let py_delta_mH = (t36 * t41) - (self.zH * t28);
+        let t140 = t37 * t41;
+        let t141 = (self.mH * py_delta_mH) + t140;
+        let t143 = (t41 * t141) - (t28 * t126);
+        let t144 = self.mH * t41;
+        let t146 = t141 + (t35 * t144);
+        let t147 = py_delta - t146;
+        let t148 = yaw_by_delta + yaw_by_delta;
+        let t150 = (t147 * t148) - t143;
+        let t151 = self.w * yaw_by_delta;
+        let P_delta_yaw_w = (self.mF * t151) + (yaw_by_delta * t76);
+        let M22_yaw_by_delta = t87 + t89;
         let M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        let t169 = (t161 + (yaw_by_delta * P_delta_yaw_w))
-            - (t141 * M22_yaw_per_v_delta);
-        let t170 = yaw_per_v_delta * t55;
-        let t172 = (yaw_per_v_delta * Sz_delta) - t170;
-        let C112_yaw_per_v_delta = Jxz_all + (self.c * t112);
-        let t177 = h_wheels_all * self.c;
-        let t178 = t141 * t177;
-        let C122_py_delta = t38 * yaw_per_v_delta;
-        let t182 = (yaw_per_v_delta * t156) + (t146 * C122_py_delta);
-        let t184 = (yaw_per_v_delta * py_delta) - t182;
-        let t188 = self.mH * yaw_by_delta;
-        let t189 = t146 + t188;
-        let t190 = (yaw_by_delta * t122) - t189;
+        let t160 = (t150 + (yaw_by_delta * P_delta_yaw_w))
+            - (t131 * M22_yaw_per_v_delta);
+        let t161 = t6 * yaw_per_v_delta;
+        let t163 = (yaw_per_v_delta * Sz_delta) - t161;
+        let C112_yaw_per_v_delta = Jxz_all + (self.c * t105);
+        let t167 = t163 + (t131 * C112_yaw_per_v_delta);
+        let t168 = self.c * h_wheels_all;
+        let t169 = t131 * t168;
+        let t170 = yaw_per_v_delta * t147;
         let P_delta_lateral_yaw_per_v_delta = self.c * Sx_all;
-        let t192 = t141 * P_delta_lateral_yaw_per_v_delta;
-        let P_delta_lateral_w = t190 - t192;
+        let t176 = (t144 + (t131 * P_delta_lateral_yaw_per_v_delta))
+            - (self.mF * yaw_by_delta);
         let C122_yaw_by_delta = P_delta_lateral
             + (yaw_per_v_delta * P_delta_yaw_yaw_by_delta);
         let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
-        let t201 = ((t184 + (yaw_per_v_delta * P_delta_yaw_w))
-            + (yaw_by_delta * P_delta_lateral_w)) - (t141 * C122_yaw_per_v_delta);
-        let t206 = (yaw_per_v_delta * P_delta_lateral_w) - (t141 * K222_yaw_per_v_delta);
-        let t207 = t31 * t43;
-        let t211 = (t115 - (t207 + t139)) - (t31 * yaw_by_delta);
-        let t216 = self.mF * t43;
-        let t220 = self.c * t43;
-        let t221 = self.mF * ::carvallo::Number::like(self.w, 2.0);
-        let hz_delta_c = (t220 * t221) - (t31 * t28);
-        let t225 = (((t161 - (t28 * t207)) + (yaw_per_v_delta * M22_yaw_by_delta))
-            - (t216 * M22_py_delta)) + (hz_delta_c * M22_hz_delta);
-        let t228 = (yaw_per_v_delta * (t112 - t31)) - t172;
-        let P_delta_lateral_c = ((t190 - t216) - (self.mF * yaw_by_delta))
-            + (yaw_per_v_delta * Sx_all);
-        let t241 = ((t184 + (yaw_per_v_delta * (hz_delta_c + C122_yaw_by_delta)))
-            + (yaw_by_delta * P_delta_lateral_c)) - (t216 * C122_py_delta);
-        let t243 = yaw_per_v_delta * P_delta_lateral_c;
-        let hx_delta_lam = (Jxx_delta * t43) - t62;
-        let t246 = t46 * t28;
-        let t248 = hx_delta_lam - (t246 * t142);
-        let t256 = (t43 * Sz_delta) + (Sx_delta * t28);
-        let hz_delta_lam = t44 - (t28 * t70);
-        let t264 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
-            - (t256 * M22_py_delta)) + (hz_delta_lam * M22_hz_delta))
-            - (t246 * M22_yaw_per_v_delta);
-        let t268 = t132 + (t246 * t177);
-        let t271 = t256 + (t246 * P_delta_lateral_yaw_per_v_delta);
-        let t277 = (((yaw_per_v_delta * hz_delta_lam) - (yaw_by_delta * t271))
-            - (t256 * C122_py_delta)) - (t246 * C122_yaw_per_v_delta);
-        let t284 = (yaw_per_v_delta * (t104 - t271)) - (t246 * K222_yaw_per_v_delta);
-        let t285 = t110 * ::carvallo::Number::like(self.w, 2.0);
-        let t287 = self.IRyy * (t106 * t106);
-        let t288 = self.mR - t287;
-        let t289 = yaw_by_delta * t288;
-        let t290 = t287 * yaw_by_delta;
-        let t291 = yaw_per_v_delta * t288;
-        let t292 = self.rR * yaw_by_delta;
-        let t293 = self.rR * yaw_per_v_delta;
-        let t294 = yaw_by_delta * yaw_by_delta;
-        let t295 = yaw_per_v_delta * yaw_by_delta;
-        let t296 = yaw_by_delta * t106;
-        let t297 = yaw_per_v_delta * t106;
-        let P_delta_yaw_xB = t120 * t148;
-        let t300 = yaw_by_delta * P_delta_yaw_xB;
+        let t185 = ((t170 + (yaw_per_v_delta * P_delta_yaw_w)) - (yaw_by_delta * t176))
+            - (t131 * C122_yaw_per_v_delta);
+        let t186 = t28 * t176;
+        let t187 = t105 * t131;
+        let t190 = (yaw_per_v_delta * t176) + (K222_yaw_per_v_delta * t131);
+        let t191 = t10 * t41;
+        let t195 = ((t107 - t130) - t191) - (t10 * yaw_by_delta);
+        let hx_delta_rF = t10 * t28;
+        let t197 = self.c * t41;
+        let hz_delta_c = ((self.mF * t197) + (t41 * t61)) - hx_delta_rF;
+        let t202 = self.mF * t41;
+        let M_yaw_delta_c = hz_delta_c - (t35 * t202);
+        let t212 = (((t150 + (t148 * M_yaw_delta_c)) + (t41 * hz_delta_c))
+            + (yaw_per_v_delta * M22_yaw_by_delta)) - (t28 * t191);
+        let t215 = (yaw_per_v_delta * (t105 - t10)) - t163;
+        let t216 = yaw_per_v_delta * h_wheels_all;
+        let t221 = (t144 + t202) - (yaw_per_v_delta * Sx_all);
+        let t224 = (t170 + (yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c)))
+            - (yaw_by_delta * t221);
+        let t225 = t28 * t221;
+        let t226 = yaw_per_v_delta * t221;
+        let hx_delta_lam = (Jxx_delta * t41) - t58;
+        let t229 = t28 * t44;
+        let t231 = hx_delta_lam - (M12_yaw_per_v_delta * t229);
+        let hz_delta_lam = t42 - (t28 * t65);
+        let t236 = (t41 * Sz_delta) + (t28 * Sx_delta);
+        let M_yaw_delta_lam = hz_delta_lam - (t35 * t236);
+        let t249 = (((((t148 * M_yaw_delta_lam) + (t28 * hx_delta_lam))
+            + (t41 * hz_delta_lam)) + (t41 * hx_delta)) - (t28 * hz_delta))
+            - (M22_yaw_per_v_delta * t229);
+        let t251 = t122 + (C112_yaw_per_v_delta * t229);
+        let t253 = t122 + (t168 * t229);
+        let t256 = t236 + (P_delta_lateral_yaw_per_v_delta * t229);
+        let t260 = ((yaw_per_v_delta * M_yaw_delta_lam) - (yaw_by_delta * t256))
+            - (C122_yaw_per_v_delta * t229);
+        let t263 = (t28 * t256) - (t41 * P_delta_lateral);
+        let t264 = t105 * t229;
+        let t268 = (yaw_per_v_delta * (t98 - t256)) - (K222_yaw_per_v_delta * t229);
+        let t269 = t17 + t17;
+        let t270 = t100 * t101;
+        let t271 = self.mR - t270;
+        let t272 = yaw_by_delta * t271;
+        let t273 = yaw_by_delta * t270;
+        let t274 = yaw_per_v_delta * t271;
+        let t275 = self.rR * self.rR;
+        let t276 = self.rR * yaw_by_delta;
+        let t277 = self.rR * yaw_per_v_delta;
+        let t279 = yaw_by_delta * yaw_by_delta;
+        let t280 = yaw_per_v_delta * yaw_by_delta;
+        let t281 = yaw_by_delta * t100;
+        let t282 = yaw_per_v_delta * t100;
+        let t283 = t21 * yaw_by_delta;
+        let P_delta_lateral_mB = yaw_by_delta * self.xB;
+        let t285 = self.mB * P_delta_lateral_mB;
+        let P_delta_yaw_xB = t285 + (yaw_by_delta * t78);
+        let t288 = yaw_by_delta * P_delta_yaw_xB;
+        let t289 = t21 * yaw_per_v_delta;
         let P_delta_lateral_xB = self.mB * yaw_by_delta;
-        let t305 = (yaw_per_v_delta * P_delta_yaw_xB)
+        let t293 = (yaw_per_v_delta * P_delta_yaw_xB)
             + (yaw_by_delta * P_delta_lateral_xB);
-        let t307 = yaw_per_v_delta * P_delta_lateral_xB;
-        let t308 = ::carvallo::Number::like(self.w, 2.0) * t52;
-        let P_delta_lateral_mB = self.xB * yaw_by_delta;
-        let t312 = yaw_by_delta + (self.xB * yaw_per_v_delta);
-        let P_delta_yaw_mB = yaw_by_delta * t85;
-        let t317 = yaw_by_delta * P_delta_yaw_mB;
-        let t321 = (yaw_per_v_delta * P_delta_yaw_mB)
+        let t294 = t28 * P_delta_lateral_xB;
+        let t295 = yaw_per_v_delta * P_delta_lateral_xB;
+        let t296 = t21 + t21;
+        let t298 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        let t299 = self.mB * t298;
+        let t300 = self.mB * yaw_per_v_delta;
+        let t301 = self.zB * self.zB;
+        let t302 = self.zB * P_delta_lateral_mB;
+        let P_delta_yaw_mB = self.xB * P_delta_lateral_mB;
+        let t304 = yaw_by_delta * P_delta_yaw_mB;
+        let t305 = self.zB * t298;
+        let t308 = (yaw_per_v_delta * P_delta_yaw_mB)
             + (yaw_by_delta * P_delta_lateral_mB);
-        let t324 = yaw_per_v_delta * P_delta_lateral_mB;
-        let P_delta_yaw_xH = (self.xH * self.mH) * t148;
-        let t328 = t159 + (yaw_by_delta * P_delta_yaw_xH);
-        let t332 = (t182 + (yaw_per_v_delta * P_delta_yaw_xH)) + (yaw_by_delta * t189);
-        let t334 = yaw_per_v_delta * t189;
-        let Jxx_delta_zH = self.zH * t152;
-        let hx_delta_zH = (t28 * Jxx_delta_zH) - (t40 * t43);
-        let t340 = t40 + (self.mH * t38);
-        let t342 = hx_delta_zH - (yaw_by_delta * t340);
-        let t344 = self.mH * t28;
-        let t347 = t40 * t28;
-        let t349 = ((t28 * hx_delta_zH) - (t344 * M22_py_delta)) - (t347 * M22_hz_delta);
-        let t357 = t344 * t28;
-        let t361 = t39 * self.zH;
-        let hx_delta_mH = (t28 * Jxx_delta_mH) - (t43 * t361);
-        let t365 = t361 + (t38 * self.zH);
-        let t367 = hx_delta_mH - (yaw_by_delta * t365);
-        let P_delta_yaw_mH = yaw_by_delta * t88;
-        let py_delta_mH = t153 - (self.zH * t28);
-        let hz_delta_mH = (t43 * t65) - (t28 * t361);
-        let t380 = (((t28 * hx_delta_mH) + (yaw_by_delta * P_delta_yaw_mH))
-            + (py_delta_mH * M22_py_delta)) + (hz_delta_mH * M22_hz_delta);
-        let P_delta_lateral_mH = py_delta_mH + (yaw_by_delta * (t38 + t39));
-        let t392 = ((yaw_per_v_delta * (P_delta_yaw_mH + hz_delta_mH))
-            + (yaw_by_delta * P_delta_lateral_mH)) + (py_delta_mH * C122_py_delta);
-        let t395 = yaw_per_v_delta * P_delta_lateral_mH;
-        let t396 = t28 * t28;
-        let t398 = (t43 * M22_hz_delta) + t294;
-        let C112_h_spin_F = t43 + yaw_by_delta;
-        let t400 = yaw_per_v_delta * C112_h_spin_F;
-        let t402 = t28 * (t43 + M22_hz_delta);
+        let t309 = t28 * P_delta_lateral_mB;
+        let t310 = self.zB * yaw_per_v_delta;
+        let t311 = yaw_per_v_delta * P_delta_lateral_mB;
+        let t312 = self.xH * yaw_by_delta;
+        let t316 = (t146 + (self.mH * t312)) + (yaw_by_delta * t80);
+        let t319 = t143 + (yaw_by_delta * (t146 + t316));
+        let t321 = self.mH * yaw_by_delta;
+        let P_delta_lateral_xH = t144 + t321;
+        let t324 = (yaw_per_v_delta * t316) + (yaw_by_delta * P_delta_lateral_xH);
+        let t325 = t28 * P_delta_lateral_xH;
+        let t326 = yaw_per_v_delta * P_delta_lateral_xH;
+        let Jxx_delta_zH = t6 + t6;
+        let hx_delta_zH = (t28 * Jxx_delta_zH) - t140;
+        let t331 = t37 + (self.mH * t35);
+        let t333 = hx_delta_zH - (yaw_by_delta * t331);
+        let t334 = t28 * t37;
+        let t335 = self.mH * t28;
+        let t337 = t334 + (t35 * t335);
+        let t342 = ((t28 * hx_delta_zH) - (t148 * t337)) - (t41 * t334);
+        let t344 = t321 + (yaw_per_v_delta * t331);
+        let t347 = (yaw_per_v_delta * t337) + (yaw_by_delta * t335);
+        let t348 = t28 * t335;
+        let t349 = self.mH * yaw_per_v_delta;
+        let t350 = yaw_per_v_delta * t335;
+        let Jxx_delta_mH = self.zH * self.zH;
+        let hx_delta_mH = (t28 * Jxx_delta_mH) - (t36 * t125);
+        let t356 = self.zH * (t35 + t36);
+        let t358 = hx_delta_mH - (yaw_by_delta * t356);
+        let hz_delta_mH = t36 * py_delta_mH;
+        let M_yaw_delta_mH = hz_delta_mH + (t35 * py_delta_mH);
+        let P_delta_yaw_mH = self.xH * t312;
+        let t365 = M_yaw_delta_mH + P_delta_yaw_mH;
+        let t369 = ((t28 * hx_delta_mH) + (t41 * hz_delta_mH))
+            + (yaw_by_delta * (M_yaw_delta_mH + t365));
+        let t372 = (self.zH * yaw_by_delta) + (yaw_per_v_delta * t356);
+        let P_delta_lateral_mH = py_delta_mH + t312;
+        let t376 = (yaw_per_v_delta * t365) + (yaw_by_delta * P_delta_lateral_mH);
+        let t377 = t28 * P_delta_lateral_mH;
+        let t378 = self.zH * yaw_per_v_delta;
+        let t379 = yaw_per_v_delta * P_delta_lateral_mH;
+        let t380 = t28 * t28;
+        let C112_h_spin_F = t41 + yaw_by_delta;
+        let t382 = C112_h_spin_F * C112_h_spin_F;
+        let t383 = yaw_per_v_delta * C112_h_spin_F;
+        let t385 = C112_h_spin_F * (t28 + t28);
         let K222_h_spin_F = t28 * yaw_per_v_delta;
-        let Jxx_delta_rF = self.rF * t221;
-        let hx_delta_rF = (t28 * Jxx_delta_rF) - (self.mF * t220);
-        let t408 = t38 - self.c;
-        let t409 = yaw_by_delta * t408;
-        let t411 = hx_delta_rF + (self.mF * t409);
-        let py_delta_rF = self.mF * t28;
-        let t416 = self.c * t28;
-        let t417 = self.mF * t416;
-        let t419 = ((t28 * hx_delta_rF) + (py_delta_rF * M22_py_delta))
-            - (t417 * M22_hz_delta);
-        let t421 = yaw_by_delta + (yaw_per_v_delta * t408);
-        let t424 = self.IFyy * (t102 * t102);
-        let t425 = t424 * C112_h_spin_F;
-        let t426 = (self.mF * t421) - t425;
-        let t431 = ((yaw_by_delta * py_delta_rF) - (yaw_per_v_delta * t417))
-            + (py_delta_rF * C122_py_delta);
-        let t434 = yaw_per_v_delta * (self.mF - t424);
-        let t437 = (yaw_per_v_delta * py_delta_rF) - (t424 * K222_h_spin_F);
-        let hx_delta_mF = (t28 * Jxx_delta_mF) - (self.rF * t220);
-        let t442 = hx_delta_mF + (self.rF * t409);
-        let P_delta_yaw_mF = yaw_by_delta * t91;
-        let py_delta_mF = (self.rF * t28) - t220;
-        let hz_delta_mF = (t43 * t68) - (self.rF * t416);
-        let t455 = (((t28 * hx_delta_mF) + (yaw_by_delta * P_delta_yaw_mF))
-            + (py_delta_mF * M22_py_delta)) + (hz_delta_mF * M22_hz_delta);
-        let t456 = self.rF * t421;
-        let P_delta_lateral_mF = py_delta_mF + t409;
-        let t463 = ((yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF))
-            + (yaw_by_delta * P_delta_lateral_mF)) + (py_delta_mF * C122_py_delta);
-        let t465 = self.rF * yaw_per_v_delta;
-        let t466 = yaw_per_v_delta * P_delta_lateral_mF;
-        let t467 = t398 + t396;
-        let t468 = t102 * C112_h_spin_F;
-        let t469 = yaw_per_v_delta * t102;
-        let t470 = t102 * K222_h_spin_F;
-        let t471 = -(t104 + (yaw_by_delta * h_wheels_all));
-        let t472 = -P_delta_lateral;
-        let t473 = -(P_delta_lateral * t28);
-        let t474 = -(t139 + (t141 * t142));
-        let t475 = -(t172 + (t141 * C112_yaw_per_v_delta));
-        let t476 = t192 - t190;
-        let t477 = -(P_delta_lateral_w * t28);
-        let t478 = -(t112 * t141);
-        let t479 = -(h_wheels_all * yaw_per_v_delta);
-        let t480 = -P_delta_lateral_c;
-        let t481 = -(P_delta_lateral_c * t28);
-        let t482 = -(t132 + (t246 * C112_yaw_per_v_delta));
-        let t483 = (t28 * t271) - (P_delta_lateral * t43);
-        let t484 = -(t112 * t246);
-        let t485 = -self.mR;
-        let t486 = -self.rR;
-        let t487 = -t296;
-        let t488 = -(t52 * yaw_by_delta);
-        let t489 = -(t52 * yaw_per_v_delta);
-        let t490 = -P_delta_lateral_xB;
-        let t491 = -(P_delta_lateral_xB * t28);
-        let t492 = -(self.mB * P_delta_lateral_mB);
-        let t493 = -(self.mB * t312);
-        let t494 = -(self.mB * yaw_per_v_delta);
-        let t495 = -(self.zB * P_delta_lateral_mB);
-        let t496 = -(self.zB * t312);
-        let t497 = -P_delta_lateral_mB;
-        let t498 = -(P_delta_lateral_mB * t28);
-        let t499 = -(self.zB * yaw_per_v_delta);
-        let t500 = -t137;
-        let t501 = -t170;
-        let t502 = -t189;
-        let t503 = -(t189 * t28);
-        let t504 = -(t188 + (yaw_per_v_delta * t340));
-        let t505 = -(((yaw_per_v_delta * t347) + (yaw_by_delta * t344))
-            + (t344 * C122_py_delta));
-        let t506 = -(self.mH * yaw_per_v_delta);
-        let t507 = -(yaw_per_v_delta * t344);
-        let t508 = -((self.zH * yaw_by_delta) + (yaw_per_v_delta * t365));
-        let t509 = -P_delta_lateral_mH;
-        let t510 = -(P_delta_lateral_mH * t28);
-        let t511 = -(self.zH * yaw_per_v_delta);
-        let t512 = -self.mF;
-        let t513 = -py_delta_rF;
-        let t514 = -(py_delta_rF * t28);
-        let t515 = -self.rF;
-        let t516 = -P_delta_lateral_mF;
-        let t517 = -(P_delta_lateral_mF * t28);
-        let t518 = -t468;
+        let t387 = t10 + t10;
+        let t389 = t197 - (self.rF * t28);
+        let t390 = t35 - self.c;
+        let t392 = (yaw_by_delta * t390) - t389;
+        let t394 = hx_delta_rF + (self.mF * t392);
+        let t395 = t28 * self.c;
+        let t397 = (t28 * t35) - t395;
+        let t402 = ((t148 * t397) - (t28 * t389)) - (t41 * t395);
+        let t405 = (self.mF * t402) + (t28 * hx_delta_rF);
+        let t407 = yaw_by_delta + (yaw_per_v_delta * t390);
+        let t409 = t96 * h_spin_F;
+        let t410 = C112_h_spin_F * t409;
+        let t411 = (self.mF * t407) - t410;
+        let t412 = yaw_per_v_delta * t397;
+        let P_delta_lateral_rF = self.mF * t28;
+        let t416 = (self.mF * t412) + (yaw_by_delta * P_delta_lateral_rF);
+        let t417 = t28 * P_delta_lateral_rF;
+        let t419 = yaw_per_v_delta * (self.mF - t409);
+        let t422 = (yaw_per_v_delta * P_delta_lateral_rF) - (K222_h_spin_F * t409);
+        let t423 = self.rF * self.rF;
+        let t424 = self.rF * t392;
+        let hz_delta_mF = self.c * t197;
+        let M_yaw_delta_mF = hz_delta_mF - (t35 * t197);
+        let P_delta_yaw_mF = self.w * t151;
+        let t431 = M_yaw_delta_mF + P_delta_yaw_mF;
+        let t435 = ((self.rF * t402) + (t41 * hz_delta_mF))
+            + (yaw_by_delta * (M_yaw_delta_mF + t431));
+        let t436 = self.rF * t407;
+        let P_delta_lateral_mF = t151 - t389;
+        let t442 = ((self.rF * t412) + (yaw_per_v_delta * t431))
+            + (yaw_by_delta * P_delta_lateral_mF);
+        let t443 = t28 * P_delta_lateral_mF;
+        let t444 = self.rF * yaw_per_v_delta;
+        let t445 = yaw_per_v_delta * P_delta_lateral_mF;
+        let t446 = t380 + t382;
+        let t447 = t96 * C112_h_spin_F;
+        let t448 = yaw_per_v_delta * t96;
+        let t449 = t96 * K222_h_spin_F;
+        let t450 = -(t98 + (yaw_by_delta * h_wheels_all));
+        let t451 = -P_delta_lateral;
+        let t452 = -(t28 * P_delta_lateral);
+        let t453 = t389 - t151;
         (
             WhippleSprungMatrices {
-                m: [[t26, t60], [t60, t98]],
+                m: [[t26, t56], [t56, t92]],
                 c0: [
                     [
                         ::carvallo::Number::like(self.w, 0.0),
@@ -1664,7 +1654,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     ],
                     [::carvallo::Number::like(self.w, 0.0), self.d],
                 ],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t116], [t471, t128]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t109], [t450, t118]],
                 kc: [
                     [
                         ::carvallo::Number::like(self.w, 0.0),
@@ -1672,174 +1662,137 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     ],
                     [::carvallo::Number::like(self.w, 0.0), self.k],
                 ],
-                k0: [[Sz_all, t472], [t472, t473]],
+                k0: [[Sz_all, t451], [t451, t452]],
                 k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t131],
-                    [::carvallo::Number::like(self.w, 0.0), t134],
+                    [::carvallo::Number::like(self.w, 0.0), t121],
+                    [::carvallo::Number::like(self.w, 0.0), t124],
                 ],
             },
             WhippleSprungDerivatives {
                 values: [
-                    t474,
-                    t474,
+                    t134,
+                    t160,
+                    t167,
                     t169,
-                    t475,
-                    t178,
-                    t201,
-                    t476,
-                    t476,
-                    t477,
-                    t478,
-                    t206,
-                    t211,
-                    t211,
+                    t185,
+                    t176,
+                    t186,
+                    t187,
+                    t190,
+                    t195,
+                    t212,
+                    t215,
+                    t216,
+                    t224,
+                    t221,
                     t225,
-                    t228,
-                    t479,
-                    t241,
-                    t480,
-                    t480,
-                    t481,
-                    t243,
-                    t248,
-                    t248,
+                    t226,
+                    t231,
+                    t249,
+                    t251,
+                    t253,
+                    t260,
+                    t256,
+                    t263,
                     t264,
-                    t482,
                     t268,
+                    t269,
+                    t272,
+                    t273,
+                    self.mR,
+                    t274,
+                    t275,
+                    t276,
+                    self.rR,
                     t277,
-                    t271,
-                    t271,
-                    t483,
-                    t484,
-                    t284,
-                    t285,
-                    t289,
-                    t290,
-                    t485,
-                    t291,
-                    t19,
-                    t292,
-                    t486,
-                    t293,
                     ::carvallo::Number::like(self.w, 1.0),
+                    t279,
+                    t280,
+                    t281,
+                    t282,
+                    t283,
+                    t288,
+                    t289,
+                    t293,
+                    P_delta_lateral_xB,
                     t294,
                     t295,
                     t296,
-                    t487,
-                    t297,
-                    t488,
-                    t488,
-                    t300,
-                    t489,
-                    t305,
-                    t490,
-                    t490,
-                    t491,
-                    t307,
-                    t308,
-                    t492,
-                    t492,
-                    t493,
+                    t285,
+                    t299,
                     self.mB,
-                    t494,
-                    t24,
-                    t495,
-                    t495,
-                    t317,
-                    t496,
-                    t321,
+                    t300,
+                    t301,
+                    t302,
+                    t304,
+                    t305,
+                    t308,
                     self.zB,
-                    t497,
-                    t497,
-                    t498,
-                    t499,
+                    P_delta_lateral_mB,
+                    t309,
+                    t310,
+                    t311,
+                    yaw_by_delta,
+                    yaw_per_v_delta,
+                    t128,
+                    t319,
+                    t161,
                     t324,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t294,
-                    t295,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_per_v_delta,
-                    t500,
-                    t500,
-                    t328,
-                    t501,
-                    t332,
-                    t502,
-                    t502,
-                    t503,
-                    t334,
+                    P_delta_lateral_xH,
+                    t325,
+                    t326,
                     Jxx_delta_zH,
+                    t333,
                     t342,
-                    t342,
-                    t349,
-                    t504,
-                    t505,
+                    t344,
+                    t347,
                     self.mH,
-                    t344,
-                    t344,
-                    t357,
-                    t506,
-                    t507,
+                    t335,
+                    t348,
+                    t349,
+                    t350,
                     Jxx_delta_mH,
-                    t367,
-                    t367,
-                    t380,
-                    t508,
-                    t392,
+                    t358,
+                    t369,
+                    t372,
+                    t376,
                     self.zH,
-                    t509,
-                    t509,
-                    t510,
-                    t511,
-                    t395,
-                    ::carvallo::Number::like(self.w, 1.0),
+                    P_delta_lateral_mH,
+                    t377,
+                    t378,
+                    t379,
                     t28,
-                    t28,
-                    t396,
-                    t398,
-                    t400,
+                    t380,
+                    t382,
+                    t383,
                     C112_h_spin_F,
-                    C112_h_spin_F,
-                    t402,
-                    yaw_per_v_delta,
+                    t385,
                     K222_h_spin_F,
-                    Jxx_delta_rF,
+                    t387,
+                    t394,
+                    t405,
                     t411,
-                    t411,
+                    t410,
+                    t416,
+                    self.mF,
+                    P_delta_lateral_rF,
+                    t417,
                     t419,
-                    t426,
-                    t425,
-                    t431,
-                    t512,
-                    t513,
-                    t513,
-                    t514,
-                    t434,
-                    t437,
-                    Jxx_delta_mF,
+                    t422,
+                    t423,
+                    t424,
+                    t435,
+                    t436,
                     t442,
-                    t442,
-                    t455,
-                    t456,
-                    t463,
-                    t515,
-                    t516,
-                    t516,
-                    t517,
-                    t465,
-                    t466,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
-                    t28,
-                    t467,
-                    t400,
-                    t468,
-                    t518,
-                    t469,
-                    t470,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 1.0),
+                    self.rF,
+                    t453,
+                    t443,
+                    t444,
+                    t445,
+                    t446,
+                    t447,
+                    t448,
+                    t449,
                 ],
             },
         )
@@ -1856,8 +1809,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleSprung<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 28];
         for position in 0..160 {
-            <WhippleSprungDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleSprungDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -335,68 +335,70 @@ pub struct WhippleTyresMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 54 additions, 61 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 122 operations.
+    /// 53 additions, 54 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 113 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> WhippleTyresMatrices<T> {
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * (self.zH * self.zH)))
-            + (self.mF * (self.rF * self.rF));
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta)
-            + (self.mR * (self.rR * self.rR))) + (self.mB * (self.zB * self.zB));
-        let (t28, t42) = ::carvallo::Number::sin_cos(self.lam);
-        let t32 = self.rF * self.mF;
-        let t37 = self.w + self.c;
-        let t38 = self.xH - t37;
-        let t39 = self.mH * t38;
-        let Jxz_delta = (self.IHxz - (self.c * t32)) - (self.zH * t39);
-        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t42);
-        let t45 = ::carvallo::Number::like(self.w, 1.0) / self.w;
-        let yaw_per_v_delta = t42 * t45;
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        let (t28, t40) = ::carvallo::Number::sin_cos(self.lam);
+        let t35 = self.c + self.w;
+        let t36 = t35 - self.xH;
+        let Jxz_delta = (self.IHxz + (t6 * t36)) - (t10 * self.c);
+        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t40);
+        let t43 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let yaw_per_v_delta = t40 * t43;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t51 = self.zB * self.mB;
-        let Sz_delta = (self.zH * self.mH) - t32;
-        let Jxz_all = ((self.IBxz + Jxz_delta) - (self.xB * t51)) - (Sz_delta * t37);
-        let t59 = hx_delta + (yaw_by_delta * Jxz_all);
-        let t67 = self.IHzz + self.IFxx;
-        let hz_delta = (Jxz_delta * t28)
-            + (t42 * (((self.mH * (t38 * t38)) + (self.mF * (self.c * self.c))) + t67));
-        let Sx_delta = t39 - (self.c * self.mF);
-        let py_delta = (Sx_delta * t42) - (Sz_delta * t28);
-        let M_yaw_delta = hz_delta + (py_delta * t37);
-        let t90 = yaw_by_delta
-            * (((((self.IRxx + self.IBzz) + t67) + (self.mB * (self.xB * self.xB)))
-                + (self.mH * (self.xH * self.xH))) + (self.mF * (self.w * self.w)));
-        let P_delta_yaw = M_yaw_delta + t90;
-        let t97 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (hx_delta * t28))
-            + (hz_delta * t42);
+        let Sz_delta = t6 - t10;
+        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t35 * Sz_delta);
+        let t55 = hx_delta + (yaw_by_delta * Jxz_all);
+        let t57 = self.mH * t36;
+        let t59 = self.mF * self.c;
+        let t62 = self.IFxx + self.IHzz;
+        let hz_delta = (t28 * Jxz_delta)
+            + (t40 * (((t36 * t57) + (self.c * t59)) + t62));
+        let t68 = t57 + t59;
+        let t70 = (t28 * Sz_delta) + (t40 * t68);
+        let M_yaw_delta = hz_delta - (t35 * t70);
+        let t74 = self.mB * self.xB;
+        let t85 = yaw_by_delta
+            * (((((self.IRxx + t62) + self.IBzz) + (self.xB * t74))
+                + ((self.mH * self.xH) * self.xH)) + ((self.mF * self.w) * self.w));
+        let P_delta_yaw = M_yaw_delta + t85;
+        let t92 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t28 * hx_delta))
+            + (t40 * hz_delta);
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
-        let Sz_all = (Sz_delta + t51) - (self.rR * self.mR);
-        let t107 = h_wheels_all - Sz_all;
-        let t111 = h_spin_F * t42;
-        let t112 = ((yaw_by_delta * t107) + (yaw_per_v_delta * Jxz_all)) + t111;
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t101 = h_wheels_all - Sz_all;
+        let t104 = t40 * h_spin_F;
+        let t106 = ((yaw_by_delta * t101) + (yaw_per_v_delta * Jxz_all)) + t104;
         let m_delta = self.mH + self.mF;
-        let Sx_all = (Sx_delta + (self.xB * self.mB)) + (m_delta * t37);
-        let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t124 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t126 = Sx_all * t45;
-        let t134 = (Sz_all + (self.rhoF * t126))
-            + (self.rhoR * (((self.mR + self.mB) + m_delta) - t126));
-        let t138 = t126 * ((self.rhoF * t28) - (self.c * t42));
-        let t141 = yaw_per_v_delta * t107;
-        let t144 = yaw_per_v_delta * (P_delta_lateral + (h_spin_F * t28));
-        let t145 = -(t111 + (yaw_by_delta * h_wheels_all));
-        let t146 = t138 - py_delta;
-        let t147 = -(t28 * (py_delta - t138));
+        let Sx_all = (t74 + (t35 * m_delta)) - t68;
+        let P_delta_lateral = (yaw_by_delta * Sx_all) - t70;
+        let t117 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t119 = t43 * Sx_all;
+        let t127 = (Sz_all + (self.rhoF * t119))
+            + (self.rhoR * (((self.mR + self.mB) + m_delta) - t119));
+        let K_phi_delta = t70 + (t119 * ((t28 * self.rhoF) - (self.c * t40)));
+        let t133 = t28 * K_phi_delta;
+        let t134 = yaw_per_v_delta * t101;
+        let t137 = yaw_per_v_delta * (P_delta_lateral + (t28 * h_spin_F));
+        let t138 = -(t104 + (yaw_by_delta * h_wheels_all));
         WhippleTyresMatrices {
-            m: [[t26, t59], [t59, t97]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t112], [t145, t124]],
-            k0: [[t134, t146], [t146, t147]],
+            m: [[t26, t55], [t55, t92]],
+            c1: [[::carvallo::Number::like(self.w, 0.0), t106], [t138, t117]],
+            k0: [[t127, K_phi_delta], [K_phi_delta, t133]],
             k2: [
-                [::carvallo::Number::like(self.w, 0.0), t141],
-                [::carvallo::Number::like(self.w, 0.0), t144],
+                [::carvallo::Number::like(self.w, 0.0), t134],
+                [::carvallo::Number::like(self.w, 0.0), t137],
             ],
         }
     }
@@ -1155,179 +1157,179 @@ impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleTyres<T> {
     ::core::cmp::PartialEq
 )]
 pub struct WhippleTyresDerivatives<T = ::core::primitive::f64> {
-    /// The value of each derivative in [`Self::PARTIALS`].
-    pub values: [T; 166],
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 130],
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl WhippleTyresDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 166] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 5),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 6),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 7),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 8).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 9),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 10),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 11),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 12),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 13).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 14),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 15),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 16),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 17),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 18),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 20).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 22),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 23),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 24),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 25).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 26),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 27),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 28),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 29),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 30).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 31),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 32),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 33),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 34),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 35),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 39),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 39).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 40),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 41).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 42),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 43).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 44),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 8, 45),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 46),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 47),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 48),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 49),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 50).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 51).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 52),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 53).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 54),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 55).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 56),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 57).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 58),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 59),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 60),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 61),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 62).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 63),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 37),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 38),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 64),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 66).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 67),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 68).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 69),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 15, 70),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 71).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 71).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 72).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 73),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 74),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 75),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 76),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 77),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 78),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 79),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 80),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 81),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 82).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 83).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 84),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 85),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 86),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 87),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 88),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 89),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 90),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 91),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 92).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 93),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 95),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 96),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 98),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 99),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 65),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 100),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 101),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 102),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 103),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 105),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 107).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 108).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 108).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 109).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 110),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 111),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 112),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 113),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 114),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 117),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 118),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 119),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 120),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 121),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 36),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 94),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 122),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 97),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 123),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 123).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 124),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 125),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 26, 126),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27, 127),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27, 128),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27, 129),
     ];
 }
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
@@ -1361,7 +1363,10 @@ impl<T: ::carvallo::Scalar> WhippleTyresDerivatives<T> {
                 ::carvallo::MatrixName::K2 => &mut matrices.k2,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = self.values[position];
+            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
+                &partial,
+                &self.values,
+            );
         }
         ::core::option::Option::Some(matrices)
     }
@@ -1369,7 +1374,7 @@ impl<T: ::carvallo::Scalar> WhippleTyresDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 191 additions, 306 multiplications, 3 divisions, 28 negations and 2 trigonometric functions: 530 operations.
+    /// 185 additions, 280 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 471 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1378,717 +1383,665 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         &self,
     ) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
         let (
-            Jxx_delta_mH,
-            Jxx_delta_mF,
+            t6,
+            t10,
             Jxx_delta,
-            t19,
-            t24,
+            t17,
+            t21,
             t26,
             t28,
-            t43,
-            t31,
-            t38,
-            t39,
             t40,
+            t34,
+            t36,
             Jxz_delta,
-            t44,
+            t41,
             hx_delta,
-            t46,
+            t43,
             yaw_per_v_delta,
             yaw_by_delta,
-            t51,
-            t55,
             Sz_delta,
             Jxz_all,
+            t55,
+            t57,
+            t59,
             t60,
             t62,
-            t64,
             t65,
-            t68,
-            t70,
             hz_delta,
-            Sx_delta,
-            py_delta,
+            t70,
+            t72,
             M_yaw_delta,
-            t85,
-            t88,
-            t91,
+            t76,
+            t78,
+            t80,
             P_delta_yaw_yaw_by_delta,
-            t94,
+            t87,
             P_delta_yaw,
-            t96,
-            t98,
-            t101,
+            t89,
+            t92,
+            t95,
             h_spin_F,
-            t103,
-            t105,
+            t97,
+            t99,
+            t100,
             h_wheels_all,
-            t109,
             Sz_all,
-            t111,
-            t114,
-            t115,
-            t119,
+            t104,
+            t106,
+            t108,
             m_delta,
             Sx_all,
-            t124,
+            t116,
             P_delta_lateral,
-            t127,
-            t131,
+            t119,
+            t121,
+            t124,
+            t129,
+            t130,
             t132,
+            K_phi_delta,
+            t135,
+            t136,
             t137,
+            t138,
             t139,
-            t140,
-            t142,
+            C112_h_spin_F,
+            t141,
             t143,
             t144,
             t145,
-            t146,
-            t147,
+            M12_yaw_per_v_delta,
             t148,
             t149,
+            t150,
             t151,
             t152,
-            t153,
-            M12_yaw_per_v_delta,
-            t156,
-            t159,
+            M22_hz_delta,
+            t155,
+            M22_Jxz_delta,
             t160,
             t163,
-            t164,
-            M22_hz_delta,
-            t168,
-            M22_py_delta,
-            t171,
-            t173,
+            t165,
             P_delta_yaw_w,
             M22_yaw_by_delta,
             M22_yaw_per_v_delta,
+            t173,
+            t174,
+            t176,
+            C112_yaw_per_v_delta,
+            t180,
             t181,
             t182,
-            C112_yaw_per_v_delta,
-            t187,
-            t188,
             C122_Sx_all,
-            C122_py_delta,
-            t196,
-            t200,
+            t185,
+            t187,
+            t189,
+            K222_h_spin_F,
+            t195,
+            t199,
             C122_yaw_by_delta,
             C122_yaw_per_v_delta,
+            t208,
             t209,
-            t210,
             K011_Sx_all,
-            t212,
-            t215,
-            t217,
+            t211,
+            t213,
+            t216,
+            K_phi_delta_Sx_all,
             t218,
             t219,
-            t220,
-            t222,
-            t223,
+            t221,
+            K_phi_delta_w,
             t224,
             t225,
-            t227,
-            t229,
             K222_Sx_all,
-            t234,
-            t236,
+            t228,
+            t229,
+            t231,
             K222_yaw_by_delta,
             K222_yaw_per_v_delta,
-            t241,
+            t236,
+            t239,
             t242,
-            t246,
-            t252,
             hz_delta_c,
+            t250,
+            t253,
+            t254,
             t257,
-            t259,
-            t262,
-            t270,
-            t274,
+            t263,
+            K_phi_delta_c,
+            t268,
+            t272,
+            hx_delta_lam,
             t275,
             t277,
-            t282,
-            hx_delta_lam,
-            t285,
-            t287,
+            t283,
             hz_delta_lam,
-            t301,
-            t303,
-            t307,
-            t312,
-            t313,
+            t293,
+            t295,
+            t297,
+            t302,
+            K_phi_delta_lam,
+            t310,
+            t311,
+            t315,
+            t316,
             t317,
+            t318,
+            t319,
             t320,
+            t321,
+            t322,
+            t323,
+            t324,
             t325,
-            t326,
+            t327,
             t328,
             t329,
             t330,
             t331,
-            t332,
-            t333,
+            P_delta_yaw_xB,
             t334,
             t335,
-            t336,
-            t337,
-            P_delta_yaw_xB,
-            t340,
-            t344,
+            t338,
+            t339,
+            K_phi_delta_xB,
+            t341,
+            t342,
+            t343,
             t345,
             t346,
             t347,
             t348,
             t349,
-            t355,
             P_delta_yaw_mB,
+            t351,
+            t352,
+            t355,
             t358,
-            t364,
-            t367,
+            K_phi_delta_mB,
+            t360,
+            t361,
+            t362,
+            P_delta_yaw_xH,
+            t366,
             t368,
             t369,
+            t370,
             t371,
-            P_delta_yaw_xH,
-            t377,
-            t380,
-            Jxx_delta_zH,
-            hx_delta_zH,
-            t386,
-            t388,
+            t373,
+            t375,
+            t378,
+            t379,
+            M22_Jxx_delta,
+            t384,
+            t387,
+            t389,
             t390,
+            t391,
             t393,
-            t395,
-            t402,
-            t406,
-            hx_delta_mH,
-            t410,
-            t412,
+            t394,
+            K_phi_delta_zH,
+            t396,
+            t397,
+            t398,
+            t399,
+            t400,
             P_delta_yaw_mH,
-            hz_delta_mH,
-            py_delta_mH,
+            t406,
+            t407,
+            C122_m_delta,
+            t414,
+            K011_m_delta,
+            t419,
+            K_phi_delta_m_delta,
+            K_phi_delta_mH,
+            t424,
             t425,
-            Sx_all_mH,
-            t435,
+            K222_m_delta,
+            t430,
+            t432,
+            t433,
+            t434,
+            t436,
             t438,
-            t440,
             t441,
             t445,
-            t446,
             t448,
             t449,
-            t450,
+            t451,
             t452,
-            K222_h_spin_F,
-            Jxx_delta_rF,
-            hx_delta_rF,
-            Sx_all_mF,
-            Jxz_all_rF,
-            t461,
+            t453,
+            t455,
+            t456,
+            t457,
+            t458,
+            t460,
             t463,
-            py_delta_rF,
-            t468,
-            t470,
-            t474,
-            t476,
-            t477,
-            t480,
-            t482,
-            t485,
-            hx_delta_mF,
-            Jxz_all_mF,
-            t491,
+            t464,
+            t465,
             P_delta_yaw_mF,
-            hz_delta_mF,
-            py_delta_mF,
-            t504,
-            t507,
-            t513,
-            t516,
-            t518,
-            t519,
-            t520,
-            t523,
-            t524,
-            t525,
-            t526,
-            t527,
-            t528,
-            t529,
-            t530,
-            t531,
-            t532,
-            t533,
-            t534,
-            t535,
-            t536,
-            t537,
-            t538,
-            t539,
-            t540,
-            t541,
-            t542,
-            t543,
-            t544,
-            t545,
+            t471,
+            t472,
+            t478,
+            t481,
+            K_phi_delta_mF,
+            t485,
+            t486,
+            t490,
+            t491,
+            t492,
+            t493,
+            t494,
+            K_phi_delta_rhoF,
         );
-        Jxx_delta_mH = self.zH * self.zH;
-        Jxx_delta_mF = self.rF * self.rF;
-        Jxx_delta = ((self.IHxx + self.IFxx) + (self.mH * Jxx_delta_mH))
-            + (self.mF * Jxx_delta_mF);
-        t19 = self.rR * self.rR;
-        t24 = self.zB * self.zB;
-        t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.mR * t19))
-            + (self.mB * t24);
-        (t28, t43) = ::carvallo::Number::sin_cos(self.lam);
-        t31 = self.rF * self.mF;
-        t38 = self.w + self.c;
-        t39 = self.xH - t38;
-        t40 = self.mH * t39;
-        Jxz_delta = (self.IHxz - (t31 * self.c)) - (t40 * self.zH);
-        t44 = Jxz_delta * t43;
-        hx_delta = (Jxx_delta * t28) + t44;
-        t46 = ::carvallo::Number::like(self.w, 1.0) / self.w;
-        yaw_per_v_delta = t43 * t46;
+        t6 = self.zH * self.mH;
+        t10 = self.rF * self.mF;
+        Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        t17 = self.rR * self.mR;
+        t21 = self.zB * self.mB;
+        t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
+            + (self.zB * t21);
+        (t28, t40) = ::carvallo::Number::sin_cos(self.lam);
+        t34 = self.c + self.w;
+        t36 = t34 - self.xH;
+        Jxz_delta = (self.IHxz + (t6 * t36)) - (t10 * self.c);
+        t41 = Jxz_delta * t40;
+        hx_delta = (Jxx_delta * t28) + t41;
+        t43 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        yaw_per_v_delta = t40 * t43;
         yaw_by_delta = self.c * yaw_per_v_delta;
-        t51 = self.zB * self.mB;
-        t55 = self.zH * self.mH;
-        Sz_delta = t55 - t31;
-        Jxz_all = ((self.IBxz + Jxz_delta) - (t51 * self.xB)) - (t38 * Sz_delta);
-        t60 = hx_delta + (yaw_by_delta * Jxz_all);
-        t62 = t28 * Jxz_delta;
-        t64 = self.IHzz + self.IFxx;
-        t65 = t39 * t39;
-        t68 = self.c * self.c;
-        t70 = (t64 + (self.mH * t65)) + (self.mF * t68);
-        hz_delta = t62 + (t43 * t70);
-        Sx_delta = t40 - (self.mF * self.c);
-        py_delta = (t43 * Sx_delta) - (Sz_delta * t28);
-        M_yaw_delta = hz_delta + (t38 * py_delta);
-        t85 = self.xB * self.xB;
-        t88 = self.xH * self.xH;
-        t91 = self.w * self.w;
-        P_delta_yaw_yaw_by_delta = ((((self.IRxx + self.IBzz) + t64) + (self.mB * t85))
-            + (self.mH * t88)) + (self.mF * t91);
-        t94 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
-        P_delta_yaw = M_yaw_delta + t94;
-        t96 = M_yaw_delta + P_delta_yaw;
-        t98 = ((t28 * hx_delta) + (t43 * hz_delta)) + (yaw_by_delta * t96);
-        t101 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
-        h_spin_F = self.IFyy * t101;
-        t103 = t43 * h_spin_F;
-        t105 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        h_wheels_all = h_spin_F + (self.IRyy * t105);
-        t109 = self.rR * self.mR;
-        Sz_all = (t51 + Sz_delta) - t109;
-        t111 = h_wheels_all - Sz_all;
-        t114 = yaw_per_v_delta * Jxz_all;
-        t115 = (t103 + (yaw_by_delta * t111)) + t114;
-        t119 = self.xB * self.mB;
+        Sz_delta = t6 - t10;
+        Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t34 * Sz_delta);
+        t55 = hx_delta + (yaw_by_delta * Jxz_all);
+        t57 = t28 * Jxz_delta;
+        t59 = self.IFxx + self.IHzz;
+        t60 = self.mF * self.c;
+        t62 = self.mH * t36;
+        t65 = (t59 + (self.c * t60)) + (t36 * t62);
+        hz_delta = t57 + (t40 * t65);
+        t70 = t60 + t62;
+        t72 = (t28 * Sz_delta) + (t40 * t70);
+        M_yaw_delta = hz_delta - (t34 * t72);
+        t76 = self.mB * self.xB;
+        t78 = self.xH * self.xH;
+        t80 = self.w * self.w;
+        P_delta_yaw_yaw_by_delta = ((((self.IRxx + t59) + self.IBzz) + (self.xB * t76))
+            + (self.mH * t78)) + (self.mF * t80);
+        t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
+        P_delta_yaw = M_yaw_delta + t87;
+        t89 = M_yaw_delta + P_delta_yaw;
+        t92 = ((t28 * hx_delta) + (t40 * hz_delta)) + (yaw_by_delta * t89);
+        t95 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        h_spin_F = self.IFyy * t95;
+        t97 = t40 * h_spin_F;
+        t99 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        t100 = self.IRyy * t99;
+        h_wheels_all = h_spin_F + t100;
+        Sz_all = (t21 + Sz_delta) - t17;
+        t104 = h_wheels_all - Sz_all;
+        t106 = yaw_per_v_delta * Jxz_all;
+        t108 = (t97 + (yaw_by_delta * t104)) + t106;
         m_delta = self.mH + self.mF;
-        Sx_all = (Sx_delta + t119) + (t38 * m_delta);
-        t124 = yaw_by_delta * Sx_all;
-        P_delta_lateral = py_delta + t124;
-        t127 = (yaw_per_v_delta * P_delta_yaw) + (yaw_by_delta * P_delta_lateral);
-        t131 = t46 * Sx_all;
-        t132 = ((self.mR + self.mB) + m_delta) - t131;
-        t137 = (Sz_all + (self.rhoR * t132)) + (self.rhoF * t131);
-        t139 = t43 * self.c;
-        t140 = (self.rhoF * t28) - t139;
-        t142 = (t131 * t140) - py_delta;
-        t143 = t28 * t142;
-        t144 = yaw_per_v_delta * t111;
-        t145 = t28 * h_spin_F;
-        t146 = P_delta_lateral + t145;
-        t147 = yaw_per_v_delta * t146;
-        t148 = t43 * t55;
-        t149 = Sz_delta - t55;
-        t151 = t148 - (yaw_by_delta * t149);
-        t152 = t46 * t46;
-        t153 = t43 * t152;
+        Sx_all = (t76 + (t34 * m_delta)) - t70;
+        t116 = yaw_by_delta * Sx_all;
+        P_delta_lateral = t116 - t72;
+        t119 = (yaw_per_v_delta * P_delta_yaw) + (yaw_by_delta * P_delta_lateral);
+        t121 = t43 * Sx_all;
+        t124 = ((self.mR + self.mB) + m_delta) - t121;
+        t129 = (Sz_all + (self.rhoR * t124)) + (t121 * self.rhoF);
+        t130 = self.c * t40;
+        t132 = (t28 * self.rhoF) - t130;
+        K_phi_delta = t72 + (t121 * t132);
+        t135 = t28 * K_phi_delta;
+        t136 = yaw_per_v_delta * t104;
+        t137 = t28 * h_spin_F;
+        t138 = P_delta_lateral + t137;
+        t139 = yaw_per_v_delta * t138;
+        C112_h_spin_F = t40 + yaw_by_delta;
+        t141 = t6 * C112_h_spin_F;
+        t143 = t141 - (yaw_by_delta * Sz_delta);
+        t144 = t43 * t43;
+        t145 = t40 * t144;
         M12_yaw_per_v_delta = self.c * Jxz_all;
-        t156 = t151 - (t153 * M12_yaw_per_v_delta);
-        t159 = self.mH * ::carvallo::Number::like(self.w, 2.0);
-        t160 = t39 * t43;
-        t163 = (t159 * t160) - (t28 * t55);
-        t164 = yaw_by_delta * ::carvallo::Number::like(self.w, 2.0);
-        M22_hz_delta = t43 + t164;
-        t168 = self.mH * t43;
-        M22_py_delta = t38 * t164;
-        t171 = ((t163 * M22_hz_delta) - (t28 * t148)) + (t168 * M22_py_delta);
-        t173 = (py_delta * t164) - t171;
-        P_delta_yaw_w = (self.w * self.mF) * t164;
-        M22_yaw_by_delta = t94 + t96;
+        t148 = t143 - (t145 * M12_yaw_per_v_delta);
+        t149 = yaw_by_delta + yaw_by_delta;
+        t150 = t34 * t149;
+        t151 = t40 * t150;
+        t152 = t36 * t40;
+        M22_hz_delta = t40 + t149;
+        t155 = (t152 * M22_hz_delta) - t151;
+        M22_Jxz_delta = t28 * (t40 + M22_hz_delta);
+        t160 = t40 * t62;
+        t163 = ((self.mH * t155) + (t6 * M22_Jxz_delta)) + (M22_hz_delta * t160);
+        t165 = t163 - (t72 * t149);
+        P_delta_yaw_w = (self.mF * self.w) * t149;
+        M22_yaw_by_delta = t87 + t89;
         M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        t181 = (t173 + (yaw_by_delta * P_delta_yaw_w)) - (t153 * M22_yaw_per_v_delta);
-        t182 = yaw_per_v_delta * t149;
-        C112_yaw_per_v_delta = Jxz_all + (self.c * t111);
-        t187 = h_wheels_all * self.c;
-        t188 = t153 * t187;
+        t173 = (t165 + (yaw_by_delta * P_delta_yaw_w)) - (t145 * M22_yaw_per_v_delta);
+        t174 = t6 * yaw_per_v_delta;
+        t176 = t174 - (yaw_per_v_delta * Sz_delta);
+        C112_yaw_per_v_delta = Jxz_all + (self.c * t104);
+        t180 = t176 - (t145 * C112_yaw_per_v_delta);
+        t181 = self.c * h_wheels_all;
+        t182 = t145 * t181;
         C122_Sx_all = yaw_by_delta * yaw_by_delta;
-        C122_py_delta = yaw_by_delta + (t38 * yaw_per_v_delta);
-        t196 = ((self.mH * C122_Sx_all) + (yaw_per_v_delta * t163))
-            + (t168 * C122_py_delta);
-        t200 = ((yaw_per_v_delta * py_delta) - t196) + (m_delta * C122_Sx_all);
-        C122_yaw_by_delta = (P_delta_lateral + t124)
+        t185 = yaw_by_delta + (t34 * yaw_per_v_delta);
+        t187 = C122_Sx_all + (t40 * t185);
+        t189 = (yaw_per_v_delta * t152) - t187;
+        K222_h_spin_F = t28 * yaw_per_v_delta;
+        t195 = ((self.mH * t189) + (t6 * K222_h_spin_F)) + (yaw_per_v_delta * t160);
+        t199 = (t195 + (m_delta * C122_Sx_all)) - (yaw_per_v_delta * t72);
+        C122_yaw_by_delta = (t116 + P_delta_lateral)
             + (yaw_per_v_delta * P_delta_yaw_yaw_by_delta);
         C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
-        t209 = (t200 + (yaw_per_v_delta * P_delta_yaw_w))
-            - (t153 * C122_yaw_per_v_delta);
-        t210 = self.rhoF - self.rhoR;
-        K011_Sx_all = t46 * t210;
-        t212 = self.mH * K011_Sx_all;
-        t215 = Sx_all * t152;
-        t217 = ((m_delta * K011_Sx_all) - t212) - (t215 * t210);
-        t218 = t215 * t140;
-        t219 = t46 * t140;
-        t220 = m_delta * t219;
-        t222 = (self.mH * t219) - t168;
-        t223 = t220 - t222;
-        t224 = t223 - t218;
-        t225 = t28 * t222;
-        t227 = (t28 * t220) - t225;
-        t229 = t227 - (t28 * t218);
+        t208 = (t199 + (yaw_per_v_delta * P_delta_yaw_w))
+            - (t145 * C122_yaw_per_v_delta);
+        t209 = self.rhoF - self.rhoR;
+        K011_Sx_all = t43 * t209;
+        t211 = self.mH * K011_Sx_all;
+        t213 = Sx_all * t144;
+        t216 = ((m_delta * K011_Sx_all) - t211) - (t209 * t213);
+        K_phi_delta_Sx_all = t43 * t132;
+        t218 = t40 - K_phi_delta_Sx_all;
+        t219 = self.mH * t218;
+        t221 = t219 + (m_delta * K_phi_delta_Sx_all);
+        K_phi_delta_w = t221 - (t132 * t213);
+        t224 = t28 * K_phi_delta_w;
+        t225 = t104 * t145;
         K222_Sx_all = yaw_per_v_delta * yaw_by_delta;
-        t234 = (self.mH * K222_Sx_all) + (yaw_per_v_delta * t168);
-        t236 = (m_delta * K222_Sx_all) - t234;
+        t228 = K222_Sx_all + (t40 * yaw_per_v_delta);
+        t229 = self.mH * t228;
+        t231 = (m_delta * K222_Sx_all) - t229;
         K222_yaw_by_delta = yaw_per_v_delta * Sx_all;
-        K222_yaw_per_v_delta = (self.c * K222_yaw_by_delta) + t146;
-        t241 = t236 - (t153 * K222_yaw_per_v_delta);
-        t242 = t43 * t31;
-        t246 = ((t151 - t242) + t114) - (t31 * yaw_by_delta);
-        t252 = self.mF * ::carvallo::Number::like(self.w, 2.0);
-        hz_delta_c = (t139 * t252) - (t31 * t28);
-        t257 = self.mF * t43;
-        t259 = (((t173 - (t28 * t242)) + (yaw_per_v_delta * M22_yaw_by_delta))
-            + (hz_delta_c * M22_hz_delta)) - (t257 * M22_py_delta);
-        t262 = (yaw_per_v_delta * (t111 - t31)) - t182;
-        t270 = ((t200 - (C122_Sx_all * self.mF))
-            + (yaw_per_v_delta * (hz_delta_c + C122_yaw_by_delta)))
-            - (t257 * C122_py_delta);
-        t274 = t257 - ((self.mF * t219) + (t43 * t131));
-        t275 = t223 + t274;
-        t277 = t227 + (t28 * t274);
-        t282 = (t236 - (K222_Sx_all * self.mF))
-            + (yaw_per_v_delta * (K222_yaw_by_delta - t257));
-        hx_delta_lam = (Jxx_delta * t43) - t62;
-        t285 = t46 * t28;
-        t287 = hx_delta_lam - (t285 * M12_yaw_per_v_delta);
-        hz_delta_lam = t44 - (t28 * t70);
-        t301 = (t43 * Sz_delta) + (Sx_delta * t28);
-        t303 = (((((t28 * hx_delta_lam) + (hx_delta * t43)) - (hz_delta * t28))
-            + (hz_delta_lam * M22_hz_delta)) - (t285 * M22_yaw_per_v_delta))
-            - (t301 * M22_py_delta);
-        t307 = t145 + (t285 * t187);
-        t312 = ((yaw_per_v_delta * hz_delta_lam) - (t285 * C122_yaw_per_v_delta))
-            - (t301 * C122_py_delta);
-        t313 = t28 * self.c;
-        t317 = (t131 * (t313 + (self.rhoF * t43))) + t301;
-        t320 = (t43 * t142) + (t28 * t317);
-        t325 = (yaw_per_v_delta * (t103 - t301)) - (t285 * K222_yaw_per_v_delta);
-        t326 = t109 * ::carvallo::Number::like(self.w, 2.0);
-        t328 = self.IRyy * (t105 * t105);
-        t329 = self.mR - t328;
-        t330 = yaw_by_delta * t329;
-        t331 = t328 * yaw_by_delta;
-        t332 = yaw_per_v_delta * t329;
-        t333 = self.rR * yaw_by_delta;
-        t334 = self.rhoR - self.rR;
-        t335 = self.rR * yaw_per_v_delta;
-        t336 = yaw_by_delta * t105;
-        t337 = yaw_per_v_delta * t105;
-        P_delta_yaw_xB = t119 * t164;
-        t340 = yaw_by_delta * P_delta_yaw_xB;
-        t344 = (self.mB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_xB);
-        t345 = self.mB * K011_Sx_all;
-        t346 = self.mB * t219;
-        t347 = t28 * t346;
-        t348 = self.mB * K222_Sx_all;
-        t349 = ::carvallo::Number::like(self.w, 2.0) * t51;
-        t355 = self.zB * self.xB;
-        P_delta_yaw_mB = yaw_by_delta * t85;
-        t358 = yaw_by_delta * P_delta_yaw_mB;
-        t364 = (self.xB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_mB);
-        t367 = (self.zB + self.rhoR) + (self.xB * K011_Sx_all);
-        t368 = self.xB * t219;
-        t369 = t28 * t368;
-        t371 = self.xB * K222_Sx_all;
-        P_delta_yaw_xH = (self.xH * self.mH) * t164;
-        t377 = t171 + (yaw_by_delta * P_delta_yaw_xH);
-        t380 = t196 + (yaw_per_v_delta * P_delta_yaw_xH);
-        Jxx_delta_zH = self.zH * t159;
-        hx_delta_zH = (t28 * Jxx_delta_zH) - (t40 * t43);
-        t386 = t40 + (self.mH * t38);
-        t388 = hx_delta_zH - (yaw_by_delta * t386);
-        t390 = t40 * t28;
-        t393 = self.mH * t28;
-        t395 = ((t28 * hx_delta_zH) - (t390 * M22_hz_delta)) - (t393 * M22_py_delta);
-        t402 = t28 * t393;
-        t406 = t39 * self.zH;
-        hx_delta_mH = (t28 * Jxx_delta_mH) - (t43 * t406);
-        t410 = t406 + (t38 * self.zH);
-        t412 = hx_delta_mH - (yaw_by_delta * t410);
-        P_delta_yaw_mH = yaw_by_delta * t88;
-        hz_delta_mH = (t43 * t65) - (t28 * t406);
-        py_delta_mH = t160 - (self.zH * t28);
-        t425 = (((t28 * hx_delta_mH) + (yaw_by_delta * P_delta_yaw_mH))
-            + (hz_delta_mH * M22_hz_delta)) + (py_delta_mH * M22_py_delta);
-        Sx_all_mH = t38 + t39;
-        t435 = ((yaw_per_v_delta * (P_delta_yaw_mH + hz_delta_mH))
-            + (Sx_all_mH * C122_Sx_all)) + (py_delta_mH * C122_py_delta);
-        t438 = (self.zH + self.rhoR) + (Sx_all_mH * K011_Sx_all);
-        t440 = (Sx_all_mH * t219) - py_delta_mH;
-        t441 = t28 * t440;
-        t445 = (yaw_per_v_delta * py_delta_mH) + (Sx_all_mH * K222_Sx_all);
-        t446 = t28 * t28;
-        t448 = C122_Sx_all + (t43 * M22_hz_delta);
-        t449 = t43 + yaw_by_delta;
-        t450 = yaw_per_v_delta * t449;
-        t452 = t28 * (t43 + M22_hz_delta);
-        K222_h_spin_F = t28 * yaw_per_v_delta;
-        Jxx_delta_rF = self.rF * t252;
-        hx_delta_rF = (t28 * Jxx_delta_rF) - (self.mF * t139);
-        Sx_all_mF = t38 - self.c;
-        Jxz_all_rF = self.mF * Sx_all_mF;
-        t461 = hx_delta_rF + (yaw_by_delta * Jxz_all_rF);
-        t463 = self.mF * t313;
-        py_delta_rF = self.mF * t28;
-        t468 = ((t28 * hx_delta_rF) - (t463 * M22_hz_delta))
-            + (py_delta_rF * M22_py_delta);
-        t470 = self.IFyy * (t101 * t101);
-        t474 = self.mF - t470;
-        t476 = ((yaw_per_v_delta * Jxz_all_rF) - (t43 * t470)) + (yaw_by_delta * t474);
-        t477 = t470 * t449;
-        t480 = (py_delta_rF * C122_py_delta) - (yaw_per_v_delta * t463);
-        t482 = yaw_per_v_delta * t474;
-        t485 = (yaw_per_v_delta * py_delta_rF) - (t470 * K222_h_spin_F);
-        hx_delta_mF = (t28 * Jxx_delta_mF) - (self.rF * t139);
-        Jxz_all_mF = self.rF * Sx_all_mF;
-        t491 = hx_delta_mF + (yaw_by_delta * Jxz_all_mF);
-        P_delta_yaw_mF = yaw_by_delta * t91;
-        hz_delta_mF = (t43 * t68) - (self.rF * t313);
-        py_delta_mF = (self.rF * t28) - t139;
-        t504 = (((t28 * hx_delta_mF) + (yaw_by_delta * P_delta_yaw_mF))
-            + (hz_delta_mF * M22_hz_delta)) + (py_delta_mF * M22_py_delta);
-        t507 = (self.rF * yaw_by_delta) + (yaw_per_v_delta * Jxz_all_mF);
-        t513 = ((yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF))
-            + (Sx_all_mF * C122_Sx_all)) + (py_delta_mF * C122_py_delta);
-        t516 = (self.rhoR - self.rF) + (Sx_all_mF * K011_Sx_all);
-        t518 = (Sx_all_mF * t219) - py_delta_mF;
-        t519 = t28 * t518;
-        t520 = self.rF * yaw_per_v_delta;
-        t523 = (yaw_per_v_delta * py_delta_mF) + (Sx_all_mF * K222_Sx_all);
-        t524 = t448 + t446;
-        t525 = t101 * t449;
-        t526 = yaw_per_v_delta * t101;
-        t527 = t101 * K222_h_spin_F;
-        t528 = t28 * t131;
-        t529 = t28 * t528;
-        t530 = -(t103 + (yaw_by_delta * h_wheels_all));
-        t531 = -(t182 + (t153 * C112_yaw_per_v_delta));
-        t532 = -(t111 * t153);
-        t533 = -(h_wheels_all * yaw_per_v_delta);
-        t534 = -(t145 + (t285 * C112_yaw_per_v_delta));
-        t535 = -(t111 * t285);
-        t536 = -self.mR;
-        t537 = -t336;
-        t538 = -(t51 * yaw_by_delta);
-        t539 = -(t51 * yaw_per_v_delta);
-        t540 = -(yaw_by_delta * t119);
-        t541 = -((self.mB * yaw_by_delta) + (yaw_per_v_delta * t119));
-        t542 = -(self.mB * yaw_per_v_delta);
-        t543 = -(yaw_by_delta * t355);
-        t544 = -((self.zB * yaw_by_delta) + (yaw_per_v_delta * t355));
-        t545 = -(self.zB * yaw_per_v_delta);
-        let (t546, t547, t548, t549, t550, t551, t552, t553, t554, t555, t556, t557);
-        t546 = -(t148 + (yaw_by_delta * t55));
-        t547 = -(yaw_per_v_delta * t55);
-        t548 = -((self.mH * yaw_by_delta) + (yaw_per_v_delta * t386));
-        t549 = -((yaw_per_v_delta * t390) + (t393 * C122_py_delta));
-        t550 = -(self.mH * yaw_per_v_delta);
-        t551 = -(yaw_per_v_delta * t393);
-        t552 = -((self.zH * yaw_by_delta) + (yaw_per_v_delta * t410));
-        t553 = -(self.zH * yaw_per_v_delta);
-        t554 = -self.mF;
-        t555 = -py_delta_rF;
-        t556 = -(t28 * py_delta_rF);
-        t557 = -t525;
+        K222_yaw_per_v_delta = t138 + (self.c * K222_yaw_by_delta);
+        t236 = t231 - (t145 * K222_yaw_per_v_delta);
+        t239 = (t106 + t143) - (t10 * C112_h_spin_F);
+        t242 = (t130 * M22_hz_delta) - t151;
+        hz_delta_c = t40 * t60;
+        t250 = (((t165 + (self.mF * t242)) + (yaw_per_v_delta * M22_yaw_by_delta))
+            + (M22_hz_delta * hz_delta_c)) - (t10 * M22_Jxz_delta);
+        t253 = t176 + (yaw_per_v_delta * (t104 - t10));
+        t254 = yaw_per_v_delta * h_wheels_all;
+        t257 = (yaw_per_v_delta * t130) - t187;
+        t263 = ((t199 + (self.mF * t257))
+            + (yaw_per_v_delta * (C122_yaw_by_delta + hz_delta_c)))
+            - (t10 * K222_h_spin_F);
+        K_phi_delta_c = (t221 + (self.mF * t218)) - (t40 * t121);
+        t268 = t28 * K_phi_delta_c;
+        t272 = (t231 + (yaw_per_v_delta * K222_yaw_by_delta)) - (self.mF * t228);
+        hx_delta_lam = (Jxx_delta * t40) - t57;
+        t275 = t28 * t43;
+        t277 = hx_delta_lam - (M12_yaw_per_v_delta * t275);
+        t283 = (t40 * Sz_delta) - (t28 * t70);
+        hz_delta_lam = t41 - (t28 * t65);
+        t293 = (((((t28 * hx_delta_lam) + (t40 * hx_delta))
+            + (M22_hz_delta * hz_delta_lam)) - (t28 * hz_delta)) - (t150 * t283))
+            - (M22_yaw_per_v_delta * t275);
+        t295 = t137 + (C112_yaw_per_v_delta * t275);
+        t297 = t137 + (t181 * t275);
+        t302 = ((yaw_per_v_delta * hz_delta_lam) - (t185 * t283))
+            - (C122_yaw_per_v_delta * t275);
+        K_phi_delta_lam = t283 + (t121 * ((t28 * self.c) + (t40 * self.rhoF)));
+        t310 = (t28 * K_phi_delta_lam) + (t40 * K_phi_delta);
+        t311 = t104 * t275;
+        t315 = (yaw_per_v_delta * (t97 - t283)) - (K222_yaw_per_v_delta * t275);
+        t316 = t17 + t17;
+        t317 = t99 * t100;
+        t318 = self.mR - t317;
+        t319 = yaw_by_delta * t318;
+        t320 = yaw_by_delta * t317;
+        t321 = yaw_per_v_delta * t318;
+        t322 = self.rR * self.rR;
+        t323 = self.rR * yaw_by_delta;
+        t324 = self.rhoR - self.rR;
+        t325 = self.rR * yaw_per_v_delta;
+        t327 = yaw_by_delta * t99;
+        t328 = yaw_per_v_delta * t99;
+        t329 = t21 * yaw_by_delta;
+        t330 = yaw_by_delta * self.xB;
+        t331 = self.mB * t330;
+        P_delta_yaw_xB = t331 + (yaw_by_delta * t76);
+        t334 = yaw_by_delta * P_delta_yaw_xB;
+        t335 = t21 * yaw_per_v_delta;
+        t338 = (self.mB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_xB);
+        t339 = self.mB * K011_Sx_all;
+        K_phi_delta_xB = self.mB * K_phi_delta_Sx_all;
+        t341 = t28 * K_phi_delta_xB;
+        t342 = self.mB * K222_Sx_all;
+        t343 = t21 + t21;
+        t345 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        t346 = self.mB * t345;
+        t347 = self.mB * yaw_per_v_delta;
+        t348 = self.zB * self.zB;
+        t349 = self.zB * t330;
+        P_delta_yaw_mB = self.xB * t330;
+        t351 = yaw_by_delta * P_delta_yaw_mB;
+        t352 = self.zB * t345;
+        t355 = (self.xB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_mB);
+        t358 = (self.zB + self.rhoR) + (self.xB * K011_Sx_all);
+        K_phi_delta_mB = self.xB * K_phi_delta_Sx_all;
+        t360 = t28 * K_phi_delta_mB;
+        t361 = self.zB * yaw_per_v_delta;
+        t362 = self.xB * K222_Sx_all;
+        P_delta_yaw_xH = (self.mH * self.xH) * t149;
+        t366 = (yaw_by_delta * P_delta_yaw_xH) - t163;
+        t368 = (yaw_per_v_delta * P_delta_yaw_xH) - t195;
+        t369 = t28 * t219;
+        t370 = t6 + t6;
+        t371 = t34 * yaw_by_delta;
+        t373 = self.zH * t28;
+        t375 = ((t36 * C112_h_spin_F) + t373) - t371;
+        t378 = (self.mH * t375) + (t6 * t28);
+        t379 = t28 * t150;
+        M22_Jxx_delta = t28 * t28;
+        t384 = ((self.zH * M22_Jxx_delta) + (t36 * M22_Jxz_delta)) - t379;
+        t387 = (self.mH * t384) + (t6 * M22_Jxx_delta);
+        t389 = (t36 * yaw_per_v_delta) - t185;
+        t390 = self.mH * t389;
+        t391 = t28 * t185;
+        t393 = (t36 * K222_h_spin_F) - t391;
+        t394 = self.mH * t393;
+        K_phi_delta_zH = self.mH * t28;
+        t396 = t28 * K_phi_delta_zH;
+        t397 = self.mH * yaw_per_v_delta;
+        t398 = self.mH * K222_h_spin_F;
+        t399 = self.zH * self.zH;
+        t400 = self.zH * t375;
+        P_delta_yaw_mH = yaw_by_delta * t78;
+        t406 = ((self.zH * t384) + (t36 * t155)) + (yaw_by_delta * P_delta_yaw_mH);
+        t407 = self.zH * t389;
+        C122_m_delta = t34 * C122_Sx_all;
+        t414 = ((C122_m_delta + (self.zH * t393)) + (t36 * t189))
+            + (yaw_per_v_delta * P_delta_yaw_mH);
+        K011_m_delta = self.rhoR + (t34 * K011_Sx_all);
+        t419 = (self.zH + K011_m_delta) - (t36 * K011_Sx_all);
+        K_phi_delta_m_delta = t34 * K_phi_delta_Sx_all;
+        K_phi_delta_mH = (t373 + K_phi_delta_m_delta) + (t36 * t218);
+        t424 = t28 * K_phi_delta_mH;
+        t425 = self.zH * yaw_per_v_delta;
+        K222_m_delta = t34 * K222_Sx_all;
+        t430 = (K222_m_delta - (self.zH * K222_h_spin_F)) - (t36 * t228);
+        t432 = C122_Sx_all + (t40 * M22_hz_delta);
+        t433 = yaw_per_v_delta * C112_h_spin_F;
+        t434 = t10 + t10;
+        t436 = self.rF * t28;
+        t438 = (t371 + t436) - (self.c * C112_h_spin_F);
+        t441 = (self.mF * t438) + (t10 * t28);
+        t445 = (t379 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
+        t448 = (self.mF * t445) + (t10 * M22_Jxx_delta);
+        t449 = yaw_by_delta - t185;
+        t451 = t95 * h_spin_F;
+        t452 = C112_h_spin_F * t451;
+        t453 = (self.mF * t449) + t452;
+        t455 = (self.c * K222_h_spin_F) - t391;
+        t456 = self.mF * t455;
+        t457 = self.mF * t28;
+        t458 = t28 * t457;
+        t460 = yaw_per_v_delta * (self.mF - t451);
+        t463 = (self.mF * K222_h_spin_F) - (K222_h_spin_F * t451);
+        t464 = self.rF * self.rF;
+        t465 = self.rF * t438;
+        P_delta_yaw_mF = yaw_by_delta * t80;
+        t471 = ((self.c * t242) + (self.rF * t445)) + (yaw_by_delta * P_delta_yaw_mF);
+        t472 = self.rF * t449;
+        t478 = ((C122_m_delta + (self.c * t257)) + (yaw_per_v_delta * P_delta_yaw_mF))
+            - (self.rF * t455);
+        t481 = (K011_m_delta - self.rF) - (self.c * K011_Sx_all);
+        K_phi_delta_mF = (K_phi_delta_m_delta + (self.c * t218)) - t436;
+        t485 = t28 * K_phi_delta_mF;
+        t486 = self.rF * yaw_per_v_delta;
+        t490 = (K222_m_delta + (self.rF * K222_h_spin_F)) - (self.c * t228);
+        t491 = M22_Jxx_delta + t432;
+        t492 = t95 * C112_h_spin_F;
+        t493 = yaw_per_v_delta * t95;
+        t494 = t95 * K222_h_spin_F;
+        K_phi_delta_rhoF = t28 * t121;
+        let (t496, t497);
+        t496 = t28 * K_phi_delta_rhoF;
+        t497 = -(t97 + (yaw_by_delta * h_wheels_all));
         (
             WhippleTyresMatrices {
-                m: [[t26, t60], [t60, t98]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t115], [t530, t127]],
-                k0: [[t137, t142], [t142, t143]],
+                m: [[t26, t55], [t55, t92]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t497, t119]],
+                k0: [[t129, K_phi_delta], [K_phi_delta, t135]],
                 k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t144],
-                    [::carvallo::Number::like(self.w, 0.0), t147],
+                    [::carvallo::Number::like(self.w, 0.0), t136],
+                    [::carvallo::Number::like(self.w, 0.0), t139],
                 ],
             },
             WhippleTyresDerivatives {
                 values: [
-                    t156,
-                    t156,
-                    t181,
-                    t531,
-                    t188,
-                    t209,
-                    t217,
+                    t148,
+                    t173,
+                    t180,
+                    t182,
+                    t208,
+                    t216,
+                    K_phi_delta_w,
                     t224,
-                    t224,
-                    t229,
-                    t532,
-                    t241,
-                    t246,
-                    t246,
-                    t259,
-                    t262,
-                    t533,
-                    t270,
-                    t275,
-                    t275,
+                    t225,
+                    t236,
+                    t239,
+                    t250,
+                    t253,
+                    t254,
+                    t263,
+                    K_phi_delta_c,
+                    t268,
+                    t272,
                     t277,
-                    t282,
-                    t287,
-                    t287,
-                    t303,
-                    t534,
-                    t307,
-                    t312,
-                    t317,
-                    t317,
+                    t293,
+                    t295,
+                    t297,
+                    t302,
+                    K_phi_delta_lam,
+                    t310,
+                    t311,
+                    t315,
+                    t316,
+                    t319,
                     t320,
-                    t535,
+                    self.mR,
+                    t321,
+                    t322,
+                    t323,
+                    t324,
                     t325,
-                    t326,
-                    t330,
-                    t331,
-                    t536,
-                    t332,
-                    t19,
-                    t333,
-                    t334,
-                    t335,
                     ::carvallo::Number::like(self.w, 1.0),
                     C122_Sx_all,
                     K222_Sx_all,
-                    t336,
-                    t537,
-                    t337,
-                    t538,
-                    t538,
-                    t340,
-                    t539,
-                    t344,
-                    t345,
+                    t327,
+                    t328,
+                    t329,
+                    t334,
+                    t335,
+                    t338,
+                    t339,
+                    K_phi_delta_xB,
+                    t341,
+                    t342,
+                    t343,
+                    t331,
                     t346,
-                    t346,
+                    self.mB,
                     t347,
                     t348,
                     t349,
-                    t540,
-                    t540,
-                    t541,
-                    self.mB,
-                    t542,
-                    t24,
-                    t543,
-                    t543,
+                    t351,
+                    t352,
+                    t355,
                     t358,
-                    t544,
-                    t364,
-                    t367,
+                    K_phi_delta_mB,
+                    t360,
+                    t361,
+                    t362,
+                    yaw_by_delta,
+                    yaw_per_v_delta,
+                    t141,
+                    t366,
+                    t174,
                     t368,
-                    t368,
+                    t211,
+                    t219,
                     t369,
-                    t545,
-                    t371,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    C122_Sx_all,
-                    K222_Sx_all,
-                    yaw_by_delta,
-                    yaw_by_delta,
-                    yaw_per_v_delta,
-                    t546,
-                    t546,
-                    t377,
-                    t547,
-                    t380,
-                    t212,
-                    t222,
-                    t222,
-                    t225,
-                    t234,
-                    Jxx_delta_zH,
-                    t388,
-                    t388,
-                    t395,
-                    t548,
-                    t549,
+                    t229,
+                    t370,
+                    t378,
+                    t387,
+                    t390,
+                    t394,
                     self.mH,
-                    t393,
-                    t393,
-                    t402,
-                    t550,
-                    t551,
-                    Jxx_delta_mH,
-                    t412,
-                    t412,
+                    K_phi_delta_zH,
+                    t396,
+                    t397,
+                    t398,
+                    t399,
+                    t400,
+                    t406,
+                    t407,
+                    t414,
+                    t419,
+                    K_phi_delta_mH,
+                    t424,
                     t425,
-                    t552,
-                    t435,
-                    t438,
-                    t440,
-                    t440,
-                    t441,
-                    t553,
-                    t445,
-                    ::carvallo::Number::like(self.w, 1.0),
+                    t430,
                     t28,
-                    t28,
-                    t446,
-                    t448,
-                    t450,
-                    t449,
-                    t449,
-                    t452,
-                    yaw_per_v_delta,
+                    M22_Jxx_delta,
+                    t432,
+                    t433,
+                    C112_h_spin_F,
+                    M22_Jxz_delta,
                     K222_h_spin_F,
-                    Jxx_delta_rF,
-                    t461,
-                    t461,
-                    t468,
-                    t476,
-                    t477,
-                    t480,
-                    t554,
-                    t555,
-                    t555,
-                    t556,
-                    t482,
+                    t434,
+                    t441,
+                    t448,
+                    t453,
+                    t452,
+                    t456,
+                    self.mF,
+                    t457,
+                    t458,
+                    t460,
+                    t463,
+                    t464,
+                    t465,
+                    t471,
+                    t472,
+                    t478,
+                    t481,
+                    K_phi_delta_mF,
                     t485,
-                    Jxx_delta_mF,
+                    t486,
+                    t490,
                     t491,
-                    t491,
-                    t504,
-                    t507,
-                    t513,
-                    t516,
-                    t518,
-                    t518,
-                    t519,
-                    t520,
-                    t523,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t28,
-                    t28,
-                    t524,
-                    t450,
-                    t525,
-                    t557,
-                    t526,
-                    t527,
-                    t132,
-                    t131,
-                    t528,
-                    t528,
-                    t529,
+                    t492,
+                    t493,
+                    t494,
+                    t124,
+                    t121,
+                    K_phi_delta_rhoF,
+                    t496,
                 ],
             },
         )
@@ -2105,8 +2058,11 @@ impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleTyres<T> {
             [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
         ); 28];
         for position in 0..166 {
-            <WhippleTyresDerivatives>::PARTIALS[position]
-                .write(derivatives.values[position], &mut all);
+            ::carvallo::Partial::write(
+                &<WhippleTyresDerivatives>::PARTIALS[position],
+                &derivatives.values,
+                &mut all,
+            );
         }
         (
             ::carvallo::Coefficients::from_rows([

@@ -2,19 +2,31 @@
 
 use crate::equations::Equations;
 use crate::model::Model;
-use crate::program::{Counts, Program};
+use crate::program::{Counts, Instruction, Program, Value, passes};
 use crate::symbolic::{self, Derived, Failure, Node};
 
 /// The program of values and derivatives, and what its outputs are.
 #[derive(Debug)]
 pub struct Derivatives {
-    /// Computes the entries of the matrices, row by row, and then the derivatives.
+    /// Computes the entries of the matrices, row by row, and then the values of the derivatives, each once.
     pub program: Program,
-    /// For each derivative the position of the entry and that of the parameter: all that are not zero for all parameters,
-    /// by parameters.
-    pub partials: Vec<(usize, usize)>,
+    /// All derivatives that are not zero for all parameters, by parameters.
+    pub partials: Vec<Partial>,
     /// The names of values that are derivatives of definitions; labels beyond the definitions of the model mean them.
     pub names: Vec<String>,
+}
+
+/// One derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Partial {
+    /// The position of the entry among those of all matrices, row by row.
+    pub entry: usize,
+    /// The position of the parameter.
+    pub parameter: usize,
+    /// The position of its value among those of the derivatives.
+    pub value: usize,
+    /// Whether it is the negative of that value.
+    pub negative: bool,
 }
 
 /// The cheapest program found.
@@ -28,16 +40,40 @@ pub fn compile(model: &Model, matrices: &Program) -> Result<Derivatives, Failure
     let exact = derived[0].partials.clone();
     let same: Vec<Derived> = derived.into_iter().filter(|derived| derived.partials == exact).collect();
     let programs = symbolic::compile(same.iter().map(|derived| derived.equations.clone()).collect())?;
-    let all = same.into_iter().zip(programs);
-    let Some((derived, program)) = all.min_by_key(|(_, program)| Counts::of(program).cost()) else {
+    let all = same.into_iter().zip(programs).map(|(derived, program)| {
+        let (program, partials) = shared(program, &derived.partials);
+        (derived, program, partials)
+    });
+    let Some((derived, program, partials)) = all.min_by_key(|(_, program, _)| Counts::of(program).cost()) else {
         unreachable!("the derivatives of the formulas are among them")
     };
-    Ok(named(model, derived, program))
+    Ok(named(model, derived, program, partials))
+}
+
+/// With each value once, of derivatives that are equal or opposite: those of the mirror image of an entry, for one.
+fn shared(mut program: Program, partials: &[(usize, usize)]) -> (Program, Vec<Partial>) {
+    let derivatives = program.outputs.split_off(program.outputs.len() - partials.len());
+    let mut values: Vec<Value> = Vec::new();
+    let mut partial = |(&(entry, parameter), &output): (&(usize, usize), &Value)| {
+        let (negative, stored) = match program.instructions[output] {
+            Instruction::Neg(opposite) => (true, opposite),
+            _ => (false, output),
+        };
+        let known = values.iter().position(|value| *value == stored);
+        let value = known.unwrap_or_else(|| {
+            values.push(stored);
+            values.len() - 1
+        });
+        Partial { entry, parameter, value, negative }
+    };
+    let partials = partials.iter().zip(&derivatives).map(&mut partial).collect();
+    program.outputs.extend(values);
+    (passes::optimize(program), partials)
 }
 
 /// With a name for each value that is the derivative of something with a name: `mu_c` for that of `mu` by `c`.
-fn named(model: &Model, derived: Derived, mut program: Program) -> Derivatives {
-    let Derived { equations, partials, definitions } = derived;
+fn named(model: &Model, derived: Derived, mut program: Program, partials: Vec<Partial>) -> Derivatives {
+    let Derived { equations, definitions, .. } = derived;
     let entries: Vec<String> = model
         .matrices
         .iter()

@@ -19,7 +19,7 @@ use proptest::prelude::*;
 const BOUND: f64 = 16.0;
 
 /// Fails if an entry differs from exact arithmetic by more than `BOUND` epsilons of the size of its terms.
-fn check<T: Scalar>(design: &Whipple<T>, computed: &WhippleMatrices<T>, epsilon: f64) -> Result<(), TestCaseError> {
+pub fn check<T: Scalar>(design: &Whipple<T>, computed: &WhippleMatrices<T>, epsilon: f64) -> Result<(), TestCaseError> {
     let exact: Matrices<Real> = matrices(design);
     let sizes: Matrices<Size> = matrices(design);
     let computed = [computed.m, computed.c1, computed.k0, computed.k2];

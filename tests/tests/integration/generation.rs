@@ -26,6 +26,7 @@ fn macro_and_file_give_the_same_bits() {
         let design = designs::numbered(number);
         let same = by_macro::Whipple::from_array(design.to_array());
         assert_eq!(bits(same.coefficients()), bits(design.coefficients()), "design {number}");
+        assert_eq!(derivative_bits(same), derivative_bits(design), "derivatives of design {number}");
         let (same, design) = (same.cast::<f32>(), design.cast::<f32>());
         assert_eq!(bits(same.coefficients()), bits(design.coefficients()), "design {number} as f32");
     }
@@ -37,6 +38,11 @@ fn macro_and_file_give_the_same_bits() {
 fn bits<T: carvallo::Scalar>(matrices: carvallo::Coefficients<T, 2>) -> Vec<u64> {
     let carvallo::Coefficients { m, c0, c1, kc, k0, k2 } = matrices;
     [m, c0, c1, kc, k0, k2].iter().flat_map(|matrix| matrix.iter().map(|entry| entry.to_f64().to_bits())).collect()
+}
+
+fn derivative_bits(design: impl carvallo::Differentiable<2, Scalar = f64>) -> Vec<u64> {
+    let (values, derivatives) = design.coefficients_and_derivatives();
+    [values].iter().chain(derivatives.as_ref()).flat_map(|coefficients| bits(*coefficients)).collect()
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod bicycles;
 #[cfg(feature = "compiler")]
 mod claims;
 mod critical_speeds;
+mod derivatives;
 mod designs;
 #[cfg(feature = "compiler")]
 mod determinism;
@@ -25,6 +26,7 @@ mod operations;
 mod published;
 #[cfg(feature = "compiler")]
 mod regenerate;
+mod rounding;
 mod sensitivity;
 mod stability;
 mod state_space;

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::evaluator::{self, Body};
 use super::names::Names;
 use super::{allow, docs, trait_impl};
-use crate::derivatives::Derivatives;
+use crate::derivatives::{Derivatives, Partial};
 use crate::model::Model;
 use crate::program::Counts;
 use crate::syntax::MatrixName;
@@ -18,6 +18,7 @@ pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> Opt
     let visibility = &model.visibility;
     let allow = allow();
     let partials = computed.map_or(&[][..], |computed| &computed.partials);
+    let value_count = Literal::usize_unsuffixed(partials.iter().map(|partial| partial.value + 1).max().unwrap_or(0));
     let count = Literal::usize_unsuffixed(partials.len());
     let table = table(model, partials, runtime);
     let struct_docs = docs(&format!(
@@ -41,8 +42,8 @@ pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> Opt
         #allow
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
         #visibility struct #derivatives<#scalar = ::core::primitive::f64> {
-            /// The value of each derivative in [`Self::PARTIALS`].
-            pub values: [#scalar; #count],
+            /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+            pub values: [#scalar; #value_count],
         }
 
         #allow
@@ -72,24 +73,26 @@ pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> Opt
 }
 
 /// The entry and the parameter of each derivative.
-fn table(model: &Model, partials: &[(usize, usize)], runtime: &TokenStream) -> Vec<TokenStream> {
+fn table(model: &Model, partials: &[Partial], runtime: &TokenStream) -> Vec<TokenStream> {
     let n = model.coordinates.len();
-    let partial = |(entry, parameter): &(usize, usize)| {
+    let partial = |&Partial { entry, parameter, value, negative }: &Partial| {
         let matrix = format_ident!("{}", model.matrices[entry / (n * n)].0.name());
-        let [row, column, parameter] =
-            [entry / n % n, entry % n, *parameter].map(|position| Literal::usize_unsuffixed(position));
-        quote!(#runtime::Partial::new(#runtime::MatrixName::#matrix, #row, #column, #parameter))
+        let [row, column, parameter, value] =
+            [entry / n % n, entry % n, parameter, value].map(Literal::usize_unsuffixed);
+        let negative = negative.then(|| quote!(.negative()));
+        quote!(#runtime::Partial::new(#runtime::MatrixName::#matrix, #row, #column, #parameter, #value) #negative)
     };
     partials.iter().map(partial).collect()
 }
 
 fn body(model: &Model, names: &Names, computed: &Derivatives) -> TokenStream {
-    let Derivatives { program, partials, .. } = computed;
+    let program = &computed.program;
     let derivatives = &names.derivatives;
     let body = Body::new(program, model, names);
     let statements = body.statements();
     let matrices = evaluator::literal(&body, &program.outputs, &evaluator::fields(model), model, names);
-    let values = program.outputs[program.outputs.len() - partials.len()..].iter().map(|value| &body.values[*value]);
+    let entries = model.matrices.len() * model.coordinates.len().pow(2);
+    let values = program.outputs[entries..].iter().map(|value| &body.values[*value]);
     quote! {
         #statements
         (#matrices, #derivatives { values: [#(#values),*] })
@@ -128,7 +131,7 @@ fn with_respect_to(model: &Model, names: &Names, count: usize) -> TokenStream {
                     continue;
                 }
                 let #matrix = match #partial.matrix { #(#arms)* #rest };
-                #matrix[#partial.row][#partial.column] = self.values[#position];
+                #matrix[#partial.row][#partial.column] = #runtime::Partial::of(&#partial, &self.values);
             }
             ::core::option::Option::Some(#matrices)
         }
@@ -153,7 +156,7 @@ fn differentiable(model: &Model, names: &Names, count: usize) -> TokenStream {
                 let (#matrices, #values) = self.matrices_and_derivatives();
                 let mut #all = [#runtime::Coefficients::from_rows([#zero; 6]); #parameters];
                 for #position in 0..#count {
-                    <#derivatives>::PARTIALS[#position].write(#values.values[#position], &mut #all);
+                    #runtime::Partial::write(&<#derivatives>::PARTIALS[#position], &#values.values, &mut #all);
                 }
                 (#runtime::Coefficients::from_rows([#(#rows),*]), #all)
             }

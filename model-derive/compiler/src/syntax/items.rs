@@ -171,7 +171,7 @@ fn statement_after(
             if model.derivatives.replace(keyword.span()).is_some() {
                 report.error(keyword, "a second `derivatives`: expected one, since it asks for all derivatives");
             }
-            semicolon(input, "`;`", "`derivatives`, which asks for all of them,")
+            semicolon(input, "`;`", "`derivatives`: it asks for all of them")
         }
         "require" => {
             let value = expression(input)?;

@@ -1,8 +1,10 @@
 //! The passes that improve a program, in their order.
 
+mod chains;
 mod powers;
 mod quotients;
 mod rebuild;
+mod share;
 mod signs;
 mod tie;
 
@@ -16,6 +18,10 @@ pub fn optimize(program: Program) -> Program {
     let program = checked(powers::expand(program));
     // After this point no instruction uses a negation; only outputs may be negated.
     let program = checked(signs::collect(program));
+    // After this point no two products or sums compute the same pair of factors or terms; where signs moved out of a sum,
+    // more of them are the same.
+    let program = checked(signs::collect(share::share(program)));
+    let program = checked(signs::collect(share::share(program)));
     // After this point no reciprocal is used by one product alone, and no value divides twice.
     let program = checked(quotients::divide(program));
     // After this point no two instructions are equal, and every value is used.
@@ -93,6 +99,63 @@ mod tests {
         let before = program(&[Instruction::Div(0, 1), Instruction::Add(0, 1), Instruction::Div(3, 1)], &[2, 4]);
         let counts = Counts { additions: 1, multiplications: 2, divisions: 1, ..Counts::default() };
         check(before, counts, |x, y| vec![x * (1.0 / y), (x + y) * (1.0 / y)]);
+    }
+
+    #[test]
+    fn products_share_pairs_of_factors_however_they_are_bracketed() {
+        // x^2 y and x y.
+        let before = program(&[Instruction::Square(0), Instruction::Mul(2, 1), Instruction::Mul(0, 1)], &[3, 4]);
+        check(before, Counts { multiplications: 2, ..Counts::default() }, |x, y| vec![x * (x * y), x * y]);
+
+        // x^2 y^2 is the square of x y.
+        let before = program(&[Instruction::Square(0), Instruction::Square(1), Instruction::Mul(2, 3)], &[4]);
+        check(before, Counts { multiplications: 2, ..Counts::default() }, |x, y| vec![x * y * (x * y)]);
+    }
+
+    #[test]
+    fn sums_share_pairs_of_terms_and_their_negatives() {
+        // x + x^2 + y^2 and y - x^2 - y^2.
+        let before = program(
+            &[
+                Instruction::Square(0),
+                Instruction::Square(1),
+                Instruction::Add(0, 2),
+                Instruction::Add(4, 3),
+                Instruction::Sub(1, 2),
+                Instruction::Sub(6, 3),
+            ],
+            &[5, 7],
+        );
+        let counts = Counts { additions: 3, multiplications: 2, ..Counts::default() };
+        check(before, counts, |x, y| vec![x + (x * x + y * y), y - (x * x + y * y)]);
+    }
+
+    #[test]
+    fn half_of_a_doubled_value_may_be_part_of_another_sum() {
+        let before = program(
+            &[Instruction::Constant(2.0), Instruction::Mul(2, 0), Instruction::Add(3, 1), Instruction::Add(0, 1)],
+            &[4, 5],
+        );
+        check(before, Counts { additions: 2, ..Counts::default() }, |x, y| vec![x + (x + y), x + y]);
+    }
+
+    #[test]
+    fn divisions_by_one_value_share_its_reciprocal_with_the_factors_beside_it() {
+        // x y / (x + y) and x / (x + y).
+        let before = program(
+            &[Instruction::Add(0, 1), Instruction::Mul(0, 1), Instruction::Div(3, 2), Instruction::Div(0, 2)],
+            &[4, 5],
+        );
+        let counts = Counts { additions: 1, multiplications: 1, divisions: 1, ..Counts::default() };
+        check(before, counts, |x, y| vec![x / (x + y) * y, x / (x + y)]);
+    }
+
+    #[test]
+    fn a_long_chain_of_squares_takes_no_more_than_before() {
+        let squares: Vec<Instruction> =
+            std::iter::once(Instruction::Square(0)).chain((2..40).map(Instruction::Square)).collect();
+        let after = optimize(program(&squares, &[40]));
+        assert_eq!(Counts::of(&after).multiplications, 39);
     }
 
     #[test]

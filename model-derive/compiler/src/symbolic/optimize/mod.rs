@@ -1,0 +1,120 @@
+//! The search for the cheapest program among equivalent ones.
+
+mod search;
+mod shapes;
+mod system;
+
+use super::door::{Failure, enter};
+use crate::equations::Equations;
+use crate::program::Program;
+
+/// The cheapest program found for each set of equations.
+///
+/// # Errors
+/// If the engine cannot be had or fails, or if a formula has no value.
+pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
+    enter(move |engine| {
+        let numbered = equations.iter().enumerate();
+        let programs = numbered.map(|(index, equations)| {
+            let found = search::cheapest(engine, equations);
+            found.map_err(|(place, why)| Failure::Undefined { equations: index, place, why })
+        });
+        programs.collect()
+    })?
+}
+
+/// A formula among equations: the definition of the model, or the output, at a position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The definition at a position of the model.
+    Definition(usize),
+    /// The output at a position of the equations.
+    Output(usize),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Engine, Form};
+    use super::shapes::shapes_of;
+    use super::*;
+    use crate::model::{Expr, Function};
+    use crate::program::Counts;
+
+    fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
+        Expr::Sum(terms.into_iter().map(|term| (false, term)).collect())
+    }
+
+    fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
+        Expr::Product(factors.into_iter().map(|factor| (false, factor)).collect())
+    }
+
+    fn over(product: Expr, divisor: Expr) -> Expr {
+        Expr::Product(vec![(false, product), (true, divisor)])
+    }
+
+    fn call(function: Function, index: usize) -> Expr {
+        Expr::Call(function, Box::new(Expr::Parameter(index)))
+    }
+
+    /// The program of equations in four parameters, whose values must be the expected ones.
+    fn compiled(definitions: Vec<Expr>, outputs: Vec<Expr>, expected: impl Fn(&[f64; 4]) -> Vec<f64>) -> Counts {
+        let origins = (0..definitions.len()).collect();
+        let equations = Equations { parameters: 4, definitions, origins, outputs };
+        let program = compile(vec![equations]).expect("it compiles").remove(0);
+        for parameters in [[1.5, 0.25, 0.75, 2.0], [0.5, 3.0, 1.25, 0.125]] {
+            for (value, expected) in program.interpret(&parameters).into_iter().zip(expected(&parameters)) {
+                assert!(
+                    (value - expected).abs() <= 1e-14 * expected.abs(),
+                    "{value}, expected {expected}: {program:?}"
+                );
+            }
+        }
+        Counts::of(&program)
+    }
+
+    #[test]
+    fn a_division_that_cancels_out_is_not_done() {
+        // The parallel-axis theorem about a centre of mass: m (a - c)^2 + n (b - c)^2 + (m + n) c^2 is m a^2 + n b^2.
+        let [m, n, a, b] = [0, 1, 2, 3].map(Expr::Parameter);
+        let mass = sum([m.clone(), n.clone()]);
+        let moment = sum([product([m.clone(), a.clone()]), product([n.clone(), b.clone()])]);
+        let centre = over(moment, Expr::Definition(0));
+        let arm = |end: Expr| Expr::Power(Box::new(Expr::Sum(vec![(false, end), (true, Expr::Definition(1))])), 2);
+        let inertia = sum([product([m, arm(a)]), product([n, arm(b)])]);
+        let shifted = product([Expr::Definition(0), Expr::Power(Box::new(Expr::Definition(1)), 2)]);
+        let output = sum([Expr::Definition(2), shifted]);
+        let counts = compiled(vec![mass, centre, inertia], vec![output], |[m, n, a, b]| vec![m * a * a + n * b * b]);
+        assert_eq!(counts, Counts { additions: 1, multiplications: 4, ..Counts::default() });
+    }
+
+    #[test]
+    fn a_definition_goes_into_the_one_formula_that_gets_shorter_by_it() {
+        // With q = c/w, which the other formula needs: q x + y/w is (c x + y)/w.
+        let [c, w, x, y] = [0, 1, 2, 3].map(Expr::Parameter);
+        let ratio = over(c, w.clone());
+        let merged = sum([product([Expr::Definition(0), x.clone()]), over(y.clone(), w)]);
+        let other = sum([product([Expr::Definition(0), y]), x]);
+        let counts = compiled(vec![ratio], vec![merged, other], |[c, w, x, y]| vec![(c * x + y) / w, c / w * y + x]);
+        assert!(counts.total() <= 7 && counts.divisions == 1, "{counts}");
+    }
+
+    #[test]
+    fn every_shape_of_a_formula_is_equal_to_it() {
+        let holds = enter(|engine: &Engine| {
+            let [x, y, z] = [0, 1, 2].map(Expr::Parameter);
+            let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| call(function, 3));
+            let arm = sum([product([x.clone(), cosine.clone()]), product([y.clone(), sine.clone()])]);
+            let formulas = [
+                product([z.clone(), Expr::Power(Box::new(arm.clone()), 2)]),
+                sum([over(product([x.clone(), cosine]), z.clone()), over(arm, z.clone()), sine]),
+                over(sum([product([x.clone(), y.clone()]), product([x.clone(), z.clone()])]), sum([x, y])),
+            ];
+            formulas.iter().all(|formula| {
+                let form = engine.form(formula, &[]).expect("it has a value");
+                let shapes: Vec<Form> = shapes_of(&form).into_iter().map(|(_, shape)| shape).collect();
+                shapes.len() > 1 && shapes.iter().all(|shape| shape.minus(&form).is_zero())
+            })
+        });
+        assert!(holds.expect("the engine works"));
+    }
+}

@@ -1,0 +1,244 @@
+//! The search for the choices that give the cheapest program.
+
+use std::collections::HashSet;
+
+use super::super::form::{Engine, Form, Undefined};
+use super::Place;
+use super::shapes::{Shape, Shapes};
+use super::system::{Choices, System};
+use crate::equations::Equations;
+use crate::model::Expr;
+use crate::program::{Counts, Program, passes};
+
+/// In models with more definitions than this one program is built, and nothing is tried: of models with hundreds of
+/// definitions the programs that are compared here differ by less than a hundredth, and each takes as long as the first.
+const MAX_TRIED: usize = 100;
+
+/// So many programs are built at most, and fewer of long ones: as many as come to so many operations together. It is not
+/// the clock that ends the search, since the same declaration must always give the same program.
+const MAX_PROGRAMS: usize = 40;
+const MAX_OPERATIONS: usize = 5_000;
+
+/// In how many orders of the symbols the engine nests the formulas: it keeps the best, and then goes on from there.
+const ORDERS: usize = 10;
+/// What is tried at last: more orders take longer, and fewer can come out better, since it looks at the formulas alone.
+const OTHER_ORDERS: [usize; 3] = [0, 1, 30];
+
+/// The cheapest program that is found for the equations.
+///
+/// # Errors
+/// If a formula has no value.
+pub fn cheapest(engine: &Engine, equations: &Equations) -> Result<Program, (Place, Undefined)> {
+    let users = equations.definitions.iter().chain(&equations.outputs);
+    let uses: Vec<Vec<usize>> = users.map(used).collect();
+    let mut search = Search {
+        engine,
+        equations,
+        uses,
+        shapes: Shapes::default(),
+        seen: HashSet::new(),
+        left: MAX_PROGRAMS,
+        best: Best::default(),
+    };
+    search.run()?;
+    Ok(search.best.program)
+}
+
+struct Search<'a> {
+    engine: &'a Engine,
+    equations: &'a Equations,
+    /// For each definition and then for each output the definitions that it uses, each once.
+    uses: Vec<Vec<usize>>,
+    shapes: Shapes,
+    /// The formulas of all programs so far.
+    seen: HashSet<Vec<Form>>,
+    /// How many programs may still be built.
+    left: usize,
+    best: Best,
+}
+
+#[derive(Default)]
+struct Best {
+    cost: Option<usize>,
+    program: Program,
+    choices: Choices,
+    system: System,
+}
+
+impl Search<'_> {
+    fn run(&mut self) -> Result<(), (Place, Undefined)> {
+        let count = self.equations.definitions.len();
+        // Definitions never all disappear into the formulas that use them: that grows exponentially with their depth.
+        let mut times = vec![0; count];
+        let formulas = self.equations.definitions.iter().chain(&self.equations.outputs);
+        formulas.flat_map(mentioned).for_each(|index| times[index] += 1);
+        let used_once: Vec<bool> = times.into_iter().map(|times| times == 1).collect();
+        if count > MAX_TRIED {
+            self.try_out(self.choices(&used_once, None))?;
+            return Ok(());
+        }
+        let none = vec![false; count];
+        self.try_out(self.choices(&none, Some(Shape::Written)))?;
+        let operations = Counts::of(&self.best.program).total();
+        self.left = self.left.min(MAX_OPERATIONS / operations.max(1));
+        let fractions = self.fractions()?;
+        let quotients: Vec<bool> =
+            self.equations.definitions.iter().zip(&fractions).map(|(expr, inline)| *inline || divides(expr)).collect();
+        for inline in [&none, &used_once, &fractions, &quotients] {
+            for shape in [Some(Shape::Written), None, Some(Shape::ByFunctions), Some(Shape::ByLinear)] {
+                self.try_out(self.choices(inline, shape))?;
+            }
+        }
+        while self.left > 0 && (self.keep(&fractions)? | self.open()? | self.reshape()?) {}
+        for orders in OTHER_ORDERS {
+            self.compare(self.best.system.clone(), self.best.choices.clone(), orders);
+        }
+        Ok(())
+    }
+
+    /// All formulas in one shape.
+    fn choices(&self, inline: &[bool], shape: Option<Shape>) -> Choices {
+        let formulas = self.uses.len();
+        Choices { inline: inline.to_vec(), opened: vec![Vec::new(); formulas], shapes: vec![shape; formulas] }
+    }
+
+    /// Builds the program of choices, unless their formulas were there before, and says whether it is the cheapest so far.
+    fn try_out(&mut self, choices: Choices) -> Result<bool, (Place, Undefined)> {
+        if self.left == 0 {
+            return Ok(false);
+        }
+        let system = System::new(self.engine, self.equations, &choices, &mut self.shapes)?;
+        if !self.seen.insert(system.formulas()) {
+            return Ok(false);
+        }
+        self.left -= 1;
+        Ok(self.compare(system, choices, ORDERS))
+    }
+
+    /// Keeps a program if it is cheaper than the best so far: of equally cheap ones the first stays, so that the choice is
+    /// the same on every run.
+    fn compare(&mut self, system: System, choices: Choices, orders: usize) -> bool {
+        let program = passes::optimize(system.program(self.engine, self.equations, orders));
+        let cost = Counts::of(&program).cost();
+        let cheaper = self.best.cost.is_none_or(|best| cost < best);
+        if cheaper {
+            self.best = Best { cost: Some(cost), program, choices, system };
+        }
+        cheaper
+    }
+
+    /// Which definitions divide by a sum, in themselves or through what they use, such as a centre of mass, and what they
+    /// divide by: once all of it is inside of the formulas further on, the division may cancel out of them.
+    fn fractions(&self) -> Result<Vec<bool>, (Place, Undefined)> {
+        let Equations { parameters, definitions, origins, .. } = self.equations;
+        let names = self.engine.definitions(*parameters, definitions.len());
+        let mut inline = vec![false; definitions.len()];
+        definitions.iter().flat_map(divisors).for_each(|index| inline[index] = true);
+        let mut values = Vec::new();
+        for (index, expr) in definitions.iter().enumerate() {
+            let form = self.engine.form(expr, &values).map_err(|why| (Place::Definition(origins[index]), why))?;
+            inline[index] |= form.is_fraction();
+            let inside = inline[index] && !System::keeps(&form);
+            values.push(if inside { form } else { names[index].clone() });
+        }
+        Ok(inline)
+    }
+
+    /// Keeps definitions that went into the formulas that use them, one by one.
+    fn keep(&mut self, fractions: &[bool]) -> Result<bool, (Place, Undefined)> {
+        let mut better = false;
+        for (index, fraction) in fractions.iter().enumerate() {
+            if self.best.choices.inline[index] && !fraction {
+                let mut choices = self.best.choices.clone();
+                choices.inline[index] = false;
+                for (formula, used) in self.uses.iter().enumerate() {
+                    if used.contains(&index) {
+                        choices.shapes[formula] = None;
+                    }
+                }
+                better |= self.try_out(choices)?;
+            }
+        }
+        Ok(better)
+    }
+
+    /// Puts definitions into one of the formulas that use them, one by one.
+    fn open(&mut self) -> Result<bool, (Place, Undefined)> {
+        let mut better = false;
+        for formula in 0..self.uses.len() {
+            for index in self.uses[formula].clone() {
+                let best = &self.best.choices;
+                if best.is_inside(formula) || best.inline[index] || best.opened[formula].contains(&index) {
+                    continue;
+                }
+                let mut choices = best.clone();
+                choices.opened[formula].push(index);
+                let system = &self.best.system;
+                let [closed, opened] = [&self.best.choices, &choices]
+                    .map(|choices| system.form(self.engine, self.equations, formula, &choices.opened[formula]));
+                if !self.shapes.merges(&closed?, system.inside(index), &opened?) {
+                    continue;
+                }
+                choices.shapes[formula] = None;
+                better |= self.try_out(choices)?;
+            }
+        }
+        Ok(better)
+    }
+
+    /// Gives formulas other shapes, one by one.
+    fn reshape(&mut self) -> Result<bool, (Place, Undefined)> {
+        let mut better = false;
+        for formula in 0..self.uses.len() {
+            if self.best.choices.is_inside(formula) {
+                continue;
+            }
+            let opened = &self.best.choices.opened[formula];
+            let form = self.best.system.form(self.engine, self.equations, formula, opened)?;
+            for shape in self.shapes.worthwhile(&form) {
+                let mut choices = self.best.choices.clone();
+                choices.shapes[formula] = Some(shape);
+                better |= self.try_out(choices)?;
+            }
+        }
+        Ok(better)
+    }
+}
+
+/// The definitions that a formula uses, each once.
+fn used(expr: &Expr) -> Vec<usize> {
+    let mut used = mentioned(expr);
+    used.sort_unstable();
+    used.dedup();
+    used
+}
+
+/// The definitions that a formula uses, as often as it does.
+fn mentioned(expr: &Expr) -> Vec<usize> {
+    let mut mentioned = Vec::new();
+    expr.walk(&mut |part| {
+        if let Expr::Definition(index) = part {
+            mentioned.push(*index);
+        }
+    });
+    mentioned
+}
+
+/// Whether a formula is a product that divides by something.
+fn divides(expr: &Expr) -> bool {
+    match expr {
+        Expr::Product(factors) => factors.iter().any(|(inverse, factor)| *inverse || divides(factor)),
+        _ => false,
+    }
+}
+
+/// The definitions that a formula divides by.
+fn divisors(expr: &Expr) -> Vec<usize> {
+    let mut divisors = Vec::new();
+    expr.walk(&mut |part| {
+        if let Expr::Product(factors) = part {
+            divisors.extend(factors.iter().filter(|(inverse, _)| *inverse).flat_map(|(_, factor)| used(factor)));
+        }
+    });
+    divisors
+}
