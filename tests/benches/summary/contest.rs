@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 /// Rounds of a task at most: an odd number, so that there is one in the middle.
-const MOST_ROUNDS: usize = 101;
+const MOST_ROUNDS: usize = 1001;
 const LEAST_ROUNDS: usize = 5;
 
 /// Something to compute, in several ways.
@@ -34,7 +34,8 @@ pub struct Time {
 }
 
 impl<'a> Task<'a> {
-    /// A task of which every contender does so many in one run.
+    /// A task of which every contender does so many in one run: in much less than a millisecond if that can be, since
+    /// longer runs are more often interrupted by other processes, and then the slow ones seem slower than they are.
     pub fn new(name: impl Into<String>, repetitions: usize) -> Self {
         Self { name: name.into(), repetitions: repetitions as u64, contenders: Vec::new() }
     }

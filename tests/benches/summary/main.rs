@@ -3,6 +3,7 @@
 //! What is timed, and how, is in `README.md` beside this folder.
 
 mod contest;
+mod derivatives;
 mod eigenvalues;
 mod matrices;
 mod stability;
@@ -60,6 +61,7 @@ fn main() -> ExitCode {
         }
     }
     matrices::add(&mut summary);
+    derivatives::add(&mut summary);
     eigenvalues::add(&mut summary);
     stability::add(&mut summary);
     println!("\n{}", summary.table);

@@ -1,5 +1,6 @@
 //! The four matrices of the Whipple bicycle: of one design, of designs in the cache, and of many in memory.
 
+use std::cell::Cell;
 use std::hint::black_box;
 
 use carvallo::batch::{Batch, Blocks};
@@ -14,8 +15,12 @@ use crate::contest::Task;
 
 /// Of 208 + 128 bytes in `f64`: 21 kB.
 const IN_CACHE: usize = 64;
+/// Of the designs in memory, how many are computed in one run: 3.4 MB with their matrices.
+const IN_A_RUN: usize = 10_000;
 /// How many designs a run computes at least, the same ones again and again if there are fewer.
-const DESIGNS_IN_A_RUN: usize = 20_000;
+const AT_LEAST: usize = 5_000;
+/// Designs in memory that one contender is ahead of the next, if there are a million.
+const AHEAD: usize = 90_000;
 
 /// A loop over designs that is compiled by itself, and in which the evaluator is called at one place: so a compiler
 /// that inlines it here does so for every contender.
@@ -39,104 +44,132 @@ pub fn add(summary: &mut Summary) {
     let singles: Vec<Whipple<f32>> = designs.iter().map(designs::narrowed).collect();
     for (size, kind) in [(1, "the same again and again"), (IN_CACHE, "in the cache"), (designs.len(), "in memory")] {
         let (designs, singles) = (&designs[..size], &singles[..size]);
-        let repetitions = DESIGNS_IN_A_RUN.div_ceil(size);
-        let task = |scalar| Task::new(format!("Four matrices, {scalar}, {size} designs, {kind}"), size * repetitions);
-        let f64 = one_by_one(task("f64"), designs, repetitions);
-        summary.run(if size == 1 { f64 } else { batches(f64, designs, repetitions) });
-        summary.run(one_by_one(task("f32"), singles, repetitions));
+        let turns = Turns::new(size);
+        let name = |scalar| format!("Four matrices, {scalar}, {size} designs, {kind}");
+        let f64 = one_by_one(Task::new(name("f64"), turns.computed()), &turns, designs);
+        summary.run(if size == 1 { f64 } else { batches(f64, &turns, designs) });
+        let turns = Turns::new(size);
+        summary.run(one_by_one(Task::new(name("f32"), turns.computed()), &turns, singles));
     }
 }
 
 /// All who compute one design after the other.
-fn one_by_one<'a, T: Float + Symplex>(task: Task<'a>, designs: &'a [Whipple<T>], repetitions: usize) -> Task<'a> {
-    let zeros = || zeros(designs.len());
-    let mechanisms: Vec<_> = designs.iter().map(mechanism).collect();
+fn one_by_one<'a, T: Float + Symplex>(task: Task<'a>, turns: &Turns, designs: &'a [Whipple<T>]) -> Task<'a> {
     let zero = [[T::from_f64(0.0); 2]; 2];
-    let mut of_mechanisms = vec![WhippleMechanismMatrices { m: zero, c1: zero, k0: zero, k2: zero }; designs.len()];
+    let by =
+        |each| turns.each(turns.portions(designs), WhippleMatrices { m: zero, c1: zero, k0: zero, k2: zero }, each);
+    let mechanisms = turns.portions(designs).map(mechanisms);
+    let of_mechanism = WhippleMechanismMatrices { m: zero, c1: zero, k0: zero, k2: zero };
     let from_bodies = each!(WhippleMechanism::matrices, WhippleMechanism, WhippleMechanismMatrices);
-    task.contender("by hand, Appendix A", run(designs, zeros(), repetitions, each!(hand_written::matrices)))
-        .contender("symplex-build 0.57", run(designs, zeros(), repetitions, each!(symplex::matrices)))
-        .contender("ours, from formulas", run(designs, zeros(), repetitions, each!(Whipple::matrices)))
-        .contender("ours, from bodies", move || {
-            for _ in 0..repetitions {
-                from_bodies(black_box(&mechanisms), black_box(&mut of_mechanisms));
-            }
-        })
-        .limit("limit: reading, writing, sin and cos", run(designs, zeros(), repetitions, each!(sine_and_cosine)))
-        .limit("limit: reading and writing", run(designs, zeros(), repetitions, each!(copy)))
+    task.contender("by hand, Appendix A", by(each!(hand_written::matrices)))
+        .contender("symplex-build 0.57", by(each!(symplex::matrices)))
+        .contender("ours, from formulas", by(each!(Whipple::matrices)))
+        .contender("ours, from bodies", turns.each(mechanisms, of_mechanism, from_bodies))
+        .limit("limit: reading, writing, sin and cos", by(each!(sine_and_cosine)))
+        .limit("limit: reading and writing", by(each!(copy)))
 }
 
 /// All that compute several designs at once.
-fn batches<'a>(task: Task<'a>, designs: &[Whipple], repetitions: usize) -> Task<'a> {
+fn batches<'a>(task: Task<'a>, turns: &Turns, designs: &'a [Whipple]) -> Task<'a> {
     let batch = Batch::new();
-    let mechanisms: Vec<WhippleMechanism> = designs.iter().map(mechanism).collect();
-    task.contender("ours, batch, blocks", blocks(batch, &mechanisms, repetitions))
-        .contender("ours, batch, columns", columns(batch, &mechanisms, repetitions))
-        .contender("ours, batch, structs", structs(batch, mechanisms, repetitions))
-        .limit("limit: copying as many bytes", copied(designs.len(), repetitions))
+    let outputs = WhippleMechanism::<f64>::INFO.entries.len();
+    let portions = || turns.portions(designs).map(mechanisms);
+    let blocks = portions()
+        .map(|designs| (Blocks::of_designs(&designs), Blocks::for_entries::<2, WhippleMechanism>(designs.len())));
+    let columns = portions().map(|designs| {
+        let column = |parameter| designs.iter().map(|design| design.to_array()[parameter]).collect();
+        ((0..26).map(column).collect::<Vec<Vec<f64>>>(), vec![vec![0.0; designs.len()]; outputs])
+    });
+    let structs = portions().map(|designs| {
+        let coefficients = vec![designs[0].coefficients(); designs.len()];
+        (designs, coefficients)
+    });
+    // Read and written together, blocks of parameters and entries have so many numbers.
+    let copied = portions().map(|designs| {
+        let numbers = designs.len() * (26 + outputs) / 2;
+        (vec![1.0; numbers], vec![0.0; numbers])
+    });
+    task.contender(
+        "ours, batch, blocks",
+        turns.take(blocks, move |(parameters, entries)| {
+            batch.matrices::<2, WhippleMechanism>(parameters, entries).expect("blocks that fit");
+        }),
+    )
+    .contender(
+        "ours, batch, columns",
+        turns.take(columns, move |(parameters, entries)| {
+            let parameters: [&[f64]; 26] = std::array::from_fn(|parameter| parameters[parameter].as_slice());
+            let mut entries: Vec<&mut [f64]> = entries.iter_mut().map(Vec::as_mut_slice).collect();
+            batch.matrices_of_columns::<2, WhippleMechanism>(&parameters, &mut entries).expect("columns that fit");
+        }),
+    )
+    .contender(
+        "ours, batch, structs",
+        turns.take(structs, move |(designs, coefficients)| {
+            batch.coefficients(designs, coefficients).expect("slices of equal length");
+        }),
+    )
+    .limit("limit: copying as many bytes", turns.take(copied, |(from, to)| to.copy_from_slice(from)))
 }
 
-fn zeros<T: Scalar>(count: usize) -> Vec<WhippleMatrices<T>> {
-    let zero = [[T::from_f64(0.0); 2]; 2];
-    vec![WhippleMatrices { m: zero, c1: zero, k0: zero, k2: zero }; count]
+fn mechanisms<T: Scalar>(designs: &[Whipple<T>]) -> Vec<WhippleMechanism<T>> {
+    designs.iter().map(|design| WhippleMechanism::from_array(design.to_array())).collect()
 }
 
-fn mechanism<T: Scalar>(design: &Whipple<T>) -> WhippleMechanism<T> {
-    WhippleMechanism::from_array(design.to_array())
+/// Portions of the designs are computed in turn, one in a run: again and again if they are small.
+///
+/// Each contender starts at another portion, so that none finds in the cache what one before it has read.
+struct Turns {
+    in_a_run: usize,
+    repetitions: usize,
+    contenders: Cell<usize>,
 }
 
-fn blocks(batch: Batch, designs: &[WhippleMechanism], repetitions: usize) -> impl FnMut() + use<> {
-    let parameters = Blocks::of_designs(designs);
-    let mut entries = Blocks::for_entries::<2, WhippleMechanism>(designs.len());
-    move || {
-        for _ in 0..repetitions {
-            let done = batch.matrices::<2, WhippleMechanism>(black_box(&parameters), black_box(&mut entries));
-            done.expect("blocks that fit");
-        }
+impl Turns {
+    fn new(designs: usize) -> Self {
+        let in_a_run = designs.min(IN_A_RUN);
+        Self { in_a_run, repetitions: AT_LEAST.div_ceil(in_a_run), contenders: Cell::new(0) }
     }
-}
 
-/// A column for each parameter and for each entry.
-fn columns(batch: Batch, designs: &[WhippleMechanism], repetitions: usize) -> impl FnMut() + use<> {
-    let parameters: Vec<Vec<f64>> =
-        (0..26).map(|parameter| designs.iter().map(|design| design.to_array()[parameter]).collect()).collect();
-    let mut entries = vec![vec![0.0; designs.len()]; WhippleMechanism::<f64>::INFO.entries.len()];
-    move || {
-        let parameters: Vec<&[f64]> = parameters.iter().map(Vec::as_slice).collect();
-        let mut entries: Vec<&mut [f64]> = entries.iter_mut().map(Vec::as_mut_slice).collect();
-        for _ in 0..repetitions {
-            let (parameters, entries) = (black_box(&parameters), black_box(&mut entries));
-            batch.matrices_of_columns::<2, WhippleMechanism>(parameters, entries).expect("columns that fit");
-        }
+    /// How many designs are computed in a run.
+    fn computed(&self) -> usize {
+        self.in_a_run * self.repetitions
     }
-}
 
-fn structs(batch: Batch, designs: Vec<WhippleMechanism>, repetitions: usize) -> impl FnMut() {
-    let mut coefficients = vec![designs[0].coefficients(); designs.len()];
-    move || {
-        for _ in 0..repetitions {
-            let done = batch.coefficients(black_box(&designs), black_box(&mut coefficients));
-            done.expect("slices of equal length");
-        }
+    fn portions<'a, D>(&self, designs: &'a [D]) -> impl Iterator<Item = &'a [D]> + use<'a, D> {
+        designs.chunks_exact(self.in_a_run)
     }
-}
 
-/// As many bytes, read and written together, as the blocks of parameters and entries have.
-fn copied(designs: usize, repetitions: usize) -> impl FnMut() {
-    let size = (26 + WhippleMechanism::<f64>::INFO.entries.len()) * designs / 2;
-    let (from, mut to) = (vec![1.0; size], vec![0.0; size]);
-    move || {
-        for _ in 0..repetitions {
-            black_box(&mut to).copy_from_slice(black_box(&from));
-        }
+    /// Computes portions, each with room for its results.
+    fn take<'a, P: 'a>(
+        &self,
+        portions: impl Iterator<Item = P>,
+        compute: impl Fn(&mut P) + 'a,
+    ) -> Box<dyn FnMut() + 'a> {
+        let mut portions: Vec<P> = portions.collect();
+        let contender = self.contenders.replace(self.contenders.get() + 1);
+        let mut turn = contender * AHEAD / self.in_a_run;
+        let repetitions = self.repetitions;
+        Box::new(move || {
+            turn = (turn + 1) % portions.len();
+            for _ in 0..repetitions {
+                compute(black_box(&mut portions[turn]));
+            }
+        })
     }
-}
 
-fn run<D, M>(designs: &[D], mut results: Vec<M>, repetitions: usize, each: fn(&[D], &mut [M])) -> impl FnMut() {
-    move || {
-        for _ in 0..repetitions {
-            each(black_box(designs), black_box(&mut results));
-        }
+    /// Computes portions of designs into slices.
+    fn each<'a, D: 'a, M: Copy + 'a, S: AsRef<[D]> + 'a>(
+        &self,
+        portions: impl Iterator<Item = S>,
+        zero: M,
+        each: fn(&[D], &mut [M]),
+    ) -> Box<dyn FnMut() + 'a> {
+        let with_room = portions.map(|designs| {
+            let results = vec![zero; designs.as_ref().len()];
+            (designs, results)
+        });
+        self.take(with_room, move |(designs, results)| each(designs.as_ref(), results))
     }
 }
 

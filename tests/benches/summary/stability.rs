@@ -3,30 +3,33 @@
 use std::hint::black_box;
 
 use carvallo::{Coefficients, Model, Stability};
-use carvallo_models::Whipple;
+use carvallo_models::{Whipple, WhippleMechanism};
 use carvallo_tests::{bicycles, designs};
 
 use crate::Summary;
 use crate::contest::Task;
 
+/// Designs of a sweep that are computed in one round.
+const IN_A_ROUND: usize = 100;
+
 pub fn add(summary: &mut Summary) {
-    let bicycles: Vec<_> =
-        bicycles::all().into_iter().map(|(_, bicycle)| (bicycle.coefficients(), bicycle.g)).collect();
+    let bicycles: Vec<_> = bicycles::all().iter().map(|(_, bicycle)| (bicycle.coefficients(), bicycle.g)).collect();
     let critical = |(coefficients, gravity): &(Coefficients<f64, 2>, f64)| Stability::new(coefficients, *gravity);
-    summary.run(
-        Task::new("Critical speeds and stable ranges, 14 bicycles", bicycles.len())
-            .contender("ours, one by one", each(&bicycles, critical)),
-    );
-    let designs: Vec<Whipple> = (0..summary.designs as u64 / 50).map(designs::numbered).collect();
-    summary.run(
-        Task::new(format!("Sweep: matrices and critical speeds, {} distinct designs", designs.len()), designs.len())
-            .contender("ours, one by one", each(&designs, |design| Stability::new(&design.coefficients(), design.g))),
-    );
+    let task = Task::new("Critical speeds and stable ranges, 14 bicycles", bicycles.len());
+    summary.run(task.contender("ours, one by one", each(&bicycles, bicycles.len(), critical)));
+
+    let designs: Vec<Whipple> = (0..summary.designs as u64 / 10).map(designs::numbered).collect();
+    let mechanisms: Vec<_> = designs.iter().map(|design| WhippleMechanism::from_array(design.to_array())).collect();
+    let name = format!("Sweep: matrices, critical speeds and stable ranges of {} distinct designs", designs.len());
+    let sweep = |design: &WhippleMechanism| Stability::new(&design.coefficients(), design.g);
+    summary.run(Task::new(name, IN_A_ROUND).contender("ours, one by one", each(&mechanisms, IN_A_ROUND, sweep)));
 }
 
-fn each<D, S>(designs: &[D], compute: impl Fn(&D) -> S) -> impl FnMut() {
+/// So many in each run, and the next ones in the next.
+fn each<D, S>(designs: &[D], in_a_round: usize, compute: impl Fn(&D) -> S) -> impl FnMut() {
+    let mut rounds = designs.chunks_exact(in_a_round).cycle();
     move || {
-        for design in designs {
+        for design in rounds.next().expect("rounds without end") {
             black_box(compute(black_box(design)));
         }
     }

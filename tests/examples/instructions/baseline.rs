@@ -66,7 +66,7 @@ impl Baseline {
     }
 }
 
-/// Prints both, and returns what has grown, if the two can be compared.
+/// Prints both, and returns what has grown and what only one of them has, if the two can be compared.
 pub fn compare(found: &Baseline, written: &Baseline) -> Vec<String> {
     println!("{:<40} {:>12} {:>12} {:>8}", "instructions of one call", "baseline", "now", "change");
     let mut grown = Vec::new();
@@ -85,6 +85,7 @@ pub fn compare(found: &Baseline, written: &Baseline) -> Vec<String> {
     for Count { name, each } in &written.counts {
         if found.each(name).is_none() {
             println!("{name:<40} {each:>12.1} {:>12}", "none");
+            grown.push(format!("{name}: not counted"));
         }
     }
     if found.compiler != written.compiler {

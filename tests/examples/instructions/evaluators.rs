@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use carvallo::batch::{Batch, Blocks};
+use carvallo::batch::{Batch, Blocks, Eigenvalues};
 use carvallo::{Model, Stability, System};
 use carvallo_models::{Whipple, WhippleMechanism};
 use carvallo_tests::{designs, hand_written};
@@ -52,9 +52,21 @@ pub const EVALUATORS: &[Evaluator] = &[
             one(calls, &WhippleMechanism::from_array(design), WhippleMechanism::matrices)
         },
     },
-    Evaluator { name: "matrices from bodies, batch, SSE2", calls: 6400, run: |calls| batch(calls, "Sse2") },
-    Evaluator { name: "matrices from bodies, batch, AVX2", calls: 6400, run: |calls| batch(calls, "Avx2") },
+    Evaluator {
+        name: "matrices and Jacobian from bodies, f64",
+        calls: 1000,
+        run: |calls| one(calls, &WhippleMechanism::BENCHMARK, WhippleMechanism::matrices_and_derivatives),
+    },
+    Evaluator {
+        name: "matrices and Jacobian from formulas, f64",
+        calls: 1000,
+        run: |calls| one(calls, &bicycle(), Whipple::matrices_and_derivatives),
+    },
+    Evaluator { name: "matrices from bodies, batch, SSE2", calls: 6400, run: |calls| batch(calls, "SSE2") },
+    Evaluator { name: "matrices from bodies, batch, AVX2", calls: 6400, run: |calls| batch(calls, "AVX2") },
     Evaluator { name: "eigenvalues of two coordinates", calls: 2010, run: eigenvalues },
+    Evaluator { name: "eigenvalues, batch along the speed, SSE2", calls: 2010, run: |calls| along(calls, "SSE2") },
+    Evaluator { name: "eigenvalues, batch along the speed, AVX2", calls: 2010, run: |calls| along(calls, "AVX2") },
     Evaluator {
         name: "critical speeds and stable ranges",
         calls: 20,
@@ -85,19 +97,39 @@ fn one<D, R>(calls: usize, design: &D, compute: impl Fn(&D) -> R) -> Option<()> 
     Some(())
 }
 
-/// At 201 speeds from 0 to 10 m/s in turn.
+/// From 0 to 10 m/s.
+fn speeds() -> [f64; 201] {
+    std::array::from_fn(|step| 0.05 * step as f64)
+}
+
+/// At each speed in turn.
 fn eigenvalues(calls: usize) -> Option<()> {
     let coefficients = bicycle().coefficients();
-    let at = |step| coefficients.at(0.05 * f64::from(step), bicycle().g).expect("a system");
-    let systems: Vec<System<2>> = (0..=200).map(at).collect();
+    let systems = speeds().map(|speed| coefficients.at(speed, bicycle().g).expect("a system"));
     for system in systems.iter().cycle().take(calls) {
         let _ = black_box(System::quartic_eigenvalues(black_box(system)));
     }
     Some(())
 }
 
+fn along(calls: usize, level: &str) -> Option<()> {
+    let batch = of_level(level)?;
+    let (coefficients, speeds) = (bicycle().coefficients(), speeds());
+    let mut found: Vec<Eigenvalues> = speeds.map(|_| Ok(Default::default())).into();
+    for _ in 0..calls / speeds.len() {
+        let (coefficients, speeds) = (black_box(&coefficients), black_box(&speeds));
+        let done = batch.eigenvalues_along(coefficients, bicycle().g, speeds, black_box(&mut found));
+        done.expect("slices of equal length");
+    }
+    Some(())
+}
+
+fn of_level(level: &str) -> Option<Batch> {
+    Batch::levels().find(|batch| batch.to_string().starts_with(level))
+}
+
 fn batch(calls: usize, level: &str) -> Option<()> {
-    let batch = Batch::levels().find(|batch| batch.to_string().starts_with(level))?;
+    let batch = of_level(level)?;
     let parameters = Blocks::of_designs(&[WhippleMechanism::BENCHMARK; DESIGNS]);
     let mut entries = Blocks::for_entries::<2, WhippleMechanism>(DESIGNS);
     for _ in 0..calls / DESIGNS {

@@ -30,7 +30,7 @@ fn main() -> ExitCode {
         ["--check"] => counted().and_then(|(found, written)| match baseline::compare(&found, &written) {
             grown if grown.is_empty() => Ok(()),
             grown => Err(format!(
-                "more instructions than before: {}\nIf that is meant, make it the baseline: {COMMAND} -- --write",
+                "not as few instructions as before: {}\nIf that is meant, make it the baseline: {COMMAND} -- --write",
                 grown.join("; ")
             )),
         }),

@@ -8,9 +8,9 @@
 //! epsilon; 16 leave a compiled arrangement a little more. The sum of magnitudes does not depend on the arrangement.
 
 use carvallo::{Coefficients, Model, Scalar};
-use carvallo_models::{Whipple, WhippleMatrices};
+use carvallo_models::{Whipple, WhippleDerivatives, WhippleMatrices};
 use carvallo_tests::exact::{Matrices, Size, matrices};
-use carvallo_tests::peers::symplex;
+use carvallo_tests::peers::symplex::{self, Symplex};
 use carvallo_tests::real::Real;
 use carvallo_tests::{designs, hand_written};
 use nalgebra::SMatrix;
@@ -55,6 +55,17 @@ proptest! {
         check(&design, &symplex::matrices(&design), f64::EPSILON)?;
         let design = designs::narrowed(&design);
         check(&design, &symplex::matrices(&design), f32::EPSILON.into())?;
+    }
+
+    #[test]
+    fn derivatives_are_those_of_a_peer(design in designs::any()) {
+        let (_, derivatives) = design.matrices_and_derivatives();
+        let expected = &Symplex::entries_and_derivatives(&design)[16..];
+        prop_assert_eq!(derivatives.values.len(), expected.len());
+        let largest = expected.iter().fold(1.0, |largest: f64, value| largest.max(value.abs()));
+        for (partial, (found, expected)) in WhippleDerivatives::<f64>::PARTIALS.iter().zip(derivatives.values.iter().zip(expected)) {
+            prop_assert!((found - expected).abs() <= 1e-12 * largest, "{partial:?}: {found}, not {expected}");
+        }
     }
 
     #[test]

@@ -19,7 +19,10 @@ const PARAMETERS: [&str; 23] = [
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let matrices = matrices()?;
+    let context = Context::new();
+    let parameters = PARAMETERS.map(|name| context.symbol(name));
+    let matrices = matrices(&context, &parameters)?;
+    let with_derivatives = with_derivatives(&matrices, &parameters)?;
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../src/peers/symplex");
     for (precision, file) in [(Precision::F64, "f64.rs"), (Precision::F32, "f32.rs")] {
         // What is fastest in a portable build: `mul_add`, the default, is a call of a function there.
@@ -27,17 +30,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         CodeGen::new()
             .options(options)
             .add_matrix_fn("matrices", &matrices, &PARAMETERS)
+            .add_matrix_fn("matrices_and_derivatives", &with_derivatives, &PARAMETERS)
             .write_to_path(folder.join(file))?;
     }
     Ok(())
 }
 
 /// M, C1, K0 and K2 below each other.
-fn matrices() -> Result<Matrix, Box<dyn Error>> {
-    let context = Context::new();
+fn matrices(context: &Context, parameters: &[Ex; 23]) -> Result<Matrix, Box<dyn Error>> {
     let [
         w, c, lam, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IBzz, IBxz, xH, zH, mH, IHxx, IHzz, IHxz, rF, mF, IFxx, IFyy,
-    ] = &PARAMETERS.map(|name| context.symbol(name));
+    ] = parameters;
     let (IRzz, IFzz) = (IRxx, IFxx);
     let zero = context.int(0);
     let two = &context.int(2);
@@ -79,4 +82,11 @@ fn matrices() -> Result<Matrix, Box<dyn Error>> {
         vec![zero.clone(), (ST - mT * zT) / w * cos],
         vec![zero, (SA + SF * sin) / w * cos],
     ])?)
+}
+
+/// The entries of the matrices, and for each parameter the derivatives with respect to it that are not zero.
+fn with_derivatives(matrices: &Matrix, parameters: &[Ex]) -> Result<Matrix, Box<dyn Error>> {
+    let derivatives = parameters.iter().flat_map(|parameter| matrices.iter().map(|entry| entry.diff(parameter)));
+    let not_zero = derivatives.filter(|derivative| derivative.is_zero() != Some(true));
+    Ok(Matrix::new(vec![matrices.iter().cloned().chain(not_zero).collect()])?)
 }

@@ -53,3 +53,357 @@ pub fn matrices(w: f32, c: f32, lam: f32, rR: f32, mR: f32, IRxx: f32, IRyy: f32
      0_f32,
      (t0 * t2 * (t31 + t32 + (IFyy * t26 * t8)))]
 }
+
+#[inline]
+#[must_use]
+pub fn matrices_and_derivatives(w: f32, c: f32, lam: f32, rR: f32, mR: f32, IRxx: f32, IRyy: f32, xB: f32, zB: f32, mB: f32, IBxx: f32, IBzz: f32, IBxz: f32, xH: f32, zH: f32, mH: f32, IHxx: f32, IHzz: f32, IHxz: f32, rF: f32, mF: f32, IFxx: f32, IFyy: f32) -> [f32; 174] {
+    let t0 = w.powi(-1);
+    let t1 = (IBxz + IHxz - (mB * xB * zB) - (mH * xH * zH) + (mF * rF * w));
+    let (t12, t2) = lam.sin_cos();
+    let t3 = (mF + mH);
+    let t4 = t3.powi(-1);
+    let t5 = -(mF * rF);
+    let t6 = (mH * zH);
+    let t7 = (t5 + t6);
+    let t8 = (-mF - mH);
+    let t9 = -(mH * zH);
+    let t10 = (mF * rF);
+    let t11 = (t10 + t9);
+    let t13 = (t11 * t12 * t4);
+    let t14 = (mF * w);
+    let t15 = (mH * xH);
+    let t16 = (t14 + t15);
+    let t17 = (-c - w + (t16 * t4));
+    let t18 = (t17 * t2);
+    let t19 = (t13 + t18);
+    let t20 = (t4 * t7);
+    let t21 = (t20 + rF);
+    let t22 = t21.powi(2);
+    let t23 = (zH + (t11 * t4));
+    let t24 = t23.powi(2);
+    let t25 = (IFxx + IHxx + (t22 * mF) + (t24 * mH));
+    let t26 = (-(mF * w) - (mH * xH));
+    let t27 = (t26 * t4);
+    let t28 = (t27 + xH);
+    let t29 = (t27 + w);
+    let t30 = (IHxz - (t23 * t28 * mH) + (t21 * t29 * mF));
+    let t31 = (t2 * t30);
+    let t32 = (t31 + (t0 * t1 * t2 * c) + (t12 * t25) + (t19 * t4 * t7 * t8));
+    let t33 = t29.powi(2);
+    let t34 = t28.powi(2);
+    let t35 = (IFxx + IHzz + (t33 * mF) + (t34 * mH));
+    let t36 = ((t12 * t30) + (t16 * t19) + (t2 * t35));
+    let t37 = c.powi(2);
+    let t38 = w.powi(-2);
+    let t39 = t2.powi(2);
+    let t40 = xB.powi(2);
+    let t41 = xH.powi(2);
+    let t42 = (IBzz + IFxx + IHzz + IRxx + (t40 * mB) + (t41 * mH) + (mF * w.powi(2)));
+    let t43 = t19.powi(2);
+    let t44 = t12.powi(2);
+    let t45 = ((-2_f32 * t23 * t28 * mH) + (2_f32 * IHxz) + (2_f32 * t21 * t29 * mF));
+    let t46 = -(mR * rR);
+    let t47 = (mB * zB);
+    let t48 = (t46 + t47 + t5 + t6);
+    let t49 = rF.powi(-1);
+    let t50 = (IFyy * t2 * t49);
+    let t51 = (IFyy * t49);
+    let t52 = rR.powi(-1);
+    let t53 = (IRyy * t52);
+    let t54 = (t51 + t53);
+    let t55 = (t0 * t1 * t2);
+    let t56 = (t14 + t15 + (mB * xB));
+    let t57 = (t0 * t2 * t56 * c);
+    let t58 = (t19 * t3);
+    let t59 = (t57 + t58 + (t0 * t2 * t42));
+    let t60 = -(t0 * t2 * t56 * c);
+    let t61 = (t18 - (t12 * t4 * t7));
+    let t62 = (t60 + (t61 * t8));
+    let t63 = (IFyy * t12 * t49);
+    let t64 = (-IBxz - IHxz - (mF * rF * w) + (mB * xB * zB) + (mH * xH * zH));
+    let t65 = (-1_f32 + (t4 * mF));
+    let t66 = (1_f32 - (t4 * mF));
+    let t67 = ((t21 * t66 * mF) + (t23 * t4 * mF * mH));
+    let t68 = ((t0 * t2 * c * mF * rF) + (t2 * t38 * t64 * c) + (t2 * t4 * t65 * t7 * t8) + (t2 * t67));
+    let t69 = ((-2_f32 * xH) + (2_f32 * t16 * t4));
+    let t70 = ((-2_f32 * t16 * t4) + (2_f32 * w));
+    let t71 = ((t4 * t69 * mF * mH) + (t66 * t70 * mF));
+    let t72 = ((t12 * t67) + (t16 * t2 * t65) + (t19 * mF) + (t2 * t71));
+    let t73 = ((-2_f32 * t12 * t4 * t7) + (2_f32 * t17 * t2));
+    let t74 = ((2_f32 * t21 * t66 * mF) + (2_f32 * t23 * t4 * mF * mH));
+    let t75 = -(t2 * t38 * t56 * c);
+    let t76 = (t0 * t2 * c * mF);
+    let t77 = (-IBzz - IFxx - IHzz - IRxx - (t40 * mB) - (t41 * mH) - (mF * w.powi(2)));
+    let t78 = (t2 * t3 * t65);
+    let t79 = -(t16 * t4);
+    let t80 = (t79 + w);
+    let t81 = (t79 + xH);
+    let t82 = (zH - (t4 * t7));
+    let t83 = (-(t12 * (IHxz - (t81 * t82 * mH) + (t21 * t80 * mF))) - (t16 * t61) - (t2 * (IFxx + IHzz + (mF * t80.powi(2)) + (mH * t81.powi(2)))));
+    let t84 = (-(t0 * t2 * c * mF) + (t2 * t38 * t56 * c) + (t2 * t65 * t8));
+    let t85 = (t46 + t47 + t5 + t6 - (IFyy * t49) - (IRyy * t52));
+    let t86 = -(IFyy * t12 * t49);
+    let t87 = (t60 + t86 - (t3 * t61));
+    let t88 = (t55 + (t11 * t2 * t4 * t8));
+    let t89 = ((-2_f32 * t17 * t2) + (2_f32 * t12 * t4 * t7));
+    let t90 = ((t0 * t2 * t56) + (t2 * t8));
+    let t91 = (-(t0 * t2 * t56) + (t2 * t3));
+    let t92 = -(t2 * t4 * t7);
+    let t93 = (t79 + c + w);
+    let t94 = (t92 + (t12 * t93));
+    let t95 = (-(t12 * t30) + (t0 * t12 * t64 * c) + (t2 * t25) + (t4 * t7 * t8 * t94));
+    let t96 = (t31 - (t12 * t35) + (t16 * t94));
+    let t97 = (t92 - (t12 * t17));
+    let t98 = -(t0 * t12 * t56 * c);
+    let t99 = (t3 * t94);
+    let t100 = ((t0 * t12 * t56 * c) + (t8 * t97));
+    let t101 = rR.powi(-2);
+    let t102 = (t37 * t38 * t39);
+    let t103 = (t38 * t39 * c);
+    let t104 = -(t0 * t2 * c * mB * zB);
+    let t105 = -(t0 * t2 * c * mB);
+    let t106 = -(t0 * t2 * c * mB * xB);
+    let t107 = -(t0 * t2 * c * xB * zB);
+    let t108 = -(t0 * t2 * c * xB);
+    let t109 = (t0 * t2 * c);
+    let t110 = (t0 * t2);
+    let t111 = t3.powi(-2);
+    let t112 = (1_f32 - (t4 * mH));
+    let t113 = (t20 - zH);
+    let t114 = (-(t21 * t4 * mF * mH) + (t112 * t113 * mH));
+    let t115 = (-(t0 * t2 * c * mH * zH) + (t111 * t2 * t7 * t8 * mH) + (t114 * t2));
+    let t116 = ((-2_f32 * t29 * t4 * mF * mH) + (2_f32 * t112 * t28 * mH));
+    let t117 = ((t114 * t12) + (t116 * t2) + (t16 * t2 * t4 * mH) + (t19 * mH));
+    let t118 = (t0 * t2 * c * mH);
+    let t119 = (t2 * mH);
+    let t120 = -(t0 * t2 * c * mH);
+    let t121 = (t120 - (t2 * mH));
+    let t122 = (-(t112 * t28 * mH) + (t29 * t4 * mF * mH));
+    let t123 = ((2_f32 * t112 * t23 * mH) + (2_f32 * t21 * t4 * mF * mH));
+    let t124 = (-(t0 * t2 * c * mH * xH) + (t11 * t111 * t12 * t8 * mH) + (t12 * t123) + (t122 * t2) + (t19 * t4 * t8 * mH));
+    let t125 = ((t12 * t122) + (t12 * t26 * t4 * mH));
+    let t126 = (t12 * mH);
+    let t127 = -(t19 * t4 * t7);
+    let t128 = -(t12 * t4 * zH);
+    let t129 = (t111 * t12 * t7);
+    let t130 = (t4 * xH);
+    let t131 = (t111 * t26);
+    let t132 = (t128 + t129 + (t2 * (t130 + t131)));
+    let t133 = (t11 * t111 * t61 * t8);
+    let t134 = (t11 * t111);
+    let t135 = (t134 + (t4 * zH));
+    let t136 = (t111 * t7);
+    let t137 = (t136 - (t4 * zH));
+    let t138 = (t24 + (2_f32 * t135 * t21 * mF) + (2_f32 * t137 * t23 * mH));
+    let t139 = (t111 * t16);
+    let t140 = (t139 - (t4 * xH));
+    let t141 = (-(t137 * t28 * mH) - (t140 * t23 * mH) + (t113 * t81) + (t135 * t29 * mF) + (t140 * t21 * mF));
+    let t142 = (t127 + t133 - (t0 * t2 * c * xH * zH) + (t12 * t138) + (t132 * t4 * t7 * t8) + (t141 * t2) + (t19 * t4 * t8 * zH));
+    let t143 = (2_f32 * t111 * t16);
+    let t144 = (t143 + (-2_f32 * t4 * xH));
+    let t145 = (t34 + (t144 * t80 * mF) + (t144 * t81 * mH));
+    let t146 = ((t12 * t141) + (t132 * t16) + (t145 * t2) + (t19 * xH));
+    let t147 = (t0 * t2 * c * xH);
+    let t148 = (t132 * t3);
+    let t149 = (t12 * t4 * t7);
+    let t150 = (t2 * t93);
+    let t151 = -(t111 * t16);
+    let t152 = (t149 + t150 - (t0 * t2 * c * xH) + (t8 * (t128 + t129 + (t2 * (t130 + t151)))));
+    let t153 = (2_f32 * t0 * t39 * c);
+    let t154 = (t103 + (t0 * t39));
+    let t155 = (t109 + t2);
+    let t156 = (-(t28 * t4 * mF * mH) + (t29 * t66 * mF));
+    let t157 = (-(t19 * t4 * t8 * mF) + (t111 * t12 * t7 * t8 * mF) + (t12 * t74) + (t156 * t2) + (t2 * c * mF));
+    let t158 = ((t12 * t156) + (t12 * t16 * t4 * mF));
+    let t159 = rF.powi(-2);
+    let t160 = -(t12 * mF);
+    let t161 = (t12 * t4 * rF);
+    let t162 = (t4 * w);
+    let t163 = (t129 + t161 + (t2 * (t131 + t162)));
+    let t164 = (t134 - (t4 * rF));
+    let t165 = (t136 + (t4 * rF));
+    let t166 = (t22 + (2_f32 * t164 * t21 * mF) + (2_f32 * t165 * t23 * mH));
+    let t167 = (t139 - (t4 * w));
+    let t168 = (-(t165 * t28 * mH) - (t167 * t23 * mH) + (t164 * t29 * mF) + (t167 * t21 * mF) + (t21 * t29));
+    let t169 = (t127 + t133 - (t19 * t4 * t8 * rF) + (t12 * t166) + (t163 * t4 * t7 * t8) + (t168 * t2) + (t2 * c * rF));
+    let t170 = (t143 + (-2_f32 * t4 * w));
+    let t171 = (t33 + (t170 * t80 * mF) + (t170 * t81 * mH));
+    let t172 = ((t12 * t168) + (t16 * t163) + (t171 * t2) + (t19 * w));
+    let t173 = (t2 * c);
+    let t174 = (t163 * t3);
+    let t175 = (t149 + t150 - (t2 * c) + (t8 * (t129 + t161 + (t2 * (t151 + t162)))));
+    [(IBxx + IFxx + IHxx + IRxx + (mB * zB.powi(2)) + (mF * rF.powi(2)) + (mH * zH.powi(2)) + (mR * rR.powi(2))),
+     t32,
+     t32,
+     ((2_f32 * t0 * t2 * t36 * c) + (t12 * t2 * t45) + (t25 * t44) + (t3 * t43) + (t35 * t39) + (t37 * t38 * t39 * t42)),
+     0_f32,
+     (t50 + t55 - (t0 * t2 * t48 * c) + (t0 * t2 * t54 * c)),
+     (-(IFyy * t2 * t49) - (t0 * t2 * t54 * c)),
+     ((t0 * t2 * t36) + (t0 * t2 * t59 * c)),
+     t48,
+     t62,
+     t62,
+     (t12 * t62),
+     0_f32,
+     (t0 * t2 * (t10 + t51 + t53 + t9 - (mB * zB) + (mR * rR))),
+     0_f32,
+     (t0 * t2 * (t57 + t58 + t63)),
+     t68,
+     t68,
+     ((-2_f32 * t2 * t36 * t38 * c) + (-2_f32 * t37 * t39 * t42 * w.powi(-3)) + (2_f32 * t0 * t2 * t72 * c) + (2_f32 * t0 * t37 * t39 * mF) + (t12 * t2 * t74) + (t2 * t3 * t65 * t73) + (t39 * t71)),
+     (-(t2 * t38 * t54 * c) + (t0 * t2 * mF * rF) + (t2 * t38 * t48 * c) + (t2 * t38 * t64)),
+     (t2 * t38 * t54 * c),
+     (-(t2 * t38 * t59 * c) + (t0 * t2 * t72) + (t0 * t2 * c * (t75 + t76 + t78 + (2_f32 * t2 * mF) + (t2 * t38 * t77))) + (t2 * t38 * t83)),
+     t84,
+     t84,
+     (t12 * t84),
+     (t2 * t38 * t85),
+     ((t0 * t2 * (t75 + t76 + t78)) + (t2 * t38 * t87)),
+     t88,
+     t88,
+     ((-2_f32 * t0 * t16 * t39 * c) + (2_f32 * t0 * t2 * t36) + (2_f32 * t38 * t39 * t42 * c) + (t2 * t3 * t89)),
+     (-(t0 * t2 * t48) + (t0 * t2 * t54)),
+     -(t0 * t2 * t54),
+     ((t0 * t2 * t59) + (t0 * t2 * t90 * c) + (t0 * t26 * t39)),
+     t91,
+     t91,
+     (t12 * t91),
+     (t0 * t2 * t90),
+     t95,
+     t95,
+     (-(t44 * t45) + (-2_f32 * t0 * t12 * t36 * c) + (-2_f32 * t12 * t2 * t35) + (-2_f32 * t12 * t2 * t37 * t38 * t42) + (2_f32 * t0 * t2 * t96 * c) + (2_f32 * t12 * t2 * t25) + (t3 * t73 * t97) + (t39 * t45)),
+     (t86 - (t0 * t12 * t54 * c) + (t0 * t12 * t48 * c) + (t0 * t12 * t64)),
+     (t63 + (t0 * t12 * t54 * c)),
+     (-(t0 * t12 * t59 * c) + (t0 * t12 * t83) + (t0 * t2 * t96) + (t0 * t2 * c * (t98 + t99 + (t0 * t12 * t77)))),
+     t100,
+     t100,
+     ((t100 * t12) + (t2 * t62)),
+     (t0 * t12 * t85),
+     ((t0 * t12 * t87) + (t0 * t2 * (t50 + t98 + t99))),
+     (2_f32 * mR * rR),
+     (-(IRyy * t0 * t101 * t2 * c) + (t0 * t2 * c * mR)),
+     (IRyy * t0 * t101 * t2 * c),
+     (-mR),
+     (t0 * t2 * (mR - (IRyy * t101))),
+     rR.powi(2),
+     (t0 * t2 * c * rR),
+     (-rR),
+     (t0 * t2 * rR),
+     1_f32,
+     t102,
+     t103,
+     (t0 * t2 * t52 * c),
+     -(t0 * t2 * t52 * c),
+     (t0 * t2 * t52),
+     t104,
+     t104,
+     (2_f32 * t37 * t38 * t39 * mB * xB),
+     -(t0 * t2 * mB * zB),
+     (t0 * t2 * c * ((2_f32 * t0 * t2 * mB * xB) + (t0 * t2 * c * mB))),
+     t105,
+     t105,
+     -(t0 * t12 * t2 * c * mB),
+     (t38 * t39 * c * mB),
+     (2_f32 * mB * zB),
+     t106,
+     t106,
+     (t105 - (t0 * t2 * mB * xB)),
+     mB,
+     -(t0 * t2 * mB),
+     zB.powi(2),
+     t107,
+     t107,
+     (t37 * t38 * t39 * t40),
+     (-(t0 * t2 * c * zB) - (t0 * t2 * xB * zB)),
+     (t0 * t2 * c * ((t0 * t2 * t40) + (t0 * t2 * c * xB))),
+     zB,
+     t108,
+     t108,
+     -(t0 * t12 * t2 * c * xB),
+     -(t0 * t2 * zB),
+     (t38 * t39 * c * xB),
+     1_f32,
+     t102,
+     t103,
+     t109,
+     t109,
+     t110,
+     t115,
+     t115,
+     ((2_f32 * t0 * t117 * t2 * c) + (2_f32 * t37 * t38 * t39 * mH * xH) + (t116 * t39) + (t12 * t2 * ((-2_f32 * t112 * t23 * mH) + (-2_f32 * t21 * t4 * mF * mH))) + (t2 * t73 * mH)),
+     -(t0 * t2 * mH * zH),
+     ((t0 * t117 * t2) + (t0 * t2 * c * (t118 + t119 + (2_f32 * t0 * t2 * mH * xH)))),
+     t121,
+     t121,
+     (t12 * t121),
+     (t0 * t2 * (t118 + t119)),
+     (2_f32 * mH * zH),
+     t124,
+     t124,
+     ((2_f32 * t0 * t125 * t2 * c) + (t12 * t2 * ((-2_f32 * t112 * t28 * mH) + (2_f32 * t29 * t4 * mF * mH))) + (t12 * t89 * mH) + (t123 * t44)),
+     (t120 - (t0 * t2 * mH * xH)),
+     (-(t0 * t12 * t2 * c * mH) + (t0 * t125 * t2)),
+     mH,
+     t126,
+     t126,
+     (t44 * mH),
+     -(t0 * t2 * mH),
+     -(t0 * t12 * t2 * mH),
+     zH.powi(2),
+     t142,
+     t142,
+     (t43 + (2_f32 * t0 * t146 * t2 * c) + (2_f32 * t132 * t19 * t3) + (t12 * t2 * ((-2_f32 * t137 * t28 * mH) + (-2_f32 * t140 * t23 * mH) + (2_f32 * t135 * t29 * mF) + (2_f32 * t140 * t21 * mF) + (t69 * t82))) + (t138 * t44) + (t145 * t39) + (t37 * t38 * t39 * t41)),
+     (-(t0 * t2 * c * zH) - (t0 * t2 * xH * zH)),
+     ((t0 * t146 * t2) + (t0 * t2 * c * (t13 + t147 + t148 + t18 + (t0 * t2 * t41)))),
+     zH,
+     t152,
+     t152,
+     (t12 * t152),
+     -(t0 * t2 * zH),
+     (t0 * t2 * (t13 + t147 + t148 + t18)),
+     1_f32,
+     t12,
+     t12,
+     t44,
+     (t102 + t153 + t39),
+     t154,
+     t155,
+     t155,
+     ((2_f32 * t0 * t12 * t2 * c) + (2_f32 * t12 * t2)),
+     t110,
+     (t0 * t12 * t2),
+     (2_f32 * mF * rF),
+     t157,
+     t157,
+     ((2_f32 * t0 * t158 * t2 * c) + (t12 * t2 * t71) + (t12 * t73 * mF) + (t44 * t74)),
+     (t76 - (IFyy * t0 * t159 * t2 * c) - (IFyy * t159 * t2) + (t2 * mF)),
+     ((IFyy * t0 * t159 * t2 * c) + (IFyy * t159 * t2)),
+     ((t0 * t12 * t2 * c * mF) + (t0 * t158 * t2)),
+     (-mF),
+     t160,
+     t160,
+     -(t44 * mF),
+     (t0 * t2 * (mF - (IFyy * t159))),
+     (t0 * t2 * (-(IFyy * t12 * t159) + (t12 * mF))),
+     rF.powi(2),
+     t169,
+     t169,
+     (t43 + (2_f32 * t0 * t172 * t2 * c) + (2_f32 * t163 * t19 * t3) + (t12 * t2 * ((-2_f32 * t165 * t28 * mH) + (-2_f32 * t167 * t23 * mH) + (2_f32 * t164 * t29 * mF) + (2_f32 * t167 * t21 * mF) + (t21 * t70))) + (t166 * t44) + (t171 * t39) + (t37 * t39)),
+     ((t0 * t2 * c * rF) + (t2 * rF)),
+     ((t0 * t172 * t2) + (t0 * t2 * c * (t13 + t173 + t174 + t18 + (t2 * w)))),
+     (-rF),
+     t175,
+     t175,
+     (t12 * t175),
+     (t0 * t2 * rF),
+     (t0 * t2 * (t13 + t173 + t174 + t18)),
+     1_f32,
+     t12,
+     t12,
+     (t102 + t153 + t39 + t44),
+     t154,
+     ((t0 * t2 * t49 * c) + (t2 * t49)),
+     (-(t0 * t2 * t49 * c) - (t2 * t49)),
+     (t0 * t2 * t49),
+     (t0 * t12 * t2 * t49)]
+}
