@@ -142,11 +142,13 @@ impl Factors {
             if a[step][step].norm_sqr() == Real::from(0.0) {
                 a[step][step] = real(2f64.powi(-280));
             }
-            for i in step + 1..n {
-                let factor = a[i][step] / a[step][step];
-                a[i][step] = factor;
-                for j in step + 1..n {
-                    a[i][j] = a[i][j] - factor * a[step][j];
+            let (above, below) = a.split_at_mut(step + 1);
+            let pivot_row = &above[step];
+            for row in below {
+                let factor = row[step] / pivot_row[step];
+                row[step] = factor;
+                for (entry, pivot) in row.iter_mut().zip(pivot_row).skip(step + 1) {
+                    *entry = *entry - factor * *pivot;
                 }
             }
         }
