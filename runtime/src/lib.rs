@@ -17,6 +17,9 @@
 //! Along speed, models with two coordinates have their critical speeds and stable ranges ([`Stability`]) and eigenvalues
 //! that are followed mode by mode ([`Modes`]); for any other number of coordinates there are the eigenvalues at a speed.
 //!
+//! How all of them change with the parameters, for models that were compiled with their derivatives or with derivatives of
+//! your own, and what measured standard deviations make of them, tells [`Sensitivity`].
+//!
 //! Without feature `std` there is all of this that does not allocate: the matrices, the state-space form and the
 //! [four eigenvalues](System::quartic_eigenvalues) of two coordinates.
 

@@ -51,7 +51,7 @@ impl StateMatrix {
         let shifted = Factors::new(self.minus(eigenvalue));
         let mut vector: Vec<_> = (0..self.rows.len()).map(|i| real(1.0 + 0.1 * (i as f64).sin())).collect();
         let mut smallest = f64::INFINITY;
-        for _ in 0..4 {
+        for _ in 0..2 {
             let left = normalized(shifted.solve_adjoint(&normalized(vector)));
             vector = shifted.solve(&left);
             smallest = smallest.min((Real::from(1.0) / length(&vector)).to_f64());

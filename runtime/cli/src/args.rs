@@ -85,14 +85,14 @@ Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or wr
 const SENSITIVITY_HELP: &str = "\
 Ranks the parameters by how much 1 % of each changes the weave and capsize speeds (m/s), with the derivatives beside it
 (m/s per unit of the parameter). They are exact derivatives, not differences. 1 % is of the value, with its sign: 1 % more
-of zB = -0.9 m is -0.009 m, which is higher up. A parameter that is 0 is changed by 1 % of the median size
-of the others in its unit, or of a radian, and marked *.
+of zB = -0.9 m is -0.009 m, which is higher up. A parameter that is 0 is changed by 1 % of the median size of the others in
+its unit, or of a radian, and marked *.
 
 Standard deviations of parameters, where the file has them, propagate to first order to every critical speed and matrix
 entry, with the shares of the variance that come from each parameter.
 
-DESIGN is as for `carvallo analyze`. JSON and CSV have all critical speeds, those of double roots too; the layout is in
-docs/sensitivity.md.
+DESIGN and MODEL are as for `carvallo analyze`, of models with two coordinates. JSON and CSV have all critical speeds,
+those of double roots too; their layout is in docs/sensitivity.md.
 
 Examples:
   carvallo sensitivity                          The benchmark bicycle
@@ -101,8 +101,7 @@ Examples:
   carvallo sensitivity --set c=0                Without trail
   carvallo sensitivity my-bike.toml --format csv
 
-Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2 wrong usage or input, or a model that
-ships without derivatives.";
+Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2 wrong usage or input.";
 
 fn command() -> clap::Command {
     let design = Arg::new("design").value_name("DESIGN|FILE");

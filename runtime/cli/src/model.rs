@@ -7,9 +7,8 @@ use std::fmt::Debug;
 use carvallo::{
     Coefficients, Complex, Differentiable, LengthError, Matrix, Model, ModelInfo, Sensitivity, SystemError,
 };
-use carvallo_models::{Whipple, WhippleMechanism};
+use carvallo_models::Whipple;
 
-use crate::failure::Failure;
 use crate::number::with_unit;
 
 /// A model that ships with Carvallo.
@@ -18,6 +17,7 @@ pub struct Shipped {
     /// What the model tells about itself.
     pub info: &'static ModelInfo,
     equations: Constructor,
+    differentiate: Differentiate,
 }
 
 /// Makes the equations of motion from parameters in declared order, or says which of them cannot be.
@@ -29,24 +29,13 @@ pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 /// The model that is meant unless another one is named: that of the shipped bicycles.
 pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
 
-/// Differentiates the equations of motion at parameters in declared order, which are valid.
-pub type Differentiate = fn(&[f64]) -> Result<Sensitivity<2>, SystemError>;
-
-/// The models of two coordinates that were compiled with their derivatives.
-static DIFFERENTIABLE: [(&ModelInfo, Differentiate); 2] =
-    [with_derivatives::<Whipple>(), with_derivatives::<WhippleMechanism>()];
-
-const fn with_derivatives<M: Differentiable<2, Scalar = f64>>() -> (&'static ModelInfo, Differentiate) {
-    (M::INFO, |parameters| {
-        let too_few =
-            |LengthError { expected, found, .. }| SystemError::TooFew { quantity: "parameters", expected, found };
-        Sensitivity::of(&M::from_slice(parameters).map_err(too_few)?)
-    })
-}
+/// Differentiates the equations of motion at parameters in declared order, which are valid; `None` for other than two
+/// coordinates.
+type Differentiate = fn(&[f64]) -> Result<Option<Sensitivity<2>>, SystemError>;
 
 impl Shipped {
-    const fn of<const N: usize, M: Model<N, Scalar = f64>>() -> Self {
-        Self { info: M::INFO, equations: equations::<N, M> }
+    const fn of<const N: usize, M: Differentiable<N, Scalar = f64>>() -> Self {
+        Self { info: M::INFO, equations: equations::<N, M>, differentiate: differentiate::<N, M> }
     }
 
     /// The model called so, in letters of either case.
@@ -81,18 +70,13 @@ impl Shipped {
         (self.equations)(parameters)
     }
 
-    /// What differentiates the equations of motion.
+    /// How the equations of motion of two coordinates change with valid parameters in declared order; `None` for any other
+    /// number of coordinates.
     ///
     /// # Errors
-    /// If the model was compiled without its derivatives: that, and which models have them.
-    pub fn differentiate(&self) -> Result<Differentiate, Failure> {
-        let name = self.info.name;
-        let known = DIFFERENTIABLE.iter().find(|(info, _)| info.name == name).map(|(_, differentiate)| *differentiate);
-        known.ok_or_else(|| {
-            let names: Vec<&str> = DIFFERENTIABLE.iter().map(|(info, _)| info.name).collect();
-            let names = names.join(" and ");
-            Failure::usage(format!("the model {name} ships without derivatives; those with them are {names}"))
-        })
+    /// If a derivative is not finite.
+    pub fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, SystemError> {
+        (self.differentiate)(parameters)
     }
 
     /// Whether the equations of motion depend on the speed.
@@ -108,6 +92,14 @@ fn equations<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64]) -> R
         format!("`{}` is {value}; it must be {}", error.subject, error.required)
     })?;
     Ok(Box::new(model.coefficients()))
+}
+
+fn differentiate<const N: usize, M: Differentiable<N, Scalar = f64>>(
+    parameters: &[f64],
+) -> Result<Option<Sensitivity<2>>, SystemError> {
+    let too_few = |LengthError { expected, found, .. }| SystemError::TooFew { quantity: "parameters", expected, found };
+    let sensitivity = Sensitivity::<N>::of(&M::from_slice(parameters).map_err(too_few)?)?;
+    Ok((&sensitivity as &dyn Any).downcast_ref().cloned())
 }
 
 /// The linearized equations of motion for any number of coordinates.
@@ -140,24 +132,5 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
 
     fn of_two(&self) -> Option<&Coefficients<f64, 2>> {
         (self as &dyn Any).downcast_ref()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{DIFFERENTIABLE, MODELS};
-
-    /// No shipped model of two coordinates that says `derivatives;` is forgotten.
-    #[test]
-    fn models_with_derivatives_are_all_known() {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../generated/models");
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
-            let model =
-                MODELS.iter().find(|model| text.contains(&format!("pub model {} {{", model.info.name))).unwrap();
-            let is_known = DIFFERENTIABLE.iter().any(|(info, _)| info.name == model.info.name);
-            let should_be = text.contains("\n        derivatives;") && model.info.coordinates.len() == 2;
-            assert_eq!(is_known, should_be, "{}", model.info.name);
-        }
     }
 }

@@ -70,16 +70,13 @@ impl Derivatives {
 
 impl Changes {
     /// # Errors
-    /// If the model has no derivatives, or the equations of motion have no answer.
+    /// If the model has other than two coordinates, or the equations of motion have no answer.
     pub fn new(design: Design) -> Result<Self, Failure> {
         let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
-        let differentiate = design.model.differentiate()?;
-        let Some(coefficients) = design.equations.of_two() else {
-            let name = design.info().name;
-            return Err(Failure::Run(format!("{name}: critical speeds are computed for two coordinates only")));
-        };
+        let Some(coefficients) = design.equations.of_two() else { return Err(not_two(&design)) };
         let stability = Stability::new(coefficients, design.gravity().unwrap_or(0.0)).map_err(fail)?;
-        let sensitivity = differentiate(&design.values()).map_err(fail)?;
+        let sensitivity = design.model.sensitivity(&design.values()).map_err(fail)?;
+        let sensitivity = sensitivity.ok_or_else(|| not_two(&design))?;
         let deviations: Vec<f64> = design
             .parameters
             .iter()
@@ -131,6 +128,11 @@ impl Changes {
         order.sort_by(|&a, &b| largest(b).total_cmp(&largest(a)));
         order
     }
+}
+
+fn not_two(design: &Design) -> Failure {
+    let (title, n) = (design.title(), design.info().coordinates.len());
+    Failure::Run(format!("{title}: critical speeds are computed for two coordinates only; this model has {n}"))
 }
 
 /// What 1 % of each parameter is.

@@ -51,7 +51,7 @@ pub(super) fn eigenvalues<R: Row>(h: &mut [R], mut found: impl FnMut(Complex<f64
 }
 
 /// Whether the entry to the left of the diagonal in row i is negligible (Ahues & Tisseur 1997).
-#[inline]
+#[inline(always)]
 fn splits<R: Row>(h: &[R], i: usize) -> bool {
     let (above, below) = (h[i - 1].at(i - 1), h[i].at(i));
     let (left, right) = (h[i].at(i - 1).abs(), h[i - 1].at(i).abs());
@@ -112,7 +112,7 @@ fn exceptional_shifts<R: Row>(h: &[R], last: usize) -> Shifts {
 }
 
 /// One step for both shifts, in the rows from `start` to `last`: three of them or more.
-#[inline]
+#[inline(always)]
 fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
     // Where two entries below the diagonal are small together, the sweep may start after them.
     let mut first = last - 2;
@@ -127,41 +127,22 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
         column = first_column(h, first, shifts);
     }
     for k in first..last - 1 {
+        let Some(reflection) = Reflection::new(column) else {
+            column = [h[k + 1].at(k), h[k + 2].at(k), 0.0];
+            continue;
+        };
         if k > first {
-            column = core::array::from_fn(|i| h[k + i].at(k - 1));
-        }
-        let Some(Reflection { along, across, head }) = Reflection::new(column) else { continue };
-        if k > first {
-            *h[k].at_mut(k - 1) = head;
+            *h[k].at_mut(k - 1) = reflection.head;
             *h[k + 1].at_mut(k - 1) = 0.0;
             *h[k + 2].at_mut(k - 1) = 0.0;
         } else if first > start {
-            *h[k].at_mut(k - 1) *= 1.0 - along[0] * across[0];
+            *h[k].at_mut(k - 1) *= 1.0 - reflection.along[0] * reflection.across[0];
         }
-        if let [upper, middle, lower] = &mut h[k..k + 3] {
-            let columns = k..last + 1;
-            let upper = &mut upper.entries_mut()[columns.clone()];
-            let middle = &mut middle.entries_mut()[columns.clone()];
-            let lower = &mut lower.entries_mut()[columns];
-            for ((upper, middle), lower) in upper.iter_mut().zip(middle).zip(lower) {
-                let sum = *upper * along[0] + *middle * along[1] + *lower * along[2];
-                *upper -= sum * across[0];
-                *middle -= sum * across[1];
-                *lower -= sum * across[2];
-            }
-        }
-        for row in &mut h[start..last.min(k + 3) + 1] {
-            if let [left, middle, right] = &mut row.entries_mut()[k..k + 3] {
-                let sum = *left * along[0] + *middle * along[1] + *right * along[2];
-                *left -= sum * across[0];
-                *middle -= sum * across[1];
-                *right -= sum * across[2];
-            }
-        }
+        column = reflection.apply(h, k, start, last);
     }
     // The last reflection is of two rows.
     let k = last - 1;
-    let Some(Reflection { along, across, head }) = Reflection::new([h[k].at(k - 1), h[last].at(k - 1), 0.0]) else {
+    let Some(Reflection { along, across, head }) = Reflection::new([column[0], column[1], 0.0]) else {
         return;
     };
     *h[k].at_mut(k - 1) = head;
@@ -182,7 +163,7 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
 }
 
 /// The first column of `(H - s1) (H - s2)` from row k on.
-#[inline]
+#[inline(always)]
 fn first_column<R: Row>(h: &[R], k: usize, Shifts { x, y, w }: Shifts) -> [f64; 3] {
     let (z, below) = (h[k].at(k), h[k + 1].at(k));
     let (from_x, from_y) = (x - z, y - z);
@@ -202,26 +183,67 @@ struct Reflection {
 
 impl Reflection {
     /// `None` if the column is zero.
-    #[inline]
-    fn new(column: [f64; 3]) -> Option<Self> {
-        let square = column[0] * column[0] + (column[1] * column[1] + column[2] * column[2]);
-        if square < f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON) {
-            return Self::of_small(column);
+    #[inline(always)]
+    fn new([mut c0, mut c1, mut c2]: [f64; 3]) -> Option<Self> {
+        const SMALL: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
+        let (mut square, mut unit) = (c0 * c0 + (c1 * c1 + c2 * c2), 1.0);
+        if square < SMALL {
+            // The squares have lost digits to underflow.
+            const SCALE: f64 =
+                (1u128 << 127) as f64 * (1u128 << 127) as f64 * (1u128 << 127) as f64 * (1u128 << 127) as f64;
+            (c0, c1, c2, unit) = (c0 * SCALE, c1 * SCALE, c2 * SCALE, 1.0 / SCALE);
+            square = c0 * c0 + (c1 * c1 + c2 * c2);
+            if square < SMALL {
+                return None;
+            }
         }
-        let norm = Number::sqrt(square).copysign(column[0]);
-        let along = [column[0] + norm, column[1], column[2]];
-        let factor = 1.0 / (norm * along[0]);
-        Some(Self { along, across: along.map(|entry| entry * factor), head: -norm })
+        let norm = Number::sqrt(square).copysign(c0);
+        let head = c0 + norm;
+        let factor = 1.0 / (norm * head);
+        Some(Self { along: [head, c1, c2], across: [head * factor, c1 * factor, c2 * factor], head: -norm * unit })
     }
 
-    /// Of a column whose square has lost digits to underflow.
-    #[cold]
-    fn of_small(column: [f64; 3]) -> Option<Self> {
-        let scale = 2f64.powi(500);
-        let scaled = column.map(|entry| entry * scale);
-        if scaled.iter().all(|entry| entry.abs() <= TINY) {
-            return None;
+    /// Reflects three rows from k on, and the same columns; what column k is then below the diagonal.
+    #[inline(always)]
+    fn apply<R: Row>(&self, h: &mut [R], k: usize, start: usize, last: usize) -> [f64; 3] {
+        // What both change is kept in registers: the next reflection waits for it.
+        let at = |i: usize| [h[k + i].at(k), h[k + i].at(k + 1), h[k + i].at(k + 2)];
+        let [upper, middle, lower] = [at(0), at(1), at(2)];
+        let (u0, m0, l0) = self.mirrored(upper[0], middle[0], lower[0]);
+        let (u1, m1, l1) = self.mirrored(upper[1], middle[1], lower[1]);
+        let (u2, m2, l2) = self.mirrored(upper[2], middle[2], lower[2]);
+        let upper = self.mirrored(u0, u1, u2);
+        let middle = self.mirrored(m0, m1, m2);
+        let lower = self.mirrored(l0, l1, l2);
+        if let [first, second, third] = &mut h[k..k + 3] {
+            let rest = k + 3..last + 1;
+            let [first, second, third] = [first, second, third].map(R::entries_mut);
+            let others = first[rest.clone()].iter_mut().zip(&mut second[rest.clone()]).zip(&mut third[rest]);
+            for ((first, second), third) in others {
+                (*first, *second, *third) = self.mirrored(*first, *second, *third);
+            }
+            for (row, (x, y, z)) in [(first, upper), (second, middle), (third, lower)] {
+                row[k..k + 3].copy_from_slice(&[x, y, z]);
+            }
         }
-        Self::new(scaled).map(|reflection| Self { head: reflection.head / scale, ..reflection })
+        for row in &mut h[start..k] {
+            if let [left, middle, right] = &mut row.entries_mut()[k..k + 3] {
+                (*left, *middle, *right) = self.mirrored(*left, *middle, *right);
+            }
+        }
+        if k + 3 > last {
+            return [middle.0, lower.0, 0.0];
+        }
+        // Here there is only the entry below the diagonal so far.
+        if let [left, middle, right] = &mut h[k + 3].entries_mut()[k..k + 3] {
+            (*left, *middle, *right) = self.mirrored(0.0, 0.0, *right);
+        }
+        [middle.0, lower.0, h[k + 3].at(k)]
+    }
+
+    #[inline(always)]
+    fn mirrored(&self, x: f64, y: f64, z: f64) -> (f64, f64, f64) {
+        let sum = self.along[0] * x + (self.along[1] * y + self.along[2] * z);
+        (x - sum * self.across[0], y - sum * self.across[1], z - sum * self.across[2])
     }
 }

@@ -103,9 +103,9 @@ pub(super) fn reduce<R: Row>(a: &mut [R], first: usize) {
         }
         let size = size.max(head.abs());
         let mut square = 0.0;
-        for i in k + 1..n {
-            let entry = a[i].at(k) / size;
-            *direction.at_mut(i) = entry;
+        for (place, row) in direction.entries_mut()[k + 1..].iter_mut().zip(&a[k + 1..]) {
+            let entry = row.at(k) / size;
+            *place = entry;
             square += entry * entry;
         }
         let norm = Number::sqrt(square).copysign(head);

@@ -65,9 +65,12 @@ impl System<2> {
 impl<const N: usize> System<N> {
     /// The 2N eigenvalues in 1/s, sorted by real part, then by imaginary part.
     ///
-    /// For N = 2 they are [those of the quartic](System::quartic_eigenvalues). For any other N they are computed by the
-    /// QR algorithm from the state matrix, with a bound on its iterations; there, too, real ones have an imaginary part of
-    /// exactly zero and pairs are exactly conjugate. Stability along speed is for N = 2 alone.
+    /// For N = 2 they are [those of the quartic](System::quartic_eigenvalues), and for N = 1 those of the quadratic. For
+    /// more they come from the state matrix, balanced, by the QR algorithm with a bound on its iterations; jointly they are
+    /// the exact ones of a state matrix that differs from the given one by rounding, relative to its norm. There, too, real
+    /// ones have an imaginary part of exactly zero and pairs are exactly conjugate. Without any damping they are the square
+    /// roots of the eigenvalues of -M^-1 K: what oscillates then has a real part of exactly zero. Stability along speed is
+    /// for N = 2 alone.
     ///
     /// # Errors
     /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or if the

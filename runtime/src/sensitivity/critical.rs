@@ -3,8 +3,10 @@
 use core::fmt;
 
 use super::Sensitivity;
-use super::condition::{Condition, Scaled, Wide};
-use crate::numeric::{DoubleDouble, Real as _, ldexp};
+use super::condition::Condition;
+use super::scaled::{Entries, Scaled};
+use super::wide::Wide;
+use crate::numeric::{DoubleDouble, ldexp};
 use crate::{Complex, CriticalKind, CriticalSpeed, SystemError};
 
 /// How a critical speed changes with each parameter.
@@ -72,6 +74,7 @@ impl Sensitivity<2> {
             let error = SystemError::OutOfRange { quantity: "a derivative of a critical speed" };
             if value.is_finite() { Ok(value) } else { Err(error) }
         };
+        let answers = condition.answers(&scaled, speed);
         let (mut speeds, mut eigenvalues) = (Vec::new(), Vec::new());
         for (parameter, derivative) in self.derivatives.iter().enumerate() {
             let mut direction = *derivative;
@@ -79,23 +82,36 @@ impl Sensitivity<2> {
                 direction.kc += self.coefficients.k0;
             }
             let direction = scaled.scaled(&direction);
-            let response = condition.response(&scaled.by(&direction, speed));
-            let is_real = response.speed.im.abs().to_f64() <= NEGLIGIBLE * response.size;
-            if !(is_real && scaled.keeps_zeros(condition.zeros, &direction, speed)) {
+            let keeps_zeros = scaled.keeps_zeros(condition.zeros, &direction, speed);
+            let direction = scaled.direction(&direction, speed.to_f64());
+            let (by_speed, size) = dot(&answers.speed, &direction);
+            if !keeps_zeros || by_speed.im.abs() > NEGLIGIBLE * size {
                 return Ok(CriticalDerivative::None(NotDifferentiable::Coincidence));
             }
-            speeds.push(finite(response.speed.re.to_f64(), scaled.speed_unit)?);
-            let part = |part: DoubleDouble| finite(part.to_f64(), scaled.time_unit);
-            eigenvalues.push(Complex::new(part(response.eigenvalue.re)?, part(response.eigenvalue.im)?));
+            speeds.push(finite(by_speed.re, scaled.speed_unit)?);
+            let (eigenvalue, _) = dot(&answers.eigenvalue, &direction);
+            let part = |part: f64| finite(part, scaled.time_unit);
+            eigenvalues.push(Complex::new(part(eigenvalue.re)?, part(eigenvalue.im)?));
         }
         Ok(CriticalDerivative::Smooth { speed: speeds, eigenvalue: eigenvalues, condition: condition.condition() })
     }
 }
 
+/// The sum of derivatives times changes, and the size of its terms.
+fn dot(derivatives: &Entries<Complex<f64>>, changes: &Entries<f64>) -> (Complex<f64>, f64) {
+    let pairs = derivatives.as_flattened().as_flattened().iter().zip(changes.as_flattened().as_flattened());
+    pairs.fold((Complex::new(0.0, 0.0), 0.0), |(sum, size), (derivative, change)| {
+        let term = derivative * *change;
+        (sum + term, size + term.l1_norm())
+    })
+}
+
 /// The condition of a critical speed at the speed itself, which is polished, in the units of the condition.
 fn condition(scaled: &Scaled, critical: &CriticalSpeed) -> Result<(Condition, DoubleDouble), NotDifferentiable> {
-    /// Newton's iteration doubles the digits of numbers that are good to those of `f64`.
+    /// Newton's iteration doubles the digits: it starts with those of `f64`, or half of them where rounding was large.
     const STEPS: usize = 2;
+    /// After a step as small as this, relative, all digits of `f64` are right.
+    const SMALL: f64 = 1e-12;
     /// What moves farther than this, relative, is not converging.
     const NEAR: f64 = 1e-6;
     let kind = critical.kind;
@@ -117,12 +133,16 @@ fn condition(scaled: &Scaled, critical: &CriticalSpeed) -> Result<(Condition, Do
     };
     for _ in 0..STEPS {
         let step = at(speed, s)?.residual();
-        if step.speed.norm() > NEAR * speed.to_f64() {
+        let relative = step.speed.norm() / speed.to_f64();
+        if relative > NEAR {
             return Err(NotDifferentiable::Meeting);
         }
         speed = speed + step.speed.re;
         if !is_zero {
             s = s + step.eigenvalue;
+        }
+        if relative <= SMALL && step.eigenvalue.norm() <= SMALL * s.norm() {
+            break;
         }
     }
     Ok((at(speed, s)?, speed))

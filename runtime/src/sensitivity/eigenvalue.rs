@@ -1,7 +1,7 @@
 //! The derivatives of eigenvalues.
 
 use super::null_vectors::{NullVectors, null_vectors};
-use super::pencil::{Direction, Pencil, Weights};
+use super::pencil::{ComplexMatrix, Direction, Pencil, Weights};
 use super::unfolding::{self, Neighbours};
 use super::{Gradient, Sensitivity};
 use crate::{Complex, SystemError};
@@ -83,19 +83,47 @@ impl<const N: usize> Sensitivity<N> {
 }
 
 /// What the directions are to be weighted with, and the condition of the result.
+///
+/// A step of Newton's iteration along the eigenvectors first takes the error out of the eigenvalue that it has beyond the
+/// rounding of the matrix entries, unless another eigenvalue is near.
 fn simple<const N: usize>(pencil: &Pencil<N>, s: Complex<f64>, neighbours: &Neighbours) -> (Weights<N>, f64) {
-    let size = pencil.size(s);
-    let matrix = pencil.at(s);
-    let NullVectors { right, left } = null_vectors(&matrix, &size);
-    let outer = left * right.transpose();
-    let slope = outer.component_mul(&pencil.slope(s)).sum();
-    let rounding = outer.map(|weight| weight.norm()).component_mul(&size).sum();
-    let residual = outer.component_mul(&matrix).sum().norm();
-    let error = rounding.max(residual / f64::EPSILON) / slope.norm();
+    const SMALL: f64 = 1e-6;
+    let mut found = Eigenvectors::new(pencil, s);
+    let step = found.residual / found.slope;
+    if step.norm() * neighbours.closeness <= SMALL {
+        found = Eigenvectors::new(pencil, s - step);
+    }
+    let Eigenvectors { s, outer, slope, rounding, residual } = found;
+    let error = rounding.max(residual.norm() / f64::EPSILON) / slope.norm();
     // Without a slope the eigenvalue is not simple, and the condition infinite or not a number.
     let condition = error * neighbours.closeness;
     let condition = if condition.is_nan() { f64::INFINITY } else { condition };
     (Weights::at(s, &outer.map(|weight| -weight / slope)), condition)
+}
+
+/// The left and right eigenvectors, and what they make of Q(s), of its slope, and of the rounding of its terms.
+struct Eigenvectors<const N: usize> {
+    s: Complex<f64>,
+    /// The products of their entries.
+    outer: ComplexMatrix<N>,
+    slope: Complex<f64>,
+    rounding: f64,
+    residual: Complex<f64>,
+}
+
+impl<const N: usize> Eigenvectors<N> {
+    fn new(pencil: &Pencil<N>, s: Complex<f64>) -> Self {
+        let (matrix, size) = (pencil.at(s), pencil.size(s));
+        let NullVectors { right, left } = null_vectors(&matrix, &size);
+        let outer = left * right.transpose();
+        Self {
+            s,
+            slope: outer.component_mul(&pencil.slope(s)).sum(),
+            rounding: outer.map(|weight| weight.norm()).component_mul(&size).sum(),
+            residual: outer.component_mul(&matrix).sum(),
+            outer,
+        }
+    }
 }
 
 fn gradient<const N: usize>(

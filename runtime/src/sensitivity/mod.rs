@@ -6,9 +6,11 @@ mod deviation;
 mod eigenvalue;
 mod null_vectors;
 mod pencil;
+mod scaled;
 #[cfg(test)]
 mod tests;
 mod unfolding;
+mod wide;
 
 use pencil::Direction;
 
