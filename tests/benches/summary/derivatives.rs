@@ -23,6 +23,7 @@ fn for_scalar<T: Float + Symplex>(summary: &mut Summary, scalar: &str, design: &
     let task = Task::new(format!("Four matrices and their Jacobian, {scalar}, one design"), REPETITIONS)
         .contender("ours, from bodies, no Jacobian", repeated(&mechanism, WhippleMechanism::matrices))
         .contender("ours, from bodies", repeated(&mechanism, WhippleMechanism::matrices_and_derivatives))
+        .contender("ours, from formulas, no Jacobian", repeated(design, Whipple::matrices))
         .contender("ours, from formulas", repeated(design, Whipple::matrices_and_derivatives))
         .contender("symplex-build 0.57", repeated(design, Symplex::entries_and_derivatives))
         .contender("by hand, central differences", repeated(design, |design| differences(design, step)));

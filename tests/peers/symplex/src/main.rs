@@ -38,9 +38,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// M, C1, K0 and K2 below each other.
 fn matrices(context: &Context, parameters: &[Ex; 23]) -> Result<Matrix, Box<dyn Error>> {
-    let [
-        w, c, lam, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IBzz, IBxz, xH, zH, mH, IHxx, IHzz, IHxz, rF, mF, IFxx, IFyy,
-    ] = parameters;
+    let [w, c, lam, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IBzz, IBxz, xH, zH, mH, IHxx, IHzz, IHxz, rF, mF, IFxx, IFyy] =
+        parameters;
     let (IRzz, IFzz) = (IRxx, IFxx);
     let zero = context.int(0);
     let two = &context.int(2);
