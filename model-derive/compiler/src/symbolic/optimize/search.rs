@@ -18,6 +18,9 @@ const MAX_TRIED: usize = 100;
 /// the clock that ends the search, since the same declaration must always give the same program.
 const MAX_PROGRAMS: usize = 40;
 const MAX_OPERATIONS: usize = 5_000;
+/// Choices that lead to formulas which were there before build no program, but making the formulas takes time, too: so many
+/// are made at most, beyond those of the first program.
+const MAX_FORMULAS: usize = 20_000;
 
 /// In how many orders of the symbols the engine nests the formulas: it keeps the best, and then goes on from there.
 const ORDERS: usize = 10;
@@ -38,6 +41,7 @@ pub fn cheapest(engine: &Engine, equations: &Equations) -> Result<Program, (Plac
         shapes: Shapes::default(),
         seen: HashSet::new(),
         left: MAX_PROGRAMS,
+        formulas_left: MAX_FORMULAS,
         best: Best::default(),
     };
     search.run()?;
@@ -54,6 +58,8 @@ struct Search<'a> {
     seen: HashSet<Vec<Form>>,
     /// How many programs may still be built.
     left: usize,
+    /// How many formulas may still be made.
+    formulas_left: usize,
     best: Best,
 }
 
@@ -89,7 +95,7 @@ impl Search<'_> {
                 self.try_out(self.choices(inline, shape))?;
             }
         }
-        while self.left > 0 && (self.keep(&fractions)? | self.open()? | self.reshape()?) {}
+        while !self.is_over() && (self.keep(&fractions)? | self.open()? | self.reshape()?) {}
         for orders in OTHER_ORDERS {
             self.compare(self.best.system.clone(), self.best.choices.clone(), orders);
         }
@@ -104,15 +110,22 @@ impl Search<'_> {
 
     /// Builds the program of choices, unless their formulas were there before, and says whether it is the cheapest so far.
     fn try_out(&mut self, choices: Choices) -> Result<bool, (Place, Undefined)> {
-        if self.left == 0 {
+        let first = self.best.cost.is_none();
+        if !first && self.is_over() {
             return Ok(false);
         }
+        self.formulas_left = self.formulas_left.saturating_sub(self.uses.len());
         let system = System::new(self.engine, self.equations, &choices, &mut self.shapes)?;
         if !self.seen.insert(system.formulas()) {
             return Ok(false);
         }
         self.left -= 1;
         Ok(self.compare(system, choices, ORDERS))
+    }
+
+    /// Whether nothing more may be tried.
+    fn is_over(&self) -> bool {
+        self.left == 0 || self.formulas_left < self.uses.len()
     }
 
     /// Keeps a program if it is cheaper than the best so far: of equally cheap ones the first stays, so that the choice is
@@ -167,6 +180,9 @@ impl Search<'_> {
         let mut better = false;
         for formula in 0..self.uses.len() {
             for index in self.uses[formula].clone() {
+                if self.is_over() {
+                    return Ok(better);
+                }
                 let best = &self.best.choices;
                 if best.is_inside(formula) || best.inline[index] || best.opened[formula].contains(&index) {
                     continue;
@@ -190,6 +206,9 @@ impl Search<'_> {
     fn reshape(&mut self) -> Result<bool, (Place, Undefined)> {
         let mut better = false;
         for formula in 0..self.uses.len() {
+            if self.is_over() {
+                break;
+            }
             if self.best.choices.is_inside(formula) {
                 continue;
             }
