@@ -38,8 +38,8 @@ fn numbers_keep_digits_to_read() {
     let directory = Directory::new("extreme-digits");
     let text = directory.run(&["analyze", "--gravity", "1e-300"]).ok();
     // The last digits are those of rounding.
-    let line = text.lines().find(|line| line.contains("e-151  two real eigenvalues")).expect("a double root");
-    assert!(line.contains("2.1847477316508"), "{line}");
+    let line = text.lines().find(|line| line.contains("two real eigenvalues")).expect("a double root");
+    assert!(line.contains("2.1847477316508") && line.contains("e-151 "), "{line}");
     assert!(!text.contains("λ = 0.0000") && !text.contains("±0.0000"), "{text}");
     let text = directory.run(&["analyze", "--gravity", "1e300"]).ok();
     assert!(text.contains("at λ = 1.208e150\n"), "{text}");
