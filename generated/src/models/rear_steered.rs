@@ -286,7 +286,7 @@ pub struct RearSteeredMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RearSteered<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 46 additions, 46 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 98 operations.
+    /// 46 additions, 46 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 99 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
@@ -326,25 +326,25 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t91 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t41 * hz_delta))
             - (t28 * hx_delta);
         let h_spin_R = self.IFyy / self.rF;
-        let t96 = t41 * h_spin_R;
-        let Sz_all = (t21 + Sz_delta) - t17;
         let h_wheels_all = h_spin_R + (self.IRyy / self.rR);
-        let t102 = Sz_all - h_wheels_all;
-        let t105 = (t96 - (t44 * Jxz_all)) - (yaw_by_delta * t102);
+        let Sz_all = (t21 + Sz_delta) - t17;
+        let t100 = h_wheels_all - Sz_all;
+        let t103 = t41 * h_spin_R;
+        let t105 = ((yaw_by_delta * t100) + t103) - (t44 * Jxz_all);
         let t110 = yaw_by_delta * ((t74 + t76) + t78);
         let P_delta_lateral = py_delta - t110;
         let t114 = (yaw_by_delta * P_delta_lateral) - (t44 * P_delta_yaw);
         let t115 = t28 * P_delta_lateral;
-        let t116 = t44 * t102;
         let t119 = t44 * ((t28 * h_spin_R) - P_delta_lateral);
-        let t120 = -(t96 + (yaw_by_delta * h_wheels_all));
+        let t120 = -(t103 + (yaw_by_delta * h_wheels_all));
         let t121 = t110 - py_delta;
+        let t122 = -(t44 * t100);
         RearSteeredMatrices {
             m: [[t26, t55], [t55, t91]],
             c1: [[::carvallo::Number::like(self.w, 0.0), t105], [t120, t114]],
             k0: [[Sz_all, t121], [t121, t115]],
             k2: [
-                [::carvallo::Number::like(self.w, 0.0), t116],
+                [::carvallo::Number::like(self.w, 0.0), t122],
                 [::carvallo::Number::like(self.w, 0.0), t119],
             ],
         }
@@ -1054,7 +1054,7 @@ impl RearSteeredDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7),
         ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
@@ -1069,13 +1069,13 @@ impl RearSteeredDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24),
         ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
@@ -1180,7 +1180,7 @@ impl RearSteeredDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
         ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
@@ -1247,7 +1247,7 @@ impl<T: ::carvallo::Scalar> RearSteeredDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> RearSteered<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 167 additions, 262 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 435 operations.
+    /// 168 additions, 262 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 437 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1277,10 +1277,10 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t56 = hx_delta + (yaw_by_delta * Jxz_all);
         let t58 = t28 * Jxz_delta;
         let t60 = self.IFxx + self.IHzz;
-        let Jxz_delta_rF = self.mF * self.c;
-        let t65 = (t60 + (self.c * Jxz_delta_rF)) + (t34 * t35);
+        let t61 = self.mF * self.c;
+        let t65 = (t60 + (self.c * t61)) + (t34 * t35);
         let hz_delta = (t41 * t65) - t58;
-        let t70 = t35 + Jxz_delta_rF;
+        let t70 = t35 + t61;
         let py_delta = (t28 * Sz_delta) + (t41 * t70);
         let M_yaw_delta = hz_delta - (t32 * py_delta);
         let t76 = self.mF * self.w;
@@ -1296,23 +1296,22 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let h_spin_R = self.IFyy * t95;
         let t97 = t41 * h_spin_R;
         let t98 = t45 * Jxz_all;
+        let t100 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let t101 = self.IRyy * t100;
+        let h_wheels_all = h_spin_R + t101;
         let Sz_all = (t21 + Sz_delta) - t17;
-        let t102 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
-        let t103 = self.IRyy * t102;
-        let h_wheels_all = h_spin_R + t103;
-        let t105 = Sz_all - h_wheels_all;
-        let t108 = (t97 - t98) - (yaw_by_delta * t105);
+        let t105 = h_wheels_all - Sz_all;
+        let t108 = (t97 + (yaw_by_delta * t105)) - t98;
         let t113 = (t76 + t78) + t80;
         let t114 = yaw_by_delta * t113;
         let P_delta_lateral = py_delta - t114;
         let t117 = (yaw_by_delta * P_delta_lateral) - (t45 * P_delta_yaw);
         let t118 = t28 * P_delta_lateral;
-        let t119 = t45 * t105;
         let t120 = t28 * h_spin_R;
         let t121 = t120 - P_delta_lateral;
         let t122 = t45 * t121;
-        let C112_h_spin_R = t41 + yaw_by_delta;
-        let t124 = t6 * C112_h_spin_R;
+        let M12_Jxz_delta = t41 + yaw_by_delta;
+        let t124 = t6 * M12_Jxz_delta;
         let t126 = (yaw_by_delta * Sz_delta) - t124;
         let t127 = t44 * t45;
         let t128 = self.c * Jxz_all;
@@ -1321,10 +1320,10 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t134 = (self.mH * t131) + (t35 * t41);
         let t135 = yaw_by_delta + yaw_by_delta;
         let M22_hz_delta = t41 + t135;
-        let t138 = self.mH * t41;
-        let t139 = t32 * t135;
-        let t142 = t28 * (t41 + M22_hz_delta);
-        let t145 = ((t134 * M22_hz_delta) + (t6 * t142)) - (t138 * t139);
+        let t139 = t28 * (t41 + M22_hz_delta);
+        let t141 = self.mH * t41;
+        let t142 = t32 * t135;
+        let t145 = ((t134 * M22_hz_delta) + (t6 * t139)) - (t141 * t142);
         let t147 = t145 - (py_delta * t135);
         let t148 = self.w * yaw_by_delta;
         let P_delta_yaw_w = (self.mF * t148) + (yaw_by_delta * t76);
@@ -1333,17 +1332,17 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t157 = (t147 + (yaw_by_delta * P_delta_yaw_w)) - (t127 * t154);
         let t158 = t6 * t45;
         let t160 = t158 - (t45 * Sz_delta);
-        let t162 = Jxz_all + (self.c * t105);
-        let t164 = t160 + (t127 * t162);
+        let t162 = (self.c * t105) - Jxz_all;
+        let t164 = t160 - (t127 * t162);
         let t165 = self.c * h_wheels_all;
         let t166 = t127 * t165;
+        let C122_Jxz_delta = t28 * t45;
         let C122_py_delta = t32 * t45;
-        let K222_h_spin_R = t28 * t45;
-        let t173 = ((t138 * C122_py_delta) - (t45 * t134)) - (t6 * K222_h_spin_R);
+        let t173 = ((t141 * C122_py_delta) - (t45 * t134)) - (t6 * C122_Jxz_delta);
         let t175 = t173 + (t45 * py_delta);
         let t178 = self.c * t113;
         let t180 = (self.mF * yaw_by_delta) - (t127 * t178);
-        let P_delta_lateral_w = t138 - t180;
+        let P_delta_lateral_w = t141 - t180;
         let C122_yaw_by_delta = P_delta_lateral - (t45 * P_delta_yaw_yaw_by_delta);
         let t186 = (self.c * C122_yaw_by_delta) - P_delta_yaw;
         let t190 = ((t175 + (yaw_by_delta * P_delta_lateral_w)) - (t45 * P_delta_yaw_w))
@@ -1351,16 +1350,16 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t191 = t28 * P_delta_lateral_w;
         let t192 = t105 * t127;
         let t195 = (t45 * P_delta_lateral_w) + (t121 * t127);
-        let t198 = (t98 + t126) + (t10 * C112_h_spin_R);
-        let t201 = self.c * t41;
-        let hz_delta_c = (self.mF * t201) + (t41 * Jxz_delta_rF);
+        let t198 = (t98 + t126) + (t10 * M12_Jxz_delta);
+        let py_delta_mF = self.c * t41;
+        let hz_delta_c = (self.mF * py_delta_mF) + (t41 * t61);
         let py_delta_c = self.mF * t41;
         let t211 = (((t147 + (t45 * M22_yaw_by_delta)) + (M22_hz_delta * hz_delta_c))
-            - (t10 * t142)) - (t139 * py_delta_c);
-        let t214 = t160 - (t45 * (t10 + t105));
+            - (t10 * t139)) - (t142 * py_delta_c);
+        let t214 = t160 + (t45 * (t105 - t10));
         let t215 = t45 * h_wheels_all;
-        let t221 = ((t45 * t113) - t138) - py_delta_c;
-        let t227 = (((t175 + (t10 * K222_h_spin_R))
+        let t221 = ((t45 * t113) - t141) - py_delta_c;
+        let t227 = (((t175 + (t10 * C122_Jxz_delta))
             + (t45 * (C122_yaw_by_delta - hz_delta_c))) + (C122_py_delta * py_delta_c))
             - (yaw_by_delta * t221);
         let t228 = t28 * t221;
@@ -1368,20 +1367,20 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t231 = t58 + (Jxx_delta * t41);
         let t232 = t28 * t44;
         let t234 = t231 + (t128 * t232);
-        let t240 = t42 + (t28 * t65);
+        let t239 = t42 + (t28 * t65);
         let py_delta_lam = (t41 * Sz_delta) - (t28 * t70);
         let t250 = (((((t28 * t231) - (t41 * hx_delta)) - (t28 * hz_delta))
-            - (t154 * t232)) - (M22_hz_delta * t240)) - (t139 * py_delta_lam);
-        let t252 = (t162 * t232) - t120;
+            - (M22_hz_delta * t239)) - (t154 * t232)) - (t142 * py_delta_lam);
+        let t252 = t120 + (t162 * t232);
         let t254 = t120 + (t165 * t232);
         let P_delta_lateral_lam = py_delta_lam + (t178 * t232);
-        let t263 = (((t45 * t240) + (yaw_by_delta * P_delta_lateral_lam))
+        let t263 = (((t45 * t239) + (yaw_by_delta * P_delta_lateral_lam))
             + (C122_py_delta * py_delta_lam)) - (t186 * t232);
         let t266 = (t28 * P_delta_lateral_lam) + (t41 * P_delta_lateral);
         let t267 = t105 * t232;
         let t271 = (t45 * (t97 - P_delta_lateral_lam)) - (t121 * t232);
         let t272 = t17 + t17;
-        let t273 = t102 * t103;
+        let t273 = t100 * t101;
         let t274 = self.mR - t273;
         let t275 = yaw_by_delta * t274;
         let t276 = yaw_by_delta * t273;
@@ -1391,8 +1390,8 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t280 = self.rR * t45;
         let t282 = yaw_by_delta * yaw_by_delta;
         let t283 = t45 * yaw_by_delta;
-        let t284 = yaw_by_delta * t102;
-        let t285 = t45 * t102;
+        let t284 = yaw_by_delta * t100;
+        let t285 = t45 * t100;
         let t286 = t21 * yaw_by_delta;
         let t287 = yaw_by_delta * self.xB;
         let t288 = self.mB * t287;
@@ -1419,87 +1418,88 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t315 = self.xH * yaw_by_delta;
         let P_delta_yaw_xH = (self.mH * t315) + (yaw_by_delta * t80);
         let t320 = (yaw_by_delta * P_delta_yaw_xH) - t145;
-        let t323 = t138 + (self.mH * yaw_by_delta);
+        let t323 = t141 + (self.mH * yaw_by_delta);
         let t326 = (t173 + (t45 * P_delta_yaw_xH)) + (yaw_by_delta * t323);
         let t327 = t28 * t323;
         let t328 = t45 * t323;
         let Jxx_delta_zH = t6 + t6;
         let M12_Sz_delta = t32 * yaw_by_delta;
         let t335 = ((self.mH * M12_Sz_delta) - (t28 * Jxx_delta_zH))
-            - (t35 * C112_h_spin_R);
+            - (t35 * M12_Jxz_delta);
         let M22_Jxx_delta = t28 * t28;
         let py_delta_zH = self.mH * t28;
-        let t342 = ((t35 * t142) + (Jxx_delta_zH * M22_Jxx_delta))
-            - (t139 * py_delta_zH);
+        let t342 = ((t35 * t139) + (Jxx_delta_zH * M22_Jxx_delta))
+            - (t142 * py_delta_zH);
         let t343 = yaw_by_delta + C122_py_delta;
         let t346 = (t35 * t45) - (self.mH * t343);
-        let t349 = (py_delta_zH * t343) - (t35 * K222_h_spin_R);
-        let t350 = t28 * py_delta_zH;
-        let t351 = self.mH * t45;
-        let t352 = t45 * py_delta_zH;
+        let t351 = ((yaw_by_delta * py_delta_zH) + (C122_py_delta * py_delta_zH))
+            - (t35 * C122_Jxz_delta);
+        let t352 = t28 * py_delta_zH;
+        let t353 = self.mH * t45;
+        let t354 = t45 * py_delta_zH;
         let Jxx_delta_mH = self.zH * self.zH;
-        let t356 = self.zH * t34;
-        let t359 = ((self.zH * M12_Sz_delta) - (t28 * Jxx_delta_mH))
-            - (C112_h_spin_R * t356);
+        let t358 = self.zH * t34;
+        let t361 = ((self.zH * M12_Sz_delta) - (t28 * Jxx_delta_mH))
+            - (M12_Jxz_delta * t358);
         let P_delta_yaw_mH = self.xH * t315;
         let hz_delta_mH = t34 * t131;
         let py_delta_mH = t131 + (self.zH * t28);
-        let t372 = ((((yaw_by_delta * P_delta_yaw_mH) + (M22_hz_delta * hz_delta_mH))
-            + (M22_Jxx_delta * Jxx_delta_mH)) + (t142 * t356)) - (t139 * py_delta_mH);
-        let t375 = (t45 * t356) - (self.zH * t343);
-        let t378 = t315 - py_delta_mH;
-        let t384 = (((C122_py_delta * py_delta_mH)
-            - (t45 * (P_delta_yaw_mH + hz_delta_mH))) - (yaw_by_delta * t378))
-            - (K222_h_spin_R * t356);
-        let t385 = t28 * t378;
-        let t386 = self.zH * t45;
-        let t387 = t45 * t378;
-        let t389 = t282 + (t41 * M22_hz_delta);
-        let t390 = t45 * C112_h_spin_R;
-        let Jxx_delta_rF = t10 + t10;
-        let t396 = ((Jxz_delta_rF * C112_h_spin_R) - (self.mF * M12_Sz_delta))
-            - (t28 * Jxx_delta_rF);
-        let t398 = self.mF * t28;
-        let t402 = ((M22_Jxx_delta * Jxx_delta_rF) + (t139 * t398))
-            - (Jxz_delta_rF * t142);
-        let t405 = t95 * h_spin_R;
-        let t406 = C112_h_spin_R * t405;
-        let t408 = ((self.mF * t343) - (t45 * Jxz_delta_rF)) - t406;
-        let t411 = (Jxz_delta_rF * K222_h_spin_R) - (t343 * t398);
-        let t412 = t28 * t398;
-        let t414 = t45 * (self.mF - t405);
-        let t417 = (t45 * t398) - (K222_h_spin_R * t405);
-        let Jxx_delta_mF = self.rF * self.rF;
-        let Jxz_delta_mF = self.rF * self.c;
-        let t424 = ((C112_h_spin_R * Jxz_delta_mF) - (self.rF * M12_Sz_delta))
-            - (t28 * Jxx_delta_mF);
+        let t374 = ((((yaw_by_delta * P_delta_yaw_mH) + (M22_hz_delta * hz_delta_mH))
+            + (M22_Jxx_delta * Jxx_delta_mH)) + (t139 * t358)) - (t142 * py_delta_mH);
+        let t377 = (t45 * t358) - (self.zH * t343);
+        let t380 = t315 - py_delta_mH;
+        let t386 = (((C122_py_delta * py_delta_mH)
+            - (t45 * (P_delta_yaw_mH + hz_delta_mH))) - (yaw_by_delta * t380))
+            - (C122_Jxz_delta * t358);
+        let t387 = t28 * t380;
+        let t388 = self.zH * t45;
+        let t389 = t45 * t380;
+        let t391 = t282 + (t41 * M22_hz_delta);
+        let t393 = t283 + (t41 * t45);
+        let t394 = t10 + t10;
+        let t397 = self.rF * t28;
+        let t399 = ((self.c * M12_Jxz_delta) - M12_Sz_delta) - t397;
+        let t401 = (self.mF * t399) - (t10 * t28);
+        let t406 = ((t28 * t142) + (self.rF * M22_Jxx_delta)) - (self.c * t139);
+        let t409 = (self.mF * t406) + (t10 * M22_Jxx_delta);
+        let t410 = t343 - yaw_by_delta;
+        let t412 = t95 * h_spin_R;
+        let t413 = M12_Jxz_delta * t412;
+        let t414 = (self.mF * t410) - t413;
+        let t417 = (self.c * C122_Jxz_delta) - (t28 * C122_py_delta);
+        let t419 = self.mF * t28;
+        let t421 = (self.mF * t417) - (yaw_by_delta * t419);
+        let t422 = t28 * t419;
+        let t425 = (t45 * t412) - (self.mF * t45);
+        let t428 = (t45 * t419) - (C122_Jxz_delta * t412);
+        let t429 = self.rF * self.rF;
+        let t430 = self.rF * t399;
         let P_delta_yaw_mF = self.w * t148;
-        let hz_delta_mF = self.c * t201;
-        let py_delta_mF = t201 - (self.rF * t28);
-        let t437 = ((((yaw_by_delta * P_delta_yaw_mF) + (M22_hz_delta * hz_delta_mF))
-            + (M22_Jxx_delta * Jxx_delta_mF)) - (t139 * py_delta_mF))
-            - (t142 * Jxz_delta_mF);
-        let t440 = (self.rF * t343) - (t45 * Jxz_delta_mF);
-        let t443 = t148 - py_delta_mF;
-        let t449 = (((C122_py_delta * py_delta_mF) + (K222_h_spin_R * Jxz_delta_mF))
-            - (t45 * (P_delta_yaw_mF + hz_delta_mF))) - (yaw_by_delta * t443);
-        let t450 = t28 * t443;
-        let t451 = self.rF * t45;
-        let t452 = t45 * t443;
-        let t453 = M22_Jxx_delta + t389;
-        let t454 = t95 * C112_h_spin_R;
-        let t455 = t45 * t95;
-        let t456 = t95 * K222_h_spin_R;
-        let t457 = -(t97 + (yaw_by_delta * h_wheels_all));
-        let t458 = t114 - py_delta;
-        let t459 = t180 - t138;
+        let hz_delta_mF = self.c * py_delta_mF;
+        let t439 = (((self.rF * t406) + (yaw_by_delta * P_delta_yaw_mF))
+            + (M22_hz_delta * hz_delta_mF)) - (t142 * py_delta_mF);
+        let t440 = self.rF * t410;
+        let t445 = (t148 + t397) - py_delta_mF;
+        let t450 = (((self.rF * t417) + (C122_py_delta * py_delta_mF))
+            - (t45 * (P_delta_yaw_mF + hz_delta_mF))) - (yaw_by_delta * t445);
+        let t451 = t28 * t445;
+        let t452 = self.rF * t45;
+        let t453 = t45 * t445;
+        let t454 = M22_Jxx_delta + t391;
+        let t455 = t95 * M12_Jxz_delta;
+        let t456 = t45 * t95;
+        let t457 = t95 * C122_Jxz_delta;
+        let t458 = -(t97 + (yaw_by_delta * h_wheels_all));
+        let t459 = t114 - py_delta;
+        let t460 = -(t45 * t105);
+        let t461 = t180 - t141;
         (
             RearSteeredMatrices {
                 m: [[t26, t56], [t56, t92]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t457, t117]],
-                k0: [[Sz_all, t458], [t458, t118]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t458, t117]],
+                k0: [[Sz_all, t459], [t459, t118]],
                 k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t119],
+                    [::carvallo::Number::like(self.w, 0.0), t460],
                     [::carvallo::Number::like(self.w, 0.0), t122],
                 ],
             },
@@ -1510,7 +1510,7 @@ impl<T: ::carvallo::Number> RearSteered<T> {
                     t164,
                     t166,
                     t190,
-                    t459,
+                    t461,
                     t191,
                     t192,
                     t195,
@@ -1580,54 +1580,54 @@ impl<T: ::carvallo::Number> RearSteered<T> {
                     t335,
                     t342,
                     t346,
-                    t349,
+                    t351,
                     self.mH,
                     py_delta_zH,
-                    t350,
-                    t351,
                     t352,
+                    t353,
+                    t354,
                     Jxx_delta_mH,
-                    t359,
-                    t372,
-                    t375,
-                    t384,
-                    self.zH,
-                    t378,
-                    t385,
+                    t361,
+                    t374,
+                    t377,
                     t386,
+                    self.zH,
+                    t380,
                     t387,
+                    t388,
+                    t389,
                     t28,
                     M22_Jxx_delta,
-                    t389,
-                    t390,
-                    C112_h_spin_R,
-                    t142,
-                    K222_h_spin_R,
-                    Jxx_delta_rF,
-                    t396,
-                    t402,
-                    t408,
-                    t406,
-                    t411,
-                    self.mF,
-                    t398,
-                    t412,
+                    t391,
+                    t393,
+                    M12_Jxz_delta,
+                    t139,
+                    C122_Jxz_delta,
+                    t394,
+                    t401,
+                    t409,
                     t414,
-                    t417,
-                    Jxx_delta_mF,
-                    t424,
-                    t437,
+                    t413,
+                    t421,
+                    self.mF,
+                    t419,
+                    t422,
+                    t425,
+                    t428,
+                    t429,
+                    t430,
+                    t439,
                     t440,
-                    t449,
-                    self.rF,
-                    t443,
                     t450,
+                    self.rF,
+                    t445,
                     t451,
                     t452,
                     t453,
                     t454,
                     t455,
                     t456,
+                    t457,
                 ],
             },
         )

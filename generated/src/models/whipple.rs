@@ -314,7 +314,7 @@ pub struct WhippleMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 48 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 104 operations.
+    /// 49 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 105 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
@@ -351,8 +351,8 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let SR = self.IRyy / self.rR;
         let ST = SF + SR;
         let t100 = t12 - t16;
-        let t102 = t8 - (t4 + t100);
-        let t103 = ST - t102;
+        let t101 = t8 - t4;
+        let t103 = ST + (t100 - t101);
         let t107 = t42 * ((ITxz + (self.w * SF)) + (self.c * t103));
         let t118 = (t41 * (t58 + t60)) - ((mu * ((t69 + t77) + t80)) + (t52 * t100));
         let t121 = (t42 * t88) - (mu * t118);
@@ -360,10 +360,11 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t123 = t42 * t103;
         let t126 = t42 * ((t52 * SF) - t118);
         let t127 = -((mu * ST) + (t41 * SF));
+        let t128 = t101 - t100;
         WhippleMatrices {
             m: [[ITxx, t55], [t55, t92]],
             c1: [[::carvallo::Number::like(self.w, 0.0), t107], [t127, t121]],
-            k0: [[t102, t118], [t118, t122]],
+            k0: [[t128, t118], [t118, t122]],
             k2: [
                 [::carvallo::Number::like(self.w, 0.0), t123],
                 [::carvallo::Number::like(self.w, 0.0), t126],
@@ -1177,9 +1178,9 @@ impl WhippleDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
@@ -1233,7 +1234,7 @@ impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 155 additions, 258 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 419 operations.
+    /// 158 additions, 260 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 424 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1278,8 +1279,8 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t101 = self.IRyy * t100;
         let ST = SF + t101;
         let t103 = t10 - t6;
-        let t105 = (t21 - t17) - t103;
-        let t106 = ST - t105;
+        let t104 = t21 - t17;
+        let t106 = ST + (t103 - t104);
         let t109 = (ITxz + (self.w * SF)) + (self.c * t106);
         let t110 = t53 * t109;
         let t111 = t28 * SF;
@@ -1294,171 +1295,178 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t129 = t53 * t128;
         let t130 = t6 * t28;
         let t132 = t52 * t53;
-        let t133 = self.c * t132;
-        let t136 = (t130 + (t10 * mu)) - (ITxz * t133);
-        let t137 = t40 + t40;
-        let t139 = t35 * t85;
-        let t143 = ((t130 * t137) + (self.mH * t139)) + (t85 * t87);
-        let t144 = t28 * t62;
-        let IAlz_w = ((t10 * t40) - t144) - (t28 * t60);
-        let t149 = mu + mu;
+        let t133 = self.c * ITxz;
+        let t136 = (t130 + (t10 * mu)) - (t132 * t133);
+        let t137 = t28 * t62;
+        let t138 = mu + mu;
+        let t140 = t40 + t40;
+        let t142 = t35 * t85;
+        let t147 = (((t130 * t140) + (self.mH * t142)) + (t85 * t87)) - (t137 * t138);
+        let t149 = t10 * t40;
+        let IAlz_w = t149 - (t28 * t60);
         let M22_mu = t80 + t80;
+        let t153 = self.c * M22_mu;
         let ITzz_w = t69 + t69;
         let M22_ITzz = mu * mu;
-        let t158 = ((t143 + (IAlz_w * t149)) + (ITzz_w * M22_ITzz)) - (t133 * M22_mu);
-        let t162 = (t53 * (t10 + SF)) - (t109 * t132);
-        let t163 = ST * t133;
-        let t164 = self.mH * t28;
-        let t168 = (t164 + (t115 * t133)) - (self.mF * mu);
+        let t160 = ((t147 + (t138 * IAlz_w)) + (ITzz_w * M22_ITzz)) - (t132 * t153);
+        let t164 = (t53 * (t10 + SF)) - (t109 * t132);
+        let t165 = self.c * ST;
+        let t166 = t132 * t165;
+        let t167 = t53 * t137;
+        let t168 = self.mH * t28;
+        let t170 = self.c * t115;
+        let t173 = (t168 + (t132 * t170)) - (self.mF * mu);
         let C122_mu = (t53 * ITzz) - t121;
+        let t179 = t80 + (self.c * C122_mu);
         let C122_ITzz = t53 * mu;
-        let t180 = ((((t53 * IAlz_w) + (ITzz_w * C122_ITzz)) - (mu * t168))
-            - (t80 * t132)) - (t133 * C122_mu);
-        let t181 = t40 * t168;
-        let t182 = t106 * t132;
-        let t185 = (t53 * t168) + (t128 * t132);
-        let t186 = t10 * t28;
-        let t189 = (t130 + (ITxz * t53)) - t186;
-        let t190 = t28 * self.w;
-        let t192 = t144 + (self.mF * t190);
-        let t195 = self.c * t85;
-        let t203 = ((((t143 + (self.mF * t195)) + (t53 * M22_mu)) + (t60 * t85))
-            - (t149 * t192)) - (t137 * t186);
-        let t204 = t53 * ST;
-        let t208 = (t164 + (self.mF * t28)) - (t53 * t115);
-        let t212 = (t53 * (C122_mu - t192)) - (mu * t208);
-        let t213 = t40 * t208;
-        let t214 = t53 * t208;
-        let t216 = t40 * t52;
-        let t217 = self.c * t216;
-        let t219 = t38 * t40;
-        let t221 = ((t14 * t28) - (ITxz * t217)) - t219;
+        let t186 = ((((t53 * IAlz_w) + (ITzz_w * C122_ITzz)) - t167) - (mu * t173))
+            - (t132 * t179);
+        let t187 = t40 * t173;
+        let t188 = t106 * t132;
+        let t191 = (t53 * t173) + (t128 * t132);
+        let t192 = t10 * t28;
+        let t195 = (t130 + (ITxz * t53)) - t192;
+        let t197 = t28 * self.w;
+        let t200 = (self.c * t85) - (t138 * t197);
+        let t207 = (((t147 + (self.mF * t200)) + (t53 * M22_mu)) + (t60 * t85))
+            - (t140 * t192);
+        let t208 = t53 * ST;
+        let t212 = (t168 + (self.mF * t28)) - (t53 * t115);
+        let t214 = t53 * t197;
+        let t219 = (((t53 * C122_mu) - t167) - (mu * t212)) - (self.mF * t214);
+        let t220 = t40 * t212;
+        let t221 = t53 * t212;
+        let t222 = t38 * t40;
+        let t224 = t40 * t52;
+        let t227 = ((t14 * t28) - t222) - (t133 * t224);
+        let t228 = t28 * t40;
         let IAlz_lam = (t28 * t47) - (t40 * t65);
-        let t234 = (((t149 * IAlz_lam) + (t28 * (t42 + t42)))
-            - (t137 * (t219 + (t28 * t90)))) - (M22_mu * t217);
-        let t235 = t109 * t216;
-        let t237 = t127 + (ST * t217);
-        let t242 = ((t115 * t217) - (t28 * t103)) - (t40 * t118);
-        let t249 = (((t53 * IAlz_lam) - (mu * t242)) - (t80 * t216)) - (C122_mu * t217);
-        let t252 = (t40 * t242) + (t28 * t121);
-        let t253 = t106 * t216;
-        let t257 = (t53 * (t111 - t242)) - (t128 * t216);
-        let t258 = t17 + t17;
-        let t259 = t100 * t101;
-        let t260 = self.mR - t259;
-        let t261 = mu * t260;
-        let t262 = mu * t259;
-        let t263 = t53 * t260;
-        let t264 = self.rR * self.rR;
-        let t265 = self.rR * mu;
-        let t266 = self.rR * t53;
-        let t268 = mu * t100;
-        let t269 = t53 * t100;
-        let t270 = t21 * mu;
+        let t242 = ((((t138 * IAlz_lam) + (t28 * (t42 + t42))) - (t90 * (t228 + t228)))
+            - (t140 * t222)) - (t153 * t224);
+        let t243 = t109 * t224;
+        let t245 = t127 + (t165 * t224);
+        let t250 = ((t170 * t224) - (t28 * t103)) - (t40 * t118);
+        let t255 = ((t53 * IAlz_lam) - (mu * t250)) - (t179 * t224);
+        let t258 = (t40 * t250) + (t28 * t121);
+        let t259 = t106 * t224;
+        let t263 = (t53 * (t111 - t250)) - (t128 * t224);
+        let t264 = t17 + t17;
+        let t265 = t100 * t101;
+        let t266 = self.mR - t265;
+        let t267 = mu * t266;
+        let t268 = mu * t265;
+        let t269 = t53 * t266;
+        let t270 = self.rR * self.rR;
+        let t271 = self.rR * mu;
+        let t272 = self.rR * t53;
+        let t274 = mu * t100;
+        let t275 = t53 * t100;
+        let t276 = t21 * mu;
         let ITzz_xB = t71 + t71;
-        let t272 = M22_ITzz * ITzz_xB;
-        let t273 = t21 * t53;
-        let t274 = self.mB * mu;
-        let t277 = (mu * t274) + (C122_ITzz * ITzz_xB);
-        let t278 = t40 * t274;
-        let t279 = t53 * t274;
-        let t280 = t21 + t21;
-        let t281 = self.xB * mu;
-        let t282 = self.mB * t281;
-        let t284 = mu + (self.xB * t53);
-        let t285 = self.mB * t284;
-        let t286 = self.mB * t53;
-        let t287 = self.zB * self.zB;
-        let t288 = self.zB * t281;
+        let t278 = M22_ITzz * ITzz_xB;
+        let t279 = t21 * t53;
+        let t280 = self.mB * mu;
+        let t283 = (mu * t280) + (C122_ITzz * ITzz_xB);
+        let t284 = t40 * t280;
+        let t285 = t53 * t280;
+        let t286 = t21 + t21;
+        let t287 = self.xB * mu;
+        let t288 = self.mB * t287;
+        let t290 = mu + (self.xB * t53);
+        let t291 = self.mB * t290;
+        let t292 = self.mB * t53;
+        let t293 = self.zB * self.zB;
+        let t294 = self.zB * t287;
         let ITzz_mB = self.xB * self.xB;
-        let t290 = M22_ITzz * ITzz_mB;
-        let t291 = self.zB * t284;
-        let t294 = (mu * t281) + (C122_ITzz * ITzz_mB);
-        let t295 = t40 * t281;
-        let t296 = self.zB * t53;
-        let t297 = t53 * t281;
-        let t299 = t130 + (t6 * mu);
-        let t301 = t28 * t35;
-        let IAlz_xH = (t144 - (t6 * t40)) - (self.mH * t301);
-        let ITzz_xH = t62 + t62;
-        let t309 = ((t149 * IAlz_xH) + (M22_ITzz * ITzz_xH)) - t143;
-        let t310 = t6 * t53;
-        let t312 = t164 + (self.mH * mu);
-        let t317 = ((mu * t312) + (t53 * IAlz_xH)) + (C122_ITzz * ITzz_xH);
-        let t318 = t40 * t312;
-        let t319 = t53 * t312;
-        let t320 = t6 + t6;
-        let t322 = t301 - (self.xH * mu);
-        let t325 = (self.mH * t322) + (t40 * t320);
-        let t326 = self.xH * t40;
-        let t327 = self.mH * t326;
-        let t329 = t137 * t301;
-        let t331 = t40 * t40;
-        let t334 = ((self.mH * t329) + (t320 * t331)) - (t149 * t327);
-        let t336 = mu + (self.xH * t53);
-        let t337 = self.mH * t336;
-        let t338 = self.mH * t40;
-        let t341 = (mu * t338) + (t53 * t327);
-        let t342 = t40 * t338;
-        let t343 = self.mH * t53;
-        let t344 = t53 * t338;
-        let t345 = self.zH * self.zH;
-        let t348 = (self.zH * t322) + (t40 * t345);
-        let t351 = (self.xH * t301) + (self.zH * t326);
-        let ITzz_mH = self.xH * self.xH;
-        let t361 = ((((self.zH * t329) + (t35 * t139)) + (t331 * t345))
-            + (M22_ITzz * ITzz_mH)) - (t149 * t351);
-        let t362 = self.zH * t336;
-        let t364 = t322 + (self.zH * t40);
-        let t369 = ((C122_ITzz * ITzz_mH) - (mu * t364)) - (t53 * t351);
-        let t370 = t40 * t364;
-        let t371 = self.zH * t53;
-        let t372 = t53 * t364;
-        let t375 = M22_ITzz + (t28 * (t28 + t149));
-        let t377 = C122_ITzz + (t28 * t53);
-        let t378 = t28 + mu;
-        let t379 = t137 * t378;
+        let t296 = M22_ITzz * ITzz_mB;
+        let t297 = self.zB * t290;
+        let t300 = (mu * t287) + (C122_ITzz * ITzz_mB);
+        let t301 = t40 * t287;
+        let t302 = self.zB * t53;
+        let t303 = t53 * t287;
+        let t305 = t130 + (t6 * mu);
+        let t306 = t6 * t40;
+        let t308 = t28 * t35;
+        let t311 = (self.xH * M22_ITzz) - (t138 * t308);
+        let t316 = (((self.mH * t311) + (t62 * M22_ITzz)) - t147) - (t138 * t306);
+        let t317 = t6 * t53;
+        let t319 = t168 + (self.mH * mu);
+        let t323 = (self.xH * C122_ITzz) - (t53 * t308);
+        let t330 = (((t167 + (mu * t319)) + (self.mH * t323)) + (t62 * C122_ITzz))
+            - (t53 * t306);
+        let t331 = t40 * t319;
+        let t332 = t53 * t319;
+        let t333 = t6 + t6;
+        let t337 = (t308 + (self.zH * t40)) - (self.xH * mu);
+        let t339 = t306 + (self.mH * t337);
+        let t340 = self.xH * t40;
+        let t343 = t40 * t40;
+        let t346 = ((t140 * t308) + (self.zH * t343)) - (t138 * t340);
+        let t349 = (self.mH * t346) + (t6 * t343);
+        let t351 = mu + (self.xH * t53);
+        let t352 = self.mH * t351;
+        let t353 = self.mH * t40;
+        let t355 = t53 * t340;
+        let t357 = (mu * t353) + (self.mH * t355);
+        let t358 = t40 * t353;
+        let t359 = self.mH * t53;
+        let t360 = t53 * t353;
+        let t361 = self.zH * self.zH;
+        let t362 = self.zH * t337;
+        let t367 = ((self.xH * t311) + (self.zH * t346)) + (t35 * t142);
+        let t368 = self.zH * t351;
+        let t373 = ((self.xH * t323) - (mu * t337)) - (self.zH * t355);
+        let t374 = t40 * t337;
+        let t375 = self.zH * t53;
+        let t376 = t53 * t337;
+        let t379 = (t85 + M22_ITzz) + (t28 * t138);
+        let t381 = C122_ITzz + (t28 * t53);
+        let t382 = t28 + mu;
+        let t384 = t228 + (t40 * mu);
+        let t385 = t384 + t384;
         let K222_SF = t40 * t53;
-        let t381 = t10 + t10;
-        let t382 = t40 * t381;
-        let t383 = self.w * t40;
-        let IAlz_rF = self.mF * t383;
-        let t386 = t28 * self.c;
-        let t387 = t137 * t386;
-        let t391 = ((t149 * IAlz_rF) + (t331 * t381)) - (self.mF * t387);
+        let t387 = t10 + t10;
+        let t388 = self.rF * t40;
+        let t389 = t28 * self.c;
+        let t391 = t389 - (self.w * mu);
+        let t392 = t388 - t391;
+        let t394 = t149 + (self.mF * t392);
+        let t395 = self.w * t40;
+        let t400 = ((t138 * t395) + (self.rF * t343)) - (t140 * t389);
+        let t403 = (self.mF * t400) + (t10 * t343);
         let C112_SF = mu + (self.w * t53);
-        let t395 = t96 * SF;
-        let t397 = (self.mF * C112_SF) - (C112_SF * t395);
-        let t398 = t378 * t395;
-        let t399 = self.mF * t40;
-        let t402 = (mu * t399) + (t53 * IAlz_rF);
-        let t403 = t40 * t399;
-        let t405 = t53 * (self.mF - t395);
-        let t408 = (t53 * t399) - (K222_SF * t395);
-        let t409 = self.rF * self.rF;
-        let t410 = t40 * t409;
-        let IAlz_mF = (self.rF * t383) - (self.c * t190);
-        let t414 = mu * IAlz_mF;
+        let t407 = t96 * SF;
+        let t409 = (self.mF * C112_SF) - (C112_SF * t407);
+        let t410 = t382 * t407;
+        let t411 = self.mF * t40;
+        let t413 = t53 * t395;
+        let t415 = (mu * t411) + (self.mF * t413);
+        let t416 = t40 * t411;
+        let t418 = t53 * (self.mF - t407);
+        let t421 = (t53 * t411) - (K222_SF * t407);
+        let t422 = self.rF * self.rF;
+        let t423 = self.rF * t392;
         let ITzz_mF = self.w * self.w;
-        let t424 = ((((t414 + t414) + (self.c * t195)) + (t331 * t409))
-            + (M22_ITzz * ITzz_mF)) - (self.rF * t387);
-        let t425 = self.rF * C112_SF;
-        let t429 = (t386 - (self.w * mu)) - (self.rF * t40);
-        let t434 = ((t53 * IAlz_mF) + (C122_ITzz * ITzz_mF)) - (mu * t429);
-        let t435 = t40 * t429;
-        let t436 = self.rF * t53;
-        let t437 = t53 * t429;
-        let t438 = t331 + t375;
-        let t439 = t96 * C112_SF;
-        let t440 = t96 * t378;
-        let t441 = t53 * t96;
-        let t442 = t96 * K222_SF;
-        let t443 = -(t111 + (mu * ST));
+        let t429 = ((self.c * t200) + (self.rF * t400)) + (M22_ITzz * ITzz_mF);
+        let t430 = self.rF * C112_SF;
+        let t437 = (((mu * t392) + (self.rF * t413)) + (C122_ITzz * ITzz_mF))
+            - (self.c * t214);
+        let t438 = t40 * t392;
+        let t439 = self.rF * t53;
+        let t440 = t53 * t392;
+        let t441 = t343 + t379;
+        let t442 = t96 * C112_SF;
+        let t443 = t96 * t382;
+        let t444 = t53 * t96;
+        let t445 = t96 * K222_SF;
+        let t446 = -(t111 + (mu * ST));
+        let t447 = t104 - t103;
+        let t448 = t391 - t388;
         (
             WhippleMatrices {
                 m: [[t26, t56], [t56, t93]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t110], [t443, t124]],
-                k0: [[t105, t121], [t121, t125]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t110], [t446, t124]],
+                k0: [[t447, t121], [t121, t125]],
                 k2: [
                     [::carvallo::Number::like(self.w, 0.0), t126],
                     [::carvallo::Number::like(self.w, 0.0), t129],
@@ -1467,129 +1475,129 @@ impl<T: ::carvallo::Number> Whipple<T> {
             WhippleDerivatives {
                 values: [
                     t136,
-                    t158,
-                    t162,
-                    t163,
-                    t180,
-                    t168,
-                    t181,
-                    t182,
-                    t185,
-                    t189,
-                    t203,
+                    t160,
+                    t164,
+                    t166,
+                    t186,
+                    t173,
+                    t187,
+                    t188,
+                    t191,
+                    t195,
+                    t207,
                     t126,
-                    t204,
-                    t212,
                     t208,
-                    t213,
-                    t214,
+                    t219,
+                    t212,
+                    t220,
                     t221,
-                    t234,
-                    t235,
-                    t237,
-                    t249,
+                    t227,
                     t242,
-                    t252,
-                    t253,
-                    t257,
+                    t243,
+                    t245,
+                    t255,
+                    t250,
                     t258,
-                    t261,
-                    t262,
-                    self.mR,
+                    t259,
                     t263,
                     t264,
-                    t265,
+                    t267,
+                    t268,
+                    self.mR,
+                    t269,
+                    t270,
+                    t271,
                     self.rR,
-                    t266,
+                    t272,
                     ::carvallo::Number::like(self.w, 1.0),
                     M22_ITzz,
                     C122_ITzz,
-                    t268,
-                    t269,
-                    t270,
-                    t272,
-                    t273,
-                    t277,
                     t274,
+                    t275,
+                    t276,
                     t278,
                     t279,
+                    t283,
                     t280,
-                    t282,
+                    t284,
                     t285,
-                    self.mB,
                     t286,
-                    t287,
                     t288,
-                    t290,
                     t291,
+                    self.mB,
+                    t292,
+                    t293,
                     t294,
-                    self.zB,
-                    t281,
-                    t295,
                     t296,
                     t297,
+                    t300,
+                    self.zB,
+                    t287,
+                    t301,
+                    t302,
+                    t303,
                     mu,
                     t53,
-                    t299,
-                    t309,
-                    t310,
+                    t305,
+                    t316,
                     t317,
-                    t312,
-                    t318,
+                    t330,
                     t319,
-                    t320,
-                    t325,
-                    t334,
-                    t337,
-                    t341,
+                    t331,
+                    t332,
+                    t333,
+                    t339,
+                    t349,
+                    t352,
+                    t357,
                     self.mH,
-                    t338,
-                    t342,
-                    t343,
-                    t344,
-                    t345,
-                    t348,
+                    t353,
+                    t358,
+                    t359,
+                    t360,
                     t361,
                     t362,
-                    t369,
+                    t367,
+                    t368,
+                    t373,
                     self.zH,
-                    t364,
-                    t370,
-                    t371,
-                    t372,
-                    t40,
-                    t331,
+                    t337,
+                    t374,
                     t375,
-                    t377,
-                    t378,
+                    t376,
+                    t40,
+                    t343,
                     t379,
-                    K222_SF,
                     t381,
                     t382,
-                    t391,
-                    t397,
-                    t398,
-                    t402,
-                    self.mF,
-                    t399,
+                    t385,
+                    K222_SF,
+                    t387,
+                    t394,
                     t403,
-                    t405,
-                    t408,
                     t409,
                     t410,
-                    t424,
-                    t425,
-                    t434,
-                    self.rF,
+                    t415,
+                    self.mF,
+                    t411,
+                    t416,
+                    t418,
+                    t421,
+                    t422,
+                    t423,
                     t429,
-                    t435,
-                    t436,
+                    t430,
                     t437,
+                    self.rF,
+                    t448,
                     t438,
                     t439,
                     t440,
                     t441,
                     t442,
+                    t443,
+                    t444,
+                    t445,
                 ],
             },
         )

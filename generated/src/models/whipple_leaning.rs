@@ -369,7 +369,7 @@ pub struct WhippleLeaningMatrices<T = ::core::primitive::f64> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
-    /// 61 additions, 59 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 128 operations.
+    /// 62 additions, 60 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 130 operations.
     ///
     /// The parameters are not validated.
     #[inline(always)]
@@ -405,13 +405,12 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         let t85 = self.IFxx + self.IHzz;
         let hz_delta = (t42 * Jxz_delta)
             + (t54 * (((t50 * t80) + (self.c * t82)) + t85));
-        let t93 = (t42 * Sz_delta) + (t54 * (t80 + t82));
+        let t91 = t80 + t82;
+        let t93 = (t42 * Sz_delta) + (t54 * t91);
         let M_yaw_delta = hz_delta - (t49 * t93);
         let t98 = self.mB * self.xB;
-        let t100 = self.mH * self.xH;
-        let t102 = self.mF * self.w;
         let t110 = (((((self.IRxx + t85) + self.IBzz) + self.IUzz) + (self.xB * t98))
-            + (self.xH * t100)) + (self.w * t102);
+            + ((self.mH * self.xH) * self.xH)) + ((self.mF * self.w) * self.w);
         let P_delta_yaw = M_yaw_delta + (yaw_by_delta * (t110 + (self.xU * Sx_theta)));
         let t119 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t42 * hx_delta))
             + (t54 * hz_delta);
@@ -422,17 +421,17 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         let t131 = h_wheels_all - Sz_all;
         let t134 = t54 * h_spin_F;
         let t136 = ((yaw_by_delta * t131) + (yaw_per_v_delta * Jxz_all)) + t134;
-        let Sx_all = ((Sx_theta + t98) + t100) + t102;
-        let t142 = yaw_by_delta * Sx_all;
-        let P_delta_lateral = t142 - t93;
-        let t146 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t149 = (yaw_per_v_delta * Jxz_theta) - (Sz_theta * yaw_by_delta);
-        let t152 = yaw_per_v_delta * t131;
-        let t155 = yaw_per_v_delta * (P_delta_lateral + (t42 * h_spin_F));
-        let t157 = -(t134 + (yaw_by_delta * h_wheels_all));
-        let t158 = t93 - t142;
-        let t159 = -(t42 * P_delta_lateral);
-        let t160 = -(Sz_theta * yaw_per_v_delta);
+        let Sx_all = ((Sx_theta + t98) + (t49 * (self.mH + self.mF))) - t91;
+        let t144 = yaw_by_delta * Sx_all;
+        let P_delta_lateral = t144 - t93;
+        let t148 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t151 = (yaw_per_v_delta * Jxz_theta) - (Sz_theta * yaw_by_delta);
+        let t154 = yaw_per_v_delta * t131;
+        let t157 = yaw_per_v_delta * (P_delta_lateral + (t42 * h_spin_F));
+        let t159 = -(t134 + (yaw_by_delta * h_wheels_all));
+        let t160 = t93 - t144;
+        let t161 = -(t42 * P_delta_lateral);
+        let t162 = -(Sz_theta * yaw_per_v_delta);
         WhippleLeaningMatrices {
             m: [
                 [t40, t76, M_phi_theta],
@@ -462,10 +461,10 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                     t136,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
-                [t157, t146, ::carvallo::Number::like(self.w, 0.0)],
+                [t159, t148, ::carvallo::Number::like(self.w, 0.0)],
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t149,
+                    t151,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
             ],
@@ -487,24 +486,24 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                 ],
             ],
             k0: [
-                [Sz_all, t158, Sz_theta],
-                [t158, t159, ::carvallo::Number::like(self.w, 0.0)],
+                [Sz_all, t160, Sz_theta],
+                [t160, t161, ::carvallo::Number::like(self.w, 0.0)],
                 [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
             ],
             k2: [
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t152,
+                    t154,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t155,
+                    t157,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
                 [
                     ::carvallo::Number::like(self.w, 0.0),
-                    t160,
+                    t162,
                     ::carvallo::Number::like(self.w, 0.0),
                 ],
             ],
@@ -1443,8 +1442,8 @@ impl WhippleLeaningDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 1, 18).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 19),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 19),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 20).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 21),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 20),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 21).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 22),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 22),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 23),
@@ -1574,9 +1573,9 @@ impl WhippleLeaningDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 122).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 123),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 123),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 124).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 124),
         ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 125),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 126),
+        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 126).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 43),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 99),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 99),
@@ -1707,7 +1706,7 @@ impl<T: ::carvallo::Scalar> WhippleLeaningDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 195 additions, 315 multiplications, 3 divisions, 4 negations and 2 trigonometric functions: 519 operations.
+    /// 196 additions, 308 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 511 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1773,89 +1772,97 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t137,
             t139,
             Sx_all,
-            t147,
             t149,
             t151,
-            t152,
+            t153,
             t154,
-            t155,
             t156,
-            K222_yaw_per_v_delta,
+            t157,
             t158,
-            t159,
-            C112_h_spin_F,
+            K222_yaw_per_v_delta,
+            t160,
             t161,
+            C112_h_spin_F,
             t163,
-            t164,
             t165,
-            t167,
-            t168,
-            M22_hz_delta,
+            t166,
+            M12_yaw_per_v_delta,
+            t169,
+            t170,
             M22_Jxz_delta,
             t173,
-            t174,
             t176,
+            t178,
             t179,
+            t180,
+            t181,
             t182,
-            t184,
+            t183,
+            M_yaw_delta_w,
             t185,
             P_delta_yaw_w,
+            t188,
             M22_yaw_by_delta,
             M22_yaw_per_v_delta,
-            t194,
+            t195,
             P_delta_theta_yaw_per_v_delta,
-            t196,
             t197,
-            t199,
+            t198,
+            t200,
             C112_yaw_per_v_delta,
-            t203,
             t204,
             t205,
-            K222_h_spin_F,
+            t206,
             t209,
             t212,
-            t214,
-            t217,
-            t220,
             C122_yaw_by_delta,
             C122_yaw_per_v_delta,
-            t229,
+            t220,
             C132_yaw_per_v_delta,
+            t223,
+            t224,
+            t225,
+            t228,
+            t229,
             t232,
-            t233,
             t234,
-            t237,
-            t238,
-            t241,
-            t244,
-            t246,
             hz_delta_c,
+            t238,
+            t240,
+            M_yaw_delta_c,
+            t251,
             t254,
-            t257,
-            t258,
+            t255,
+            t259,
+            t261,
             t262,
             t263,
-            P_delta_lateral_c,
-            t270,
-            t271,
-            t272,
             hx_delta_lam,
-            t275,
-            t277,
-            t283,
+            t266,
+            t268,
             hz_delta_lam,
-            t293,
+            t273,
+            M_yaw_delta_lam,
+            t286,
+            t287,
+            t289,
+            t291,
             t294,
-            t296,
             t298,
-            t301,
+            t299,
+            t302,
+            t303,
             t307,
             t308,
+            t309,
+            t310,
             t311,
             t312,
+            t313,
+            t314,
+            t315,
             t316,
             t317,
-            t318,
             t319,
             t320,
             t321,
@@ -1863,110 +1870,102 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
             t323,
             t324,
             t325,
-            t326,
+            P_delta_yaw_xB,
             t328,
             t329,
-            t330,
             t331,
-            t332,
             t333,
             t334,
-            P_delta_yaw_xB,
-            t337,
+            t335,
+            t336,
             t338,
+            t339,
             t340,
+            t341,
             t342,
-            t343,
+            P_delta_yaw_mB,
             t344,
             t345,
-            t347,
             t348,
             t349,
             t350,
             t351,
-            P_delta_yaw_mB,
-            t353,
-            t354,
-            t357,
-            t358,
-            t359,
-            t360,
-            t361,
-            t362,
+            M_yaw_delta_xH,
             P_delta_yaw_xH,
-            t367,
-            t368,
+            t355,
+            t358,
             P_delta_lateral_xH,
+            t363,
+            t364,
+            t365,
+            t366,
+            t367,
+            t369,
+            t371,
+            t373,
+            t374,
             t376,
-            t377,
-            t378,
-            t379,
-            t380,
-            t381,
-            t384,
-            t387,
-            t388,
+            M_yaw_delta_zH,
             M22_Jxx_delta,
-            t393,
+            t383,
+            t387,
+            t389,
+            t391,
+            t392,
+            t395,
             t396,
+            t397,
             t398,
             t399,
             t400,
-            t401,
-            t403,
-            t405,
-            t407,
-            t408,
-            t409,
-            t410,
-            t411,
-            t412,
             hz_delta_mH,
-            t420,
+            t404,
+            M_yaw_delta_mH,
+            P_delta_yaw_mH,
+            t410,
+            t414,
+            t415,
+            t419,
             t421,
-            t426,
+            t422,
+            t423,
+            t424,
+            t428,
+            t430,
             t432,
-            t433,
+            K222_h_spin_F,
             t434,
-            t435,
-            t437,
+            t436,
             t438,
-            t439,
+            t440,
             t441,
             t443,
-            t446,
-            t450,
+            M_yaw_delta_rF,
+            t449,
             t453,
             t454,
             t456,
             t457,
             t458,
-            t460,
-            P_delta_lateral_rF,
+            t461,
+            t462,
             t464,
-            t465,
             t467,
-            t470,
-            t471,
-            t472,
-            P_delta_yaw_mF,
+            t468,
+            t469,
             hz_delta_mF,
-            t481,
-            t482,
-            t487,
+            t473,
+            M_yaw_delta_mF,
+            P_delta_yaw_mF,
+            t479,
+            t483,
+            t484,
+            t488,
+            t490,
+            t491,
             t492,
+            t493,
             t494,
-            t496,
-            t497,
-            t498,
-            t499,
-            t500,
-            t501,
-            t502,
-            t503,
-            t505,
-            t506,
-            t507,
         );
         t5 = self.zU - self.zP;
         Sz_theta = t5 * self.mU;
@@ -2005,11 +2004,11 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t94 = t84 + t86;
         t96 = (t42 * Sz_delta) + (t54 * t94);
         M_yaw_delta = hz_delta - (t48 * t96);
-        t101 = self.mF * self.w;
-        t103 = self.mB * self.xB;
-        t105 = self.mH * self.xH;
-        t113 = (((((self.IRxx + t83) + self.IBzz) + self.IUzz) + (self.w * t101))
-            + (self.xB * t103)) + (self.xH * t105);
+        t101 = self.mB * self.xB;
+        t103 = self.xH * self.xH;
+        t105 = self.w * self.w;
+        t113 = (((((self.IRxx + t83) + self.IBzz) + self.IUzz) + (self.xB * t101))
+            + (self.mH * t103)) + (self.mF * t105);
         P_delta_yaw_yaw_by_delta = t113 + (self.xU * Sx_theta);
         t115 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
         P_delta_yaw = M_yaw_delta + t115;
@@ -2026,284 +2025,293 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t135 = h_wheels_all - Sz_all;
         t137 = yaw_per_v_delta * Jxz_all;
         t139 = (t127 + (yaw_by_delta * t135)) + t137;
-        Sx_all = ((Sx_theta + t101) + t103) + t105;
-        t147 = t96 - (yaw_by_delta * Sx_all);
-        t149 = (yaw_per_v_delta * P_delta_yaw) - (yaw_by_delta * t147);
-        t151 = yaw_per_v_delta * Jxz_theta;
-        t152 = t151 - (Sz_theta * yaw_by_delta);
-        t154 = t42 * t147;
-        t155 = yaw_per_v_delta * t135;
-        t156 = t42 * h_spin_F;
-        K222_yaw_per_v_delta = t156 - t147;
-        t158 = yaw_per_v_delta * K222_yaw_per_v_delta;
-        t159 = Sz_theta * yaw_per_v_delta;
+        Sx_all = ((Sx_theta + t101) + (t48 * (self.mH + self.mF))) - t94;
+        t149 = t96 - (yaw_by_delta * Sx_all);
+        t151 = (yaw_per_v_delta * P_delta_yaw) - (yaw_by_delta * t149);
+        t153 = yaw_per_v_delta * Jxz_theta;
+        t154 = t153 - (Sz_theta * yaw_by_delta);
+        t156 = t42 * t149;
+        t157 = yaw_per_v_delta * t135;
+        t158 = t42 * h_spin_F;
+        K222_yaw_per_v_delta = t158 - t149;
+        t160 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        t161 = Sz_theta * yaw_per_v_delta;
         C112_h_spin_F = t54 + yaw_by_delta;
-        t161 = t14 * C112_h_spin_F;
-        t163 = t161 - (yaw_by_delta * Sz_delta);
-        t164 = t57 * yaw_per_v_delta;
-        t165 = self.c * Jxz_all;
-        t167 = t163 - (t164 * t165);
-        t168 = yaw_by_delta + yaw_by_delta;
-        M22_hz_delta = t54 + t168;
-        M22_Jxz_delta = t42 * (t54 + M22_hz_delta);
-        t173 = self.mH * t54;
-        t174 = t48 * t168;
-        t176 = t50 * t54;
-        t179 = (self.mH * t176) + (t54 * t86);
-        t182 = ((t14 * M22_Jxz_delta) + (M22_hz_delta * t179)) - (t173 * t174);
-        t184 = t182 - (t96 * t168);
-        t185 = self.w * yaw_by_delta;
-        P_delta_yaw_w = (self.mF * t185) + (yaw_by_delta * t101);
+        t163 = t14 * C112_h_spin_F;
+        t165 = t163 - (yaw_by_delta * Sz_delta);
+        t166 = t57 * yaw_per_v_delta;
+        M12_yaw_per_v_delta = self.c * Jxz_all;
+        t169 = t165 - (t166 * M12_yaw_per_v_delta);
+        t170 = t42 * t54;
+        M22_Jxz_delta = t170 + t170;
+        t173 = t50 * t54;
+        t176 = (self.mH * t173) + (t54 * t86);
+        t178 = (t14 * M22_Jxz_delta) + (t54 * t176);
+        t179 = t14 * t42;
+        t180 = t176 + t179;
+        t181 = t180 - t96;
+        t182 = self.mH * t54;
+        t183 = t48 * t182;
+        M_yaw_delta_w = t181 - t183;
+        t185 = yaw_by_delta + yaw_by_delta;
+        P_delta_yaw_w = (self.mF * self.w) * t185;
+        t188 = M_yaw_delta_w + P_delta_yaw_w;
         M22_yaw_by_delta = t115 + t117;
         M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        t194 = (t184 + (yaw_by_delta * P_delta_yaw_w)) - (t164 * M22_yaw_per_v_delta);
+        t195 = (t178 + (yaw_by_delta * (M_yaw_delta_w + t188)))
+            - (t166 * M22_yaw_per_v_delta);
         P_delta_theta_yaw_per_v_delta = self.c * Jxz_theta;
-        t196 = t164 * P_delta_theta_yaw_per_v_delta;
-        t197 = t14 * yaw_per_v_delta;
-        t199 = t197 - (yaw_per_v_delta * Sz_delta);
+        t197 = t166 * P_delta_theta_yaw_per_v_delta;
+        t198 = t14 * yaw_per_v_delta;
+        t200 = t198 - (yaw_per_v_delta * Sz_delta);
         C112_yaw_per_v_delta = Jxz_all + (self.c * t135);
-        t203 = t199 - (t164 * C112_yaw_per_v_delta);
-        t204 = self.c * h_wheels_all;
-        t205 = t164 * t204;
-        K222_h_spin_F = t42 * yaw_per_v_delta;
-        t209 = t48 * yaw_per_v_delta;
-        t212 = ((t14 * K222_h_spin_F) + (yaw_per_v_delta * t179)) - (t173 * t209);
-        t214 = t212 - (yaw_per_v_delta * t96);
-        t217 = self.c * Sx_all;
-        t220 = (t173 + (t164 * t217)) - (self.mF * yaw_by_delta);
-        C122_yaw_by_delta = (yaw_per_v_delta * P_delta_yaw_yaw_by_delta) - t147;
+        t204 = t200 - (t166 * C112_yaw_per_v_delta);
+        t205 = self.c * h_wheels_all;
+        t206 = t166 * t205;
+        t209 = self.c * Sx_all;
+        t212 = (t182 + (t166 * t209)) - (self.mF * yaw_by_delta);
+        C122_yaw_by_delta = (yaw_per_v_delta * P_delta_yaw_yaw_by_delta) - t149;
         C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
-        t229 = ((t214 + (yaw_per_v_delta * P_delta_yaw_w)) - (yaw_by_delta * t220))
-            - (t164 * C122_yaw_per_v_delta);
+        t220 = ((yaw_per_v_delta * t188) - (yaw_by_delta * t212))
+            - (t166 * C122_yaw_per_v_delta);
         C132_yaw_per_v_delta = Jxz_theta - (Sz_theta * self.c);
-        t232 = t164 * C132_yaw_per_v_delta;
-        t233 = t42 * t220;
-        t234 = t135 * t164;
-        t237 = (yaw_per_v_delta * t220) + (K222_yaw_per_v_delta * t164);
-        t238 = Sz_theta * t164;
-        t241 = (t137 + t163) - (t18 * C112_h_spin_F);
-        t244 = self.mF * t54;
-        t246 = self.c * t54;
-        hz_delta_c = (self.mF * t246) + (t54 * t84);
-        t254 = (((t184 + (yaw_per_v_delta * M22_yaw_by_delta))
-            + (M22_hz_delta * hz_delta_c)) - (t18 * M22_Jxz_delta)) - (t174 * t244);
-        t257 = t199 + (yaw_per_v_delta * (t135 - t18));
-        t258 = yaw_per_v_delta * h_wheels_all;
-        t262 = yaw_per_v_delta * Sx_all;
-        t263 = t173 + t244;
-        P_delta_lateral_c = t262 - t263;
-        t270 = (((t214 + (yaw_per_v_delta * (C122_yaw_by_delta + hz_delta_c)))
-            + (yaw_by_delta * P_delta_lateral_c)) - (t18 * K222_h_spin_F))
-            - (t209 * t244);
-        t271 = t42 * P_delta_lateral_c;
-        t272 = yaw_per_v_delta * P_delta_lateral_c;
+        t223 = t166 * C132_yaw_per_v_delta;
+        t224 = t42 * t212;
+        t225 = t135 * t166;
+        t228 = (yaw_per_v_delta * t212) + (K222_yaw_per_v_delta * t166);
+        t229 = Sz_theta * t166;
+        t232 = (t137 + t165) - (t18 * C112_h_spin_F);
+        t234 = self.c * t54;
+        hz_delta_c = (self.mF * t234) + (t54 * t84);
+        t238 = t18 * t42;
+        t240 = t182 + (self.mF * t54);
+        M_yaw_delta_c = ((t181 + hz_delta_c) - t238) - (t48 * t240);
+        t251 = (((t178 + (t185 * M_yaw_delta_c)) + (t54 * hz_delta_c))
+            + (yaw_per_v_delta * M22_yaw_by_delta)) - (t18 * M22_Jxz_delta);
+        t254 = t200 + (yaw_per_v_delta * (t135 - t18));
+        t255 = yaw_per_v_delta * h_wheels_all;
+        t259 = t240 - (yaw_per_v_delta * Sx_all);
+        t261 = (yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c))
+            - (yaw_by_delta * t259);
+        t262 = t42 * t259;
+        t263 = yaw_per_v_delta * t259;
         hx_delta_lam = (Jxx_delta * t54) - t81;
-        t275 = t42 * t57;
-        t277 = hx_delta_lam - (t165 * t275);
-        t283 = (t54 * Sz_delta) - (t42 * t94);
+        t266 = t42 * t57;
+        t268 = hx_delta_lam - (M12_yaw_per_v_delta * t266);
         hz_delta_lam = t55 - (t42 * t89);
-        t293 = (((((t42 * hx_delta_lam) + (t54 * hx_delta))
-            + (M22_hz_delta * hz_delta_lam)) - (t42 * hz_delta)) - (t174 * t283))
-            - (M22_yaw_per_v_delta * t275);
-        t294 = P_delta_theta_yaw_per_v_delta * t275;
-        t296 = t156 + (C112_yaw_per_v_delta * t275);
-        t298 = t156 + (t204 * t275);
-        t301 = t283 + (t217 * t275);
-        t307 = (((yaw_per_v_delta * hz_delta_lam) - (yaw_by_delta * t301))
-            - (t209 * t283)) - (C122_yaw_per_v_delta * t275);
-        t308 = C132_yaw_per_v_delta * t275;
-        t311 = (t42 * t301) + (t54 * t147);
-        t312 = t135 * t275;
-        t316 = (yaw_per_v_delta * (t127 - t301)) - (K222_yaw_per_v_delta * t275);
-        t317 = Sz_theta * t275;
-        t318 = t25 + t25;
-        t319 = t129 * t130;
-        t320 = self.mR - t319;
-        t321 = yaw_by_delta * t320;
-        t322 = yaw_by_delta * t319;
-        t323 = yaw_per_v_delta * t320;
-        t324 = self.rR * self.rR;
-        t325 = self.rR * yaw_by_delta;
-        t326 = self.rR * yaw_per_v_delta;
-        t328 = yaw_by_delta * yaw_by_delta;
-        t329 = yaw_per_v_delta * yaw_by_delta;
-        t330 = yaw_by_delta * t129;
-        t331 = yaw_per_v_delta * t129;
-        t332 = t29 * yaw_by_delta;
-        t333 = yaw_by_delta * self.xB;
-        t334 = self.mB * t333;
-        P_delta_yaw_xB = t334 + (yaw_by_delta * t103);
-        t337 = yaw_by_delta * P_delta_yaw_xB;
-        t338 = t29 * yaw_per_v_delta;
-        t340 = self.mB * yaw_by_delta;
-        t342 = (yaw_per_v_delta * P_delta_yaw_xB) + (yaw_by_delta * t340);
-        t343 = t42 * t340;
-        t344 = yaw_per_v_delta * t340;
-        t345 = t29 + t29;
-        t347 = yaw_by_delta + (yaw_per_v_delta * self.xB);
-        t348 = self.mB * t347;
-        t349 = self.mB * yaw_per_v_delta;
-        t350 = self.zB * self.zB;
-        t351 = self.zB * t333;
-        P_delta_yaw_mB = self.xB * t333;
-        t353 = yaw_by_delta * P_delta_yaw_mB;
-        t354 = self.zB * t347;
-        t357 = (yaw_per_v_delta * P_delta_yaw_mB) + (yaw_by_delta * t333);
-        t358 = t42 * t333;
-        t359 = self.zB * yaw_per_v_delta;
-        t360 = yaw_per_v_delta * t333;
-        t361 = self.xH * yaw_by_delta;
-        t362 = yaw_by_delta * t361;
-        P_delta_yaw_xH = yaw_by_delta * t105;
-        t367 = ((self.mH * t362) + (yaw_by_delta * P_delta_yaw_xH)) - t182;
-        t368 = yaw_per_v_delta * t361;
-        P_delta_lateral_xH = t173 + (self.mH * yaw_by_delta);
-        t376 = (((self.mH * t368) + (yaw_per_v_delta * P_delta_yaw_xH))
-            + (yaw_by_delta * P_delta_lateral_xH)) - t212;
-        t377 = t42 * P_delta_lateral_xH;
-        t378 = yaw_per_v_delta * P_delta_lateral_xH;
-        t379 = t14 + t14;
-        t380 = t48 * yaw_by_delta;
-        t381 = self.zH * t42;
-        t384 = (t381 + (t50 * C112_h_spin_F)) - t380;
-        t387 = (self.mH * t384) + (t14 * t42);
-        t388 = t42 * t174;
+        t273 = (t54 * Sz_delta) - (t42 * t94);
+        M_yaw_delta_lam = hz_delta_lam - (t48 * t273);
+        t286 = (((((t185 * M_yaw_delta_lam) + (t42 * hx_delta_lam))
+            + (t54 * hz_delta_lam)) + (t54 * hx_delta)) - (t42 * hz_delta))
+            - (M22_yaw_per_v_delta * t266);
+        t287 = P_delta_theta_yaw_per_v_delta * t266;
+        t289 = t158 + (C112_yaw_per_v_delta * t266);
+        t291 = t158 + (t205 * t266);
+        t294 = t273 + (t209 * t266);
+        t298 = ((yaw_per_v_delta * M_yaw_delta_lam) - (yaw_by_delta * t294))
+            - (C122_yaw_per_v_delta * t266);
+        t299 = C132_yaw_per_v_delta * t266;
+        t302 = (t42 * t294) + (t54 * t149);
+        t303 = t135 * t266;
+        t307 = (yaw_per_v_delta * (t127 - t294)) - (K222_yaw_per_v_delta * t266);
+        t308 = Sz_theta * t266;
+        t309 = t25 + t25;
+        t310 = t129 * t130;
+        t311 = self.mR - t310;
+        t312 = yaw_by_delta * t311;
+        t313 = yaw_by_delta * t310;
+        t314 = yaw_per_v_delta * t311;
+        t315 = self.rR * self.rR;
+        t316 = self.rR * yaw_by_delta;
+        t317 = self.rR * yaw_per_v_delta;
+        t319 = yaw_by_delta * yaw_by_delta;
+        t320 = yaw_per_v_delta * yaw_by_delta;
+        t321 = yaw_by_delta * t129;
+        t322 = yaw_per_v_delta * t129;
+        t323 = t29 * yaw_by_delta;
+        t324 = yaw_by_delta * self.xB;
+        t325 = self.mB * t324;
+        P_delta_yaw_xB = t325 + (yaw_by_delta * t101);
+        t328 = yaw_by_delta * P_delta_yaw_xB;
+        t329 = t29 * yaw_per_v_delta;
+        t331 = self.mB * yaw_by_delta;
+        t333 = (yaw_per_v_delta * P_delta_yaw_xB) + (yaw_by_delta * t331);
+        t334 = t42 * t331;
+        t335 = yaw_per_v_delta * t331;
+        t336 = t29 + t29;
+        t338 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        t339 = self.mB * t338;
+        t340 = self.mB * yaw_per_v_delta;
+        t341 = self.zB * self.zB;
+        t342 = self.zB * t324;
+        P_delta_yaw_mB = self.xB * t324;
+        t344 = yaw_by_delta * P_delta_yaw_mB;
+        t345 = self.zB * t338;
+        t348 = (yaw_per_v_delta * P_delta_yaw_mB) + (yaw_by_delta * t324);
+        t349 = t42 * t324;
+        t350 = self.zB * yaw_per_v_delta;
+        t351 = yaw_per_v_delta * t324;
+        M_yaw_delta_xH = t183 - t180;
+        P_delta_yaw_xH = (self.mH * self.xH) * t185;
+        t355 = M_yaw_delta_xH + P_delta_yaw_xH;
+        t358 = (yaw_by_delta * (M_yaw_delta_xH + t355)) - t178;
+        P_delta_lateral_xH = t182 + (self.mH * yaw_by_delta);
+        t363 = (yaw_per_v_delta * t355) + (yaw_by_delta * P_delta_lateral_xH);
+        t364 = t42 * P_delta_lateral_xH;
+        t365 = yaw_per_v_delta * P_delta_lateral_xH;
+        t366 = t14 + t14;
+        t367 = t48 * yaw_by_delta;
+        t369 = self.zH * t42;
+        t371 = ((t50 * C112_h_spin_F) + t369) - t367;
+        t373 = t179 + (self.mH * t371);
+        t374 = self.mH * t42;
+        t376 = t42 * t50;
+        M_yaw_delta_zH = (self.mH * t376) - (t48 * t374);
         M22_Jxx_delta = t42 * t42;
-        t393 = ((self.zH * M22_Jxx_delta) + (t50 * M22_Jxz_delta)) - t388;
-        t396 = (self.mH * t393) + (t14 * M22_Jxx_delta);
-        t398 = yaw_by_delta + t209;
-        t399 = (t50 * yaw_per_v_delta) - t398;
-        t400 = self.mH * t399;
-        t401 = t42 * t209;
-        t403 = (t50 * K222_h_spin_F) - t401;
-        t405 = self.mH * t42;
-        t407 = (self.mH * t403) - (yaw_by_delta * t405);
-        t408 = t42 * t405;
-        t409 = self.mH * yaw_per_v_delta;
-        t410 = yaw_per_v_delta * t405;
-        t411 = self.zH * self.zH;
-        t412 = self.zH * t384;
-        hz_delta_mH = t50 * t176;
-        t420 = (((self.xH * t362) + (self.zH * t393)) + (M22_hz_delta * hz_delta_mH))
-            - (t174 * t176);
-        t421 = self.zH * t399;
-        t426 = (t176 + t381) - t361;
-        t432 = ((((self.xH * t368) + (self.zH * t403)) + (yaw_per_v_delta * hz_delta_mH))
-            - (yaw_by_delta * t426)) - (t176 * t209);
-        t433 = t42 * t426;
-        t434 = self.zH * yaw_per_v_delta;
-        t435 = yaw_per_v_delta * t426;
-        t437 = t328 + (t54 * M22_hz_delta);
-        t438 = yaw_per_v_delta * C112_h_spin_F;
-        t439 = t18 + t18;
-        t441 = self.rF * t42;
-        t443 = (t380 + t441) - (self.c * C112_h_spin_F);
-        t446 = (self.mF * t443) + (t18 * t42);
-        t450 = (t388 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
-        t453 = (self.mF * t450) + (t18 * M22_Jxx_delta);
-        t454 = t398 - yaw_by_delta;
+        t383 = (self.zH * M22_Jxx_delta) + (t50 * M22_Jxz_delta);
+        t387 = ((t185 * M_yaw_delta_zH) + (self.mH * t383)) + (t14 * M22_Jxx_delta);
+        t389 = yaw_by_delta + (t48 * yaw_per_v_delta);
+        t391 = (t50 * yaw_per_v_delta) - t389;
+        t392 = self.mH * t391;
+        t395 = (yaw_per_v_delta * M_yaw_delta_zH) - (yaw_by_delta * t374);
+        t396 = t42 * t374;
+        t397 = self.mH * yaw_per_v_delta;
+        t398 = yaw_per_v_delta * t374;
+        t399 = self.zH * self.zH;
+        t400 = self.zH * t371;
+        hz_delta_mH = t50 * t173;
+        t404 = t173 + t369;
+        M_yaw_delta_mH = (hz_delta_mH + (self.zH * t376)) - (t48 * t404);
+        P_delta_yaw_mH = yaw_by_delta * t103;
+        t410 = M_yaw_delta_mH + P_delta_yaw_mH;
+        t414 = ((self.zH * t383) + (t54 * hz_delta_mH))
+            + (yaw_by_delta * (M_yaw_delta_mH + t410));
+        t415 = self.zH * t391;
+        t419 = t404 - (yaw_by_delta * (t48 - t50));
+        t421 = (yaw_per_v_delta * t410) - (yaw_by_delta * t419);
+        t422 = t42 * t419;
+        t423 = self.zH * yaw_per_v_delta;
+        t424 = yaw_per_v_delta * t419;
+        t428 = (t319 + (t54 * t54)) + (t54 * t185);
+        t430 = t320 + (t54 * yaw_per_v_delta);
+        t432 = M22_Jxz_delta + (t42 * t185);
+        K222_h_spin_F = t42 * yaw_per_v_delta;
+        t434 = t18 + t18;
+        t436 = self.rF * t42;
+        t438 = (t367 + t436) - (self.c * C112_h_spin_F);
+        t440 = t238 + (self.mF * t438);
+        t441 = self.mF * t42;
+        t443 = t42 * self.c;
+        M_yaw_delta_rF = (t48 * t441) - (self.mF * t443);
+        t449 = (self.rF * M22_Jxx_delta) - (self.c * M22_Jxz_delta);
+        t453 = ((t185 * M_yaw_delta_rF) + (self.mF * t449)) + (t18 * M22_Jxx_delta);
+        t454 = t389 - yaw_by_delta;
         t456 = t125 * h_spin_F;
         t457 = C112_h_spin_F * t456;
         t458 = (self.mF * t454) - t457;
-        t460 = (self.c * K222_h_spin_F) - t401;
-        P_delta_lateral_rF = self.mF * t42;
-        t464 = (yaw_by_delta * P_delta_lateral_rF) - (self.mF * t460);
-        t465 = t42 * P_delta_lateral_rF;
-        t467 = yaw_per_v_delta * (self.mF - t456);
-        t470 = (yaw_per_v_delta * P_delta_lateral_rF) - (K222_h_spin_F * t456);
-        t471 = self.rF * self.rF;
-        t472 = self.rF * t443;
-        P_delta_yaw_mF = self.w * t185;
-        hz_delta_mF = self.c * t246;
-        t481 = (((self.rF * t450) + (yaw_by_delta * P_delta_yaw_mF))
-            + (M22_hz_delta * hz_delta_mF)) - (t174 * t246);
-        t482 = self.rF * t454;
-        t487 = (t246 - t185) - t441;
-        t492 = (((yaw_per_v_delta * (P_delta_yaw_mF + hz_delta_mF)) - (self.rF * t460))
-            - (yaw_by_delta * t487)) - (t209 * t246);
-        t494 = self.rF * yaw_per_v_delta;
-        t496 = M22_Jxx_delta + t437;
-        t497 = t125 * C112_h_spin_F;
-        t498 = yaw_per_v_delta * t125;
-        t499 = t125 * K222_h_spin_F;
-        t500 = Sz_theta + Sz_theta;
-        t501 = t31 + t500;
-        t502 = Sz_theta - t501;
-        t503 = yaw_by_delta * Sx_theta;
-        t505 = self.mU * yaw_by_delta;
-        t506 = (yaw_per_v_delta * Sx_theta) + t505;
-        t507 = self.mU * yaw_per_v_delta;
+        t461 = (yaw_by_delta * t441) + (yaw_per_v_delta * M_yaw_delta_rF);
+        t462 = t42 * t441;
+        t464 = yaw_per_v_delta * (self.mF - t456);
+        t467 = (yaw_per_v_delta * t441) - (K222_h_spin_F * t456);
+        t468 = self.rF * self.rF;
+        t469 = self.rF * t438;
+        hz_delta_mF = self.c * t234;
+        t473 = t234 - t436;
+        M_yaw_delta_mF = (hz_delta_mF - (t48 * t473)) - (self.rF * t443);
+        P_delta_yaw_mF = yaw_by_delta * t105;
+        t479 = M_yaw_delta_mF + P_delta_yaw_mF;
+        t483 = ((self.rF * t449) + (t54 * hz_delta_mF))
+            + (yaw_by_delta * (M_yaw_delta_mF + t479));
+        t484 = self.rF * t454;
+        t488 = t473 - (yaw_by_delta * (t48 - self.c));
+        t490 = (yaw_per_v_delta * t479) - (yaw_by_delta * t488);
+        t491 = t42 * t488;
+        t492 = self.rF * yaw_per_v_delta;
+        t493 = yaw_per_v_delta * t488;
+        t494 = M22_Jxx_delta + t428;
         let (
+            t495,
+            t496,
+            t497,
+            t498,
+            t499,
+            t500,
+            t501,
+            t502,
+            t504,
+            t505,
+            t506,
             Jxx_theta_mU,
-            t509,
+            t510,
+            t511,
             t512,
             t513,
-            t514,
-            t516,
             P_delta_yaw_Sx_theta,
             P_delta_yaw_mU,
+            t516,
+            t517,
+            t518,
             t519,
-            t520,
             t521,
             t524,
+            t525,
             t527,
             t528,
+            t529,
             t530,
-            t531,
-            t532,
+            P_delta_yaw_xU,
             t533,
             t534,
             t535,
-            P_delta_yaw_xU,
             t538,
             t539,
             t540,
+            t541,
+            t542,
             t543,
             t544,
-            t545,
-            t546,
-            t547,
-            t548,
-            t549,
-            t550,
-            t551,
-            t552,
         );
+        t495 = t125 * C112_h_spin_F;
+        t496 = yaw_per_v_delta * t125;
+        t497 = t125 * K222_h_spin_F;
+        t498 = Sz_theta + Sz_theta;
+        t499 = t31 + t498;
+        t500 = Sz_theta - t499;
+        t501 = yaw_by_delta * Sx_theta;
+        t502 = self.mU * yaw_by_delta;
+        t504 = t502 + (yaw_per_v_delta * Sx_theta);
+        t505 = self.mU * yaw_per_v_delta;
+        t506 = self.zP + t5;
         Jxx_theta_mU = t5 * t5;
-        t509 = self.zP + t5;
-        t512 = Jxx_theta_mU + (self.zP * (t5 + t509));
-        t513 = self.xU * t509;
-        t514 = yaw_by_delta * t513;
-        t516 = Jxx_theta_mU + (self.zP * t5);
+        t510 = Jxx_theta_mU + (self.zP * t5);
+        t511 = (self.zP * t506) + t510;
+        t512 = yaw_by_delta * t506;
+        t513 = self.xU * t512;
         P_delta_yaw_Sx_theta = yaw_by_delta * self.xU;
         P_delta_yaw_mU = self.xU * P_delta_yaw_Sx_theta;
-        t519 = yaw_by_delta * P_delta_yaw_mU;
-        t520 = t5 * yaw_by_delta;
-        t521 = self.xU * t520;
-        t524 = (yaw_by_delta * t509) + (yaw_per_v_delta * t513);
-        t527 = (yaw_per_v_delta * P_delta_yaw_mU)
+        t516 = yaw_by_delta * P_delta_yaw_mU;
+        t517 = t5 * yaw_by_delta;
+        t518 = self.xU * t517;
+        t519 = yaw_per_v_delta * t506;
+        t521 = t512 + (self.xU * t519);
+        t524 = (yaw_per_v_delta * P_delta_yaw_mU)
             + (yaw_by_delta * P_delta_yaw_Sx_theta);
-        t528 = t5 * yaw_per_v_delta;
-        t530 = t520 + (self.xU * t528);
-        t531 = t42 * P_delta_yaw_Sx_theta;
-        t532 = yaw_per_v_delta * t509;
-        t533 = yaw_per_v_delta * P_delta_yaw_Sx_theta;
-        t534 = self.mU * t509;
-        t535 = yaw_by_delta * t534;
-        P_delta_yaw_xU = t503 + (self.mU * P_delta_yaw_Sx_theta);
-        t538 = yaw_by_delta * P_delta_yaw_xU;
-        t539 = self.mU * t520;
-        t540 = yaw_per_v_delta * t534;
-        t543 = (yaw_per_v_delta * P_delta_yaw_xU) + (yaw_by_delta * t505);
-        t544 = self.mU * t528;
-        t545 = t42 * t505;
-        t546 = yaw_per_v_delta * t505;
-        t547 = t31 + t501;
-        t548 = -(t127 + (yaw_by_delta * h_wheels_all));
-        t549 = -t159;
-        t550 = t263 - t262;
-        t551 = -(t42 * t487);
-        t552 = -(yaw_per_v_delta * t487);
+        t525 = t5 * yaw_per_v_delta;
+        t527 = t517 + (self.xU * t525);
+        t528 = t42 * P_delta_yaw_Sx_theta;
+        t529 = yaw_per_v_delta * P_delta_yaw_Sx_theta;
+        t530 = self.mU * t512;
+        P_delta_yaw_xU = t501 + (self.mU * P_delta_yaw_Sx_theta);
+        t533 = yaw_by_delta * P_delta_yaw_xU;
+        t534 = self.mU * t517;
+        t535 = self.mU * t519;
+        t538 = (yaw_per_v_delta * P_delta_yaw_xU) + (yaw_by_delta * t502);
+        t539 = self.mU * t525;
+        t540 = t42 * t502;
+        t541 = yaw_per_v_delta * t502;
+        t542 = t31 + t499;
+        t543 = -(t127 + (yaw_by_delta * h_wheels_all));
+        t544 = -t161;
         (
             WhippleLeaningMatrices {
                 m: [
@@ -2334,10 +2342,10 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                         t139,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
-                    [t548, t149, ::carvallo::Number::like(self.w, 0.0)],
+                    [t543, t151, ::carvallo::Number::like(self.w, 0.0)],
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t152,
+                        t154,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                 ],
@@ -2359,194 +2367,194 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
                     ],
                 ],
                 k0: [
-                    [Sz_all, t147, Sz_theta],
-                    [t147, t154, ::carvallo::Number::like(self.w, 0.0)],
+                    [Sz_all, t149, Sz_theta],
+                    [t149, t156, ::carvallo::Number::like(self.w, 0.0)],
                     [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
                 ],
                 k2: [
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t155,
+                        t157,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t158,
+                        t160,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                     [
                         ::carvallo::Number::like(self.w, 0.0),
-                        t549,
+                        t544,
                         ::carvallo::Number::like(self.w, 0.0),
                     ],
                 ],
             },
             WhippleLeaningDerivatives {
                 values: [
-                    t167,
-                    t194,
-                    t196,
-                    t203,
-                    t205,
+                    t169,
+                    t195,
+                    t197,
+                    t204,
+                    t206,
+                    t220,
+                    t223,
+                    t212,
+                    t224,
+                    t225,
+                    t228,
                     t229,
                     t232,
-                    t220,
-                    t233,
-                    t234,
-                    t237,
-                    t238,
-                    t241,
+                    t251,
+                    t153,
                     t254,
-                    t151,
-                    t257,
-                    t258,
-                    t270,
-                    t159,
-                    t550,
-                    t271,
-                    t272,
-                    t277,
-                    t293,
-                    t294,
-                    t296,
+                    t255,
+                    t261,
+                    t161,
+                    t259,
+                    t262,
+                    t263,
+                    t268,
+                    t286,
+                    t287,
+                    t289,
+                    t291,
                     t298,
+                    t299,
+                    t294,
+                    t302,
+                    t303,
                     t307,
                     t308,
-                    t301,
-                    t311,
+                    t309,
                     t312,
+                    t313,
+                    self.mR,
+                    t314,
+                    t315,
                     t316,
+                    self.rR,
                     t317,
-                    t318,
+                    ::carvallo::Number::like(self.w, 1.0),
+                    t319,
+                    t320,
                     t321,
                     t322,
-                    self.mR,
                     t323,
-                    t324,
-                    t325,
-                    self.rR,
-                    t326,
-                    ::carvallo::Number::like(self.w, 1.0),
                     t328,
                     t329,
-                    t330,
+                    t333,
                     t331,
-                    t332,
-                    t337,
-                    t338,
-                    t342,
+                    t334,
+                    t335,
+                    t336,
+                    t325,
+                    t339,
+                    self.mB,
                     t340,
-                    t343,
+                    t341,
+                    t342,
                     t344,
                     t345,
-                    t334,
                     t348,
-                    self.mB,
+                    self.zB,
+                    t324,
                     t349,
                     t350,
                     t351,
-                    t353,
-                    t354,
-                    t357,
-                    self.zB,
-                    t333,
-                    t358,
-                    t359,
-                    t360,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t161,
-                    t367,
-                    t197,
-                    t376,
+                    t163,
+                    t358,
+                    t198,
+                    t363,
                     P_delta_lateral_xH,
-                    t377,
-                    t378,
-                    t379,
+                    t364,
+                    t365,
+                    t366,
+                    t373,
                     t387,
-                    t396,
-                    t400,
-                    t407,
+                    t392,
+                    t395,
                     self.mH,
-                    t405,
-                    t408,
-                    t409,
-                    t410,
-                    t411,
-                    t412,
-                    t420,
+                    t374,
+                    t396,
+                    t397,
+                    t398,
+                    t399,
+                    t400,
+                    t414,
+                    t415,
                     t421,
-                    t432,
                     self.zH,
-                    t426,
-                    t433,
-                    t434,
-                    t435,
+                    t419,
+                    t422,
+                    t423,
+                    t424,
                     t42,
                     M22_Jxx_delta,
-                    t437,
-                    t438,
+                    t428,
+                    t430,
                     C112_h_spin_F,
-                    M22_Jxz_delta,
+                    t432,
                     K222_h_spin_F,
-                    t439,
-                    t446,
+                    t434,
+                    t440,
                     t453,
                     t458,
                     t457,
-                    t464,
+                    t461,
                     self.mF,
-                    P_delta_lateral_rF,
-                    t465,
+                    t441,
+                    t462,
+                    t464,
                     t467,
-                    t470,
-                    t471,
-                    t472,
-                    t481,
-                    t482,
-                    t492,
+                    t468,
+                    t469,
+                    t483,
+                    t484,
+                    t490,
                     self.rF,
-                    t487,
-                    t551,
+                    t488,
+                    t491,
+                    t492,
+                    t493,
                     t494,
-                    t552,
+                    t495,
                     t496,
                     t497,
-                    t498,
-                    t499,
-                    t502,
-                    t503,
                     t500,
-                    t506,
+                    t501,
+                    t498,
+                    t504,
                     self.mU,
-                    t507,
-                    t512,
-                    t514,
+                    t505,
+                    t511,
+                    t513,
+                    t510,
                     t516,
-                    t519,
-                    t521,
+                    t518,
                     Jxx_theta_mU,
+                    t521,
                     t524,
                     t527,
-                    t530,
-                    t509,
+                    t506,
                     P_delta_yaw_Sx_theta,
                     t5,
-                    t531,
-                    t532,
-                    t533,
                     t528,
+                    t519,
+                    t529,
+                    t525,
+                    t530,
+                    t533,
+                    t534,
                     t535,
                     t538,
                     t539,
+                    t502,
                     t540,
-                    t543,
-                    t544,
-                    t505,
-                    t545,
-                    t546,
-                    t547,
-                    t501,
+                    t541,
+                    t542,
+                    t499,
                 ],
             },
         )

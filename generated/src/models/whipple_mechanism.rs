@@ -1303,7 +1303,7 @@ impl WhippleMechanismDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
@@ -1316,7 +1316,7 @@ impl WhippleMechanismDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
@@ -1377,7 +1377,7 @@ impl<T: ::carvallo::Scalar> WhippleMechanismDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleMechanism<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 159 additions, 241 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 406 operations.
+    /// 160 additions, 242 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 408 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1449,7 +1449,7 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let M22_mu = t87 + t89;
         let M22_yaw_per_v_delta = self.c * M22_mu;
         let t134 = t34 * mu;
-        let t137 = (t72 + (mu * t79)) - (mA * t134);
+        let t137 = ((mA * t134) - t72) - (mu * t79);
         let t140 = t134 + t134;
         let t143 = (t40 * t140) + (mu * t140);
         let M22_hz_delta = mu + M12_Jxz_delta;
@@ -1458,7 +1458,7 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t149 = (t36 * M22_Jzz_delta) - t143;
         let M22_Jxz_delta = t28 * (t40 + M22_hz_delta);
         let t156 = ((self.mH * t149) + (t6 * M22_Jxz_delta)) + (t61 * M22_Jzz_delta);
-        let t157 = t156 - (mu * (t72 + t137));
+        let t157 = (mu * (t137 - t72)) + t156;
         let t158 = t157 - (t122 * M22_yaw_per_v_delta);
         let C112_yaw_per_v_delta = Jxz_all + (self.c * t104);
         let t163 = t6 * yaw_per_v_delta;
@@ -1475,146 +1475,146 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_mu);
         let t181 = t34 * yaw_per_v_delta;
         let t184 = (t40 * t181) + (yaw_per_v_delta * t140);
-        let C122_Jzz_delta = yaw_per_v_delta * M12_Jxz_delta;
-        let t187 = (t36 * C122_Jzz_delta) - t184;
+        let t186 = yaw_per_v_delta * mu;
+        let C122_Jzz_delta = (t40 * yaw_per_v_delta) + t186;
+        let t189 = (t36 * C122_Jzz_delta) - t184;
         let C122_Jxz_delta = t28 * yaw_per_v_delta;
-        let t193 = ((self.mH * t187) + (t6 * C122_Jxz_delta)) + (t61 * C122_Jzz_delta);
-        let t194 = t193 - (yaw_per_v_delta * t137);
-        let t196 = ((mu * P_delta_lateral_w) + t194) - (t122 * C122_yaw_per_v_delta);
-        let t197 = t28 * P_delta_lateral_w;
-        let t198 = t104 * t122;
-        let t201 = (yaw_per_v_delta * P_delta_lateral_w) - (K222_yaw_per_v_delta * t122);
-        let t204 = (t106 + t128) - (t10 * M12_Jxz_delta);
-        let t207 = (self.c * M22_Jzz_delta) - t143;
-        let t214 = (((t157 + (self.mF * t207)) + (yaw_per_v_delta * M22_mu))
+        let t195 = ((self.mH * t189) + (t6 * C122_Jxz_delta)) + (t61 * C122_Jzz_delta);
+        let t196 = (yaw_per_v_delta * t137) + t195;
+        let t198 = ((mu * P_delta_lateral_w) + t196) - (t122 * C122_yaw_per_v_delta);
+        let t199 = t28 * P_delta_lateral_w;
+        let t200 = t104 * t122;
+        let t203 = (yaw_per_v_delta * P_delta_lateral_w) - (K222_yaw_per_v_delta * t122);
+        let t206 = (t106 + t128) - (t10 * M12_Jxz_delta);
+        let t209 = (self.c * M22_Jzz_delta) - t143;
+        let t216 = (((t157 + (self.mF * t209)) + (yaw_per_v_delta * M22_mu))
             + (t59 * M22_Jzz_delta)) - (t10 * M22_Jxz_delta);
-        let t217 = t164 + (yaw_per_v_delta * (t104 - t10));
-        let t218 = yaw_per_v_delta * ST;
-        let t221 = (self.c * C122_Jzz_delta) - t184;
-        let t226 = (t168 + (yaw_per_v_delta * Sx_all)) - t172;
-        let t227 = self.mF * M12_Jxz_delta;
-        let P_delta_lateral_c = t226 - t227;
-        let t235 = ((((t194 + (self.mF * t221)) + (yaw_per_v_delta * C122_mu))
+        let t219 = t164 + (yaw_per_v_delta * (t104 - t10));
+        let t220 = yaw_per_v_delta * ST;
+        let t223 = (self.c * C122_Jzz_delta) - t184;
+        let t228 = (t168 + (yaw_per_v_delta * Sx_all)) - t172;
+        let t229 = self.mF * M12_Jxz_delta;
+        let P_delta_lateral_c = t228 - t229;
+        let t237 = ((((t196 + (self.mF * t223)) + (yaw_per_v_delta * C122_mu))
             + (mu * P_delta_lateral_c)) + (t59 * C122_Jzz_delta))
             - (t10 * C122_Jxz_delta);
-        let t236 = t28 * P_delta_lateral_c;
-        let t237 = yaw_per_v_delta * P_delta_lateral_c;
+        let t238 = t28 * P_delta_lateral_c;
+        let t239 = yaw_per_v_delta * P_delta_lateral_c;
         let hx_delta_lam = (Jxx_delta * t40) - t57;
-        let t240 = t28 * t43;
-        let t242 = hx_delta_lam - (t123 * t240);
+        let t242 = t28 * t43;
+        let t244 = hx_delta_lam - (t123 * t242);
         let hz_delta_lam = t41 - (t28 * Jzz_delta);
-        let t252 = (t40 * Sz_delta) - (t28 * t70);
-        let t258 = (((((t28 * hx_delta_lam) + (t40 * hx_delta))
+        let t254 = (t40 * Sz_delta) - (t28 * t70);
+        let t260 = (((((t28 * hx_delta_lam) + (t40 * hx_delta))
             + (M22_hz_delta * hz_delta_lam)) - (t28 * hz_delta))
-            - (M22_yaw_per_v_delta * t240)) - (t140 * t252);
-        let t260 = t119 + (C112_yaw_per_v_delta * t240);
-        let t262 = t119 + (t166 * t240);
-        let t265 = t252 + (t169 * t240);
-        let t271 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t265))
-            - (C122_yaw_per_v_delta * t240)) - (t181 * t252);
-        let t274 = (t28 * t265) + (t40 * t114);
-        let t275 = t104 * t240;
-        let t279 = (yaw_per_v_delta * (t97 - t265)) - (K222_yaw_per_v_delta * t240);
-        let t280 = t17 + t17;
-        let t281 = t99 * t100;
-        let t282 = self.mR - t281;
-        let t283 = mu * t282;
-        let t284 = mu * t281;
-        let t285 = yaw_per_v_delta * t282;
-        let t286 = self.rR * self.rR;
-        let t287 = self.rR * mu;
-        let t288 = self.rR * yaw_per_v_delta;
-        let t290 = yaw_per_v_delta * mu;
-        let t291 = mu * t99;
-        let t292 = yaw_per_v_delta * t99;
-        let t293 = t21 * mu;
-        let t294 = mu * self.xB;
-        let t295 = self.mB * t294;
-        let P_delta_yaw_xB = t295 + (mu * t81);
-        let t298 = mu * P_delta_yaw_xB;
-        let t299 = t21 * yaw_per_v_delta;
-        let t301 = self.mB * mu;
-        let t303 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * t301);
-        let t304 = t28 * t301;
-        let t305 = yaw_per_v_delta * t301;
-        let t306 = t21 + t21;
-        let t308 = mu + (yaw_per_v_delta * self.xB);
-        let t309 = self.mB * t308;
-        let t310 = self.mB * yaw_per_v_delta;
-        let t311 = self.zB * self.zB;
-        let t312 = self.zB * t294;
-        let P_delta_yaw_mB = self.xB * t294;
-        let t314 = mu * P_delta_yaw_mB;
-        let t315 = self.zB * t308;
-        let t318 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * t294);
-        let t319 = t28 * t294;
-        let t320 = self.zB * yaw_per_v_delta;
-        let t321 = yaw_per_v_delta * t294;
-        let t323 = (mu * t172) - t193;
-        let t324 = t28 * t172;
-        let t325 = yaw_per_v_delta * t172;
-        let t326 = t6 + t6;
-        let t330 = ((self.zH * t28) + (t36 * M12_Jxz_delta)) - t134;
-        let t333 = (self.mH * t330) + (t6 * t28);
-        let t334 = t28 * t140;
+            - (M22_yaw_per_v_delta * t242)) - (t140 * t254);
+        let t262 = t119 + (C112_yaw_per_v_delta * t242);
+        let t264 = t119 + (t166 * t242);
+        let t267 = t254 + (t169 * t242);
+        let t273 = (((yaw_per_v_delta * hz_delta_lam) - (mu * t267))
+            - (C122_yaw_per_v_delta * t242)) - (t181 * t254);
+        let t276 = (t28 * t267) + (t40 * t114);
+        let t277 = t104 * t242;
+        let t281 = (yaw_per_v_delta * (t97 - t267)) - (K222_yaw_per_v_delta * t242);
+        let t282 = t17 + t17;
+        let t283 = t99 * t100;
+        let t284 = self.mR - t283;
+        let t285 = mu * t284;
+        let t286 = mu * t283;
+        let t287 = yaw_per_v_delta * t284;
+        let t288 = self.rR * self.rR;
+        let t289 = self.rR * mu;
+        let t290 = self.rR * yaw_per_v_delta;
+        let t292 = mu * t99;
+        let t293 = yaw_per_v_delta * t99;
+        let t294 = t21 * mu;
+        let t295 = mu * self.xB;
+        let t296 = self.mB * t295;
+        let P_delta_yaw_xB = t296 + (mu * t81);
+        let t299 = mu * P_delta_yaw_xB;
+        let t300 = t21 * yaw_per_v_delta;
+        let t302 = self.mB * mu;
+        let t304 = (yaw_per_v_delta * P_delta_yaw_xB) + (mu * t302);
+        let t305 = t28 * t302;
+        let t306 = yaw_per_v_delta * t302;
+        let t307 = t21 + t21;
+        let t309 = mu + (yaw_per_v_delta * self.xB);
+        let t310 = self.mB * t309;
+        let t311 = self.mB * yaw_per_v_delta;
+        let t312 = self.zB * self.zB;
+        let t313 = self.zB * t295;
+        let P_delta_yaw_mB = self.xB * t295;
+        let t315 = mu * P_delta_yaw_mB;
+        let t316 = self.zB * t309;
+        let t319 = (yaw_per_v_delta * P_delta_yaw_mB) + (mu * t295);
+        let t320 = t28 * t295;
+        let t321 = self.zB * yaw_per_v_delta;
+        let t322 = yaw_per_v_delta * t295;
+        let t324 = (mu * t172) - t195;
+        let t325 = t28 * t172;
+        let t326 = yaw_per_v_delta * t172;
+        let t327 = t6 + t6;
+        let t331 = ((self.zH * t28) + (t36 * M12_Jxz_delta)) - t134;
+        let t334 = (self.mH * t331) + (t6 * t28);
+        let t335 = t28 * t140;
         let M22_Jxx_delta = t28 * t28;
-        let t339 = ((self.zH * M22_Jxx_delta) + (t36 * M22_Jxz_delta)) - t334;
-        let t342 = (self.mH * t339) + (t6 * M22_Jxx_delta);
-        let t343 = mu + t181;
-        let t345 = (t36 * yaw_per_v_delta) - t343;
-        let t346 = self.mH * t345;
-        let t347 = t28 * t181;
-        let t349 = (t36 * C122_Jxz_delta) - t347;
-        let t351 = self.mH * t28;
-        let t353 = (self.mH * t349) - (mu * t351);
-        let t354 = t28 * t351;
-        let t355 = self.mH * yaw_per_v_delta;
-        let t356 = yaw_per_v_delta * t351;
-        let t357 = self.zH * self.zH;
-        let t358 = self.zH * t330;
+        let t340 = ((self.zH * M22_Jxx_delta) + (t36 * M22_Jxz_delta)) - t335;
+        let t343 = (self.mH * t340) + (t6 * M22_Jxx_delta);
+        let t344 = mu + t181;
+        let t346 = (t36 * yaw_per_v_delta) - t344;
+        let t347 = self.mH * t346;
+        let t348 = t28 * t181;
+        let t350 = (t36 * C122_Jxz_delta) - t348;
+        let t352 = self.mH * t28;
+        let t354 = (self.mH * t350) - (mu * t352);
+        let t355 = t28 * t352;
+        let t356 = self.mH * yaw_per_v_delta;
+        let t357 = yaw_per_v_delta * t352;
+        let t358 = self.zH * self.zH;
+        let t359 = self.zH * t331;
         let P_delta_yaw_mA = t34 * t134;
         let M22_mA = mu * P_delta_yaw_mA;
-        let t364 = (M22_mA + (self.zH * t339)) + (t36 * t149);
-        let t365 = self.zH * t345;
+        let t365 = (M22_mA + (self.zH * t340)) + (t36 * t149);
+        let t366 = self.zH * t346;
         let C122_mA = yaw_per_v_delta * P_delta_yaw_mA;
-        let t372 = ((C122_mA + (self.zH * t349)) + (t36 * t187)) - (mu * t330);
-        let t373 = t28 * t330;
-        let t374 = self.zH * yaw_per_v_delta;
-        let t375 = yaw_per_v_delta * t330;
-        let t376 = t10 + t10;
-        let t380 = ((self.c * M12_Jxz_delta) - t134) - (self.rF * t28);
-        let t383 = (t10 * t28) - (self.mF * t380);
-        let t387 = (t334 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
-        let t390 = (self.mF * t387) + (t10 * M22_Jxx_delta);
-        let t391 = mu - t343;
-        let t393 = t95 * SF;
-        let t394 = M12_Jxz_delta * t393;
-        let t395 = (self.mF * t391) + t394;
-        let t397 = (self.c * C122_Jxz_delta) - t347;
+        let t373 = ((C122_mA + (self.zH * t350)) + (t36 * t189)) - (mu * t331);
+        let t374 = t28 * t331;
+        let t375 = self.zH * yaw_per_v_delta;
+        let t376 = yaw_per_v_delta * t331;
+        let t377 = t10 + t10;
+        let t381 = ((self.c * M12_Jxz_delta) - t134) - (self.rF * t28);
+        let t384 = (t10 * t28) - (self.mF * t381);
+        let t388 = (t335 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
+        let t391 = (self.mF * t388) + (t10 * M22_Jxx_delta);
+        let t392 = t344 - mu;
+        let t394 = t95 * SF;
+        let t395 = M12_Jxz_delta * t394;
+        let t396 = (self.mF * t392) - t395;
+        let t398 = t348 - (self.c * C122_Jxz_delta);
         let P_delta_lateral_rF = self.mF * t28;
-        let t401 = (mu * P_delta_lateral_rF) - (self.mF * t397);
-        let t402 = t28 * P_delta_lateral_rF;
-        let t404 = yaw_per_v_delta * (self.mF - t393);
-        let t407 = (yaw_per_v_delta * P_delta_lateral_rF) - (C122_Jxz_delta * t393);
-        let t408 = self.rF * self.rF;
-        let t409 = self.rF * t380;
-        let t413 = (M22_mA + (self.c * t207)) + (self.rF * t387);
-        let t414 = self.rF * t391;
-        let t420 = ((C122_mA + (self.c * t221)) - (self.rF * t397)) - (mu * t380);
-        let t421 = t28 * t380;
-        let t422 = self.rF * yaw_per_v_delta;
-        let t423 = yaw_per_v_delta * t380;
-        let t424 = M22_Jzz_delta + M22_Jxx_delta;
-        let t425 = t95 * M12_Jxz_delta;
-        let t426 = yaw_per_v_delta * t95;
-        let t427 = t95 * C122_Jxz_delta;
-        let t428 = -(t97 + (mu * ST));
-        let t429 = t172 - t171;
-        let t430 = t227 - t226;
+        let t402 = (self.mF * t398) + (mu * P_delta_lateral_rF);
+        let t403 = t28 * P_delta_lateral_rF;
+        let t406 = (self.mF * yaw_per_v_delta) - (yaw_per_v_delta * t394);
+        let t409 = (yaw_per_v_delta * P_delta_lateral_rF) - (C122_Jxz_delta * t394);
+        let t410 = self.rF * self.rF;
+        let t411 = self.rF * t381;
+        let t415 = (M22_mA + (self.c * t209)) + (self.rF * t388);
+        let t416 = self.rF * t392;
+        let t422 = ((C122_mA + (self.c * t223)) + (self.rF * t398)) - (mu * t381);
+        let t423 = t28 * t381;
+        let t424 = self.rF * yaw_per_v_delta;
+        let t425 = yaw_per_v_delta * t381;
+        let t426 = M22_Jzz_delta + M22_Jxx_delta;
+        let t427 = t95 * M12_Jxz_delta;
+        let t428 = yaw_per_v_delta * t95;
+        let t429 = t95 * C122_Jxz_delta;
+        let t430 = -(t97 + (mu * ST));
+        let t431 = t172 - t171;
+        let t432 = t229 - t228;
         (
             WhippleMechanismMatrices {
                 m: [[t26, t55], [t55, t92]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t428, t116]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t430, t116]],
                 k0: [[Sz_all, t114], [t114, t117]],
                 k2: [
                     [::carvallo::Number::like(self.w, 0.0), t118],
@@ -1627,93 +1627,93 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
                     t158,
                     t165,
                     t167,
-                    t196,
-                    t429,
-                    t197,
                     t198,
-                    t201,
-                    t204,
-                    t214,
-                    t217,
-                    t218,
-                    t235,
-                    t430,
-                    t236,
+                    t431,
+                    t199,
+                    t200,
+                    t203,
+                    t206,
+                    t216,
+                    t219,
+                    t220,
                     t237,
-                    t242,
-                    t258,
+                    t432,
+                    t238,
+                    t239,
+                    t244,
                     t260,
                     t262,
-                    t271,
-                    t265,
-                    t274,
-                    t275,
-                    t279,
-                    t280,
-                    t283,
-                    t284,
-                    self.mR,
+                    t264,
+                    t273,
+                    t267,
+                    t276,
+                    t277,
+                    t281,
+                    t282,
                     t285,
                     t286,
+                    self.mR,
                     t287,
-                    self.rR,
                     t288,
+                    t289,
+                    self.rR,
+                    t290,
                     ::carvallo::Number::like(self.w, 1.0),
                     t146,
-                    t290,
-                    t291,
+                    t186,
                     t292,
                     t293,
-                    t298,
+                    t294,
                     t299,
-                    t303,
-                    t301,
+                    t300,
                     t304,
+                    t302,
                     t305,
                     t306,
-                    t295,
-                    t309,
-                    self.mB,
+                    t307,
+                    t296,
                     t310,
+                    self.mB,
                     t311,
                     t312,
-                    t314,
+                    t313,
                     t315,
-                    t318,
-                    self.zB,
-                    t294,
+                    t316,
                     t319,
+                    self.zB,
+                    t295,
                     t320,
                     t321,
+                    t322,
                     mu,
                     yaw_per_v_delta,
                     t127,
                     t156,
                     t163,
-                    t323,
-                    t172,
                     t324,
+                    t172,
                     t325,
                     t326,
-                    t333,
-                    t342,
-                    t346,
-                    t353,
-                    self.mH,
-                    t351,
+                    t327,
+                    t334,
+                    t343,
+                    t347,
                     t354,
+                    self.mH,
+                    t352,
                     t355,
                     t356,
                     t357,
                     t358,
-                    t364,
+                    t359,
                     t365,
-                    t372,
-                    self.zH,
-                    t330,
+                    t366,
                     t373,
+                    self.zH,
+                    t331,
                     t374,
                     t375,
+                    t376,
                     t28,
                     M22_Jxx_delta,
                     M22_Jzz_delta,
@@ -1721,31 +1721,31 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
                     M12_Jxz_delta,
                     M22_Jxz_delta,
                     C122_Jxz_delta,
-                    t376,
-                    t383,
-                    t390,
+                    t377,
+                    t384,
+                    t391,
+                    t396,
                     t395,
-                    t394,
-                    t401,
+                    t402,
                     self.mF,
                     P_delta_lateral_rF,
-                    t402,
-                    t404,
-                    t407,
-                    t408,
+                    t403,
+                    t406,
                     t409,
-                    t413,
-                    t414,
-                    t420,
-                    self.rF,
-                    t380,
-                    t421,
+                    t410,
+                    t411,
+                    t415,
+                    t416,
                     t422,
+                    self.rF,
+                    t381,
                     t423,
                     t424,
                     t425,
                     t426,
                     t427,
+                    t428,
+                    t429,
                 ],
             },
         )

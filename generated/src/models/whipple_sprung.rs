@@ -1179,10 +1179,10 @@ pub struct WhippleSprungDerivatives<T = ::core::primitive::f64> {
 impl WhippleSprungDerivatives {
     /// Which derivatives there are, by parameters.
     pub const PARTIALS: &'static [::carvallo::Partial; 160] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
+        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
@@ -1386,7 +1386,7 @@ impl<T: ::carvallo::Scalar> WhippleSprungDerivatives<T> {
 #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
 impl<T: ::carvallo::Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 164 additions, 255 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 427 operations.
+    /// 168 additions, 258 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 434 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
@@ -1448,17 +1448,17 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t122 = t28 * h_spin_F;
         let K222_yaw_per_v_delta = P_delta_lateral + t122;
         let t124 = yaw_per_v_delta * K222_yaw_per_v_delta;
-        let t125 = self.zH * t41;
-        let t126 = self.mH * t125;
-        let t128 = t126 + (t6 * yaw_by_delta);
-        let t130 = (yaw_by_delta * Sz_delta) - t128;
+        let t126 = self.zH * t41;
+        let t127 = self.mH * t126;
+        let t129 = t127 + (t6 * yaw_by_delta);
+        let t130 = t129 - (yaw_by_delta * Sz_delta);
         let t131 = t44 * yaw_per_v_delta;
         let M12_yaw_per_v_delta = self.c * Jxz_all;
-        let t134 = t130 + (t131 * M12_yaw_per_v_delta);
+        let t134 = t130 - (t131 * M12_yaw_per_v_delta);
         let py_delta_mH = (t36 * t41) - (self.zH * t28);
         let t140 = t37 * t41;
         let t141 = (self.mH * py_delta_mH) + t140;
-        let t143 = (t41 * t141) - (t28 * t126);
+        let t143 = (t41 * t141) - (t28 * t127);
         let t144 = self.mH * t41;
         let t146 = t141 + (t35 * t144);
         let t147 = py_delta - t146;
@@ -1470,10 +1470,10 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
         let t160 = (t150 + (yaw_by_delta * P_delta_yaw_w))
             - (t131 * M22_yaw_per_v_delta);
-        let t161 = t6 * yaw_per_v_delta;
-        let t163 = (yaw_per_v_delta * Sz_delta) - t161;
+        let t162 = t6 * yaw_per_v_delta;
+        let t163 = t162 - (yaw_per_v_delta * Sz_delta);
         let C112_yaw_per_v_delta = Jxz_all + (self.c * t105);
-        let t167 = t163 + (t131 * C112_yaw_per_v_delta);
+        let t167 = t163 - (t131 * C112_yaw_per_v_delta);
         let t168 = self.c * h_wheels_all;
         let t169 = t131 * t168;
         let t170 = yaw_per_v_delta * t147;
@@ -1489,7 +1489,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t187 = t105 * t131;
         let t190 = (yaw_per_v_delta * t176) + (K222_yaw_per_v_delta * t131);
         let t191 = t10 * t41;
-        let t195 = ((t107 - t130) - t191) - (t10 * yaw_by_delta);
+        let t195 = ((t107 + t130) - t191) - (t10 * yaw_by_delta);
         let hx_delta_rF = t10 * t28;
         let t197 = self.c * t41;
         let hz_delta_c = ((self.mF * t197) + (t41 * t61)) - hx_delta_rF;
@@ -1497,7 +1497,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let M_yaw_delta_c = hz_delta_c - (t35 * t202);
         let t212 = (((t150 + (t148 * M_yaw_delta_c)) + (t41 * hz_delta_c))
             + (yaw_per_v_delta * M22_yaw_by_delta)) - (t28 * t191);
-        let t215 = (yaw_per_v_delta * (t105 - t10)) - t163;
+        let t215 = t163 + (yaw_per_v_delta * (t105 - t10));
         let t216 = yaw_per_v_delta * h_wheels_all;
         let t221 = (t144 + t202) - (yaw_per_v_delta * Sx_all);
         let t224 = (t170 + (yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c)))
@@ -1581,69 +1581,70 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t349 = self.mH * yaw_per_v_delta;
         let t350 = yaw_per_v_delta * t335;
         let Jxx_delta_mH = self.zH * self.zH;
-        let hx_delta_mH = (t28 * Jxx_delta_mH) - (t36 * t125);
-        let t356 = self.zH * (t35 + t36);
-        let t358 = hx_delta_mH - (yaw_by_delta * t356);
+        let hx_delta_mH = (t28 * Jxx_delta_mH) - (t36 * t126);
+        let t357 = (self.zH * t35) + (self.zH * t36);
+        let t359 = hx_delta_mH - (yaw_by_delta * t357);
         let hz_delta_mH = t36 * py_delta_mH;
         let M_yaw_delta_mH = hz_delta_mH + (t35 * py_delta_mH);
         let P_delta_yaw_mH = self.xH * t312;
-        let t365 = M_yaw_delta_mH + P_delta_yaw_mH;
-        let t369 = ((t28 * hx_delta_mH) + (t41 * hz_delta_mH))
-            + (yaw_by_delta * (M_yaw_delta_mH + t365));
-        let t372 = (self.zH * yaw_by_delta) + (yaw_per_v_delta * t356);
+        let t366 = M_yaw_delta_mH + P_delta_yaw_mH;
+        let t370 = ((t28 * hx_delta_mH) + (t41 * hz_delta_mH))
+            + (yaw_by_delta * (M_yaw_delta_mH + t366));
+        let t373 = (self.zH * yaw_by_delta) + (yaw_per_v_delta * t357);
         let P_delta_lateral_mH = py_delta_mH + t312;
-        let t376 = (yaw_per_v_delta * t365) + (yaw_by_delta * P_delta_lateral_mH);
-        let t377 = t28 * P_delta_lateral_mH;
-        let t378 = self.zH * yaw_per_v_delta;
-        let t379 = yaw_per_v_delta * P_delta_lateral_mH;
-        let t380 = t28 * t28;
+        let t377 = (yaw_per_v_delta * t366) + (yaw_by_delta * P_delta_lateral_mH);
+        let t378 = t28 * P_delta_lateral_mH;
+        let t379 = self.zH * yaw_per_v_delta;
+        let t380 = yaw_per_v_delta * P_delta_lateral_mH;
+        let t381 = t28 * t28;
         let C112_h_spin_F = t41 + yaw_by_delta;
-        let t382 = C112_h_spin_F * C112_h_spin_F;
-        let t383 = yaw_per_v_delta * C112_h_spin_F;
-        let t385 = C112_h_spin_F * (t28 + t28);
+        let t386 = (yaw_by_delta * (t41 + C112_h_spin_F)) + (t41 * t41);
+        let t388 = t280 + (t41 * yaw_per_v_delta);
+        let t391 = (t28 * t41) + (t28 * yaw_by_delta);
+        let t392 = t391 + t391;
         let K222_h_spin_F = t28 * yaw_per_v_delta;
-        let t387 = t10 + t10;
-        let t389 = t197 - (self.rF * t28);
-        let t390 = t35 - self.c;
-        let t392 = (yaw_by_delta * t390) - t389;
-        let t394 = hx_delta_rF + (self.mF * t392);
-        let t395 = t28 * self.c;
-        let t397 = (t28 * t35) - t395;
-        let t402 = ((t148 * t397) - (t28 * t389)) - (t41 * t395);
-        let t405 = (self.mF * t402) + (t28 * hx_delta_rF);
-        let t407 = yaw_by_delta + (yaw_per_v_delta * t390);
-        let t409 = t96 * h_spin_F;
-        let t410 = C112_h_spin_F * t409;
-        let t411 = (self.mF * t407) - t410;
-        let t412 = yaw_per_v_delta * t397;
+        let t394 = t10 + t10;
+        let t396 = t197 - (self.rF * t28);
+        let t397 = t35 - self.c;
+        let t399 = (yaw_by_delta * t397) - t396;
+        let t401 = hx_delta_rF + (self.mF * t399);
+        let t402 = t28 * self.c;
+        let t404 = (t28 * t35) - t402;
+        let t409 = ((t148 * t404) - (t28 * t396)) - (t41 * t402);
+        let t412 = (self.mF * t409) + (t28 * hx_delta_rF);
+        let t414 = yaw_by_delta + (yaw_per_v_delta * t397);
+        let t416 = t96 * h_spin_F;
+        let t417 = C112_h_spin_F * t416;
+        let t418 = (self.mF * t414) - t417;
+        let t419 = yaw_per_v_delta * t404;
         let P_delta_lateral_rF = self.mF * t28;
-        let t416 = (self.mF * t412) + (yaw_by_delta * P_delta_lateral_rF);
-        let t417 = t28 * P_delta_lateral_rF;
-        let t419 = yaw_per_v_delta * (self.mF - t409);
-        let t422 = (yaw_per_v_delta * P_delta_lateral_rF) - (K222_h_spin_F * t409);
-        let t423 = self.rF * self.rF;
-        let t424 = self.rF * t392;
+        let t423 = (self.mF * t419) + (yaw_by_delta * P_delta_lateral_rF);
+        let t424 = t28 * P_delta_lateral_rF;
+        let t426 = yaw_per_v_delta * (self.mF - t416);
+        let t429 = (yaw_per_v_delta * P_delta_lateral_rF) - (K222_h_spin_F * t416);
+        let t430 = self.rF * self.rF;
+        let t431 = self.rF * t399;
         let hz_delta_mF = self.c * t197;
         let M_yaw_delta_mF = hz_delta_mF - (t35 * t197);
         let P_delta_yaw_mF = self.w * t151;
-        let t431 = M_yaw_delta_mF + P_delta_yaw_mF;
-        let t435 = ((self.rF * t402) + (t41 * hz_delta_mF))
-            + (yaw_by_delta * (M_yaw_delta_mF + t431));
-        let t436 = self.rF * t407;
-        let P_delta_lateral_mF = t151 - t389;
-        let t442 = ((self.rF * t412) + (yaw_per_v_delta * t431))
+        let t438 = M_yaw_delta_mF + P_delta_yaw_mF;
+        let t442 = ((self.rF * t409) + (t41 * hz_delta_mF))
+            + (yaw_by_delta * (M_yaw_delta_mF + t438));
+        let t443 = self.rF * t414;
+        let P_delta_lateral_mF = t151 - t396;
+        let t449 = ((self.rF * t419) + (yaw_per_v_delta * t438))
             + (yaw_by_delta * P_delta_lateral_mF);
-        let t443 = t28 * P_delta_lateral_mF;
-        let t444 = self.rF * yaw_per_v_delta;
-        let t445 = yaw_per_v_delta * P_delta_lateral_mF;
-        let t446 = t380 + t382;
-        let t447 = t96 * C112_h_spin_F;
-        let t448 = yaw_per_v_delta * t96;
-        let t449 = t96 * K222_h_spin_F;
-        let t450 = -(t98 + (yaw_by_delta * h_wheels_all));
-        let t451 = -P_delta_lateral;
-        let t452 = -(t28 * P_delta_lateral);
-        let t453 = t389 - t151;
+        let t450 = t28 * P_delta_lateral_mF;
+        let t451 = self.rF * yaw_per_v_delta;
+        let t452 = yaw_per_v_delta * P_delta_lateral_mF;
+        let t453 = t381 + t386;
+        let t454 = t96 * C112_h_spin_F;
+        let t455 = yaw_per_v_delta * t96;
+        let t456 = t96 * K222_h_spin_F;
+        let t457 = -(t98 + (yaw_by_delta * h_wheels_all));
+        let t458 = -P_delta_lateral;
+        let t459 = -(t28 * P_delta_lateral);
+        let t460 = t396 - t151;
         (
             WhippleSprungMatrices {
                 m: [[t26, t56], [t56, t92]],
@@ -1654,7 +1655,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     ],
                     [::carvallo::Number::like(self.w, 0.0), self.d],
                 ],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t109], [t450, t118]],
+                c1: [[::carvallo::Number::like(self.w, 0.0), t109], [t457, t118]],
                 kc: [
                     [
                         ::carvallo::Number::like(self.w, 0.0),
@@ -1662,7 +1663,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     ],
                     [::carvallo::Number::like(self.w, 0.0), self.k],
                 ],
-                k0: [[Sz_all, t451], [t451, t452]],
+                k0: [[Sz_all, t458], [t458, t459]],
                 k2: [
                     [::carvallo::Number::like(self.w, 0.0), t121],
                     [::carvallo::Number::like(self.w, 0.0), t124],
@@ -1734,9 +1735,9 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     t311,
                     yaw_by_delta,
                     yaw_per_v_delta,
-                    t128,
+                    t129,
                     t319,
-                    t161,
+                    t162,
                     t324,
                     P_delta_lateral_xH,
                     t325,
@@ -1752,47 +1753,47 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     t349,
                     t350,
                     Jxx_delta_mH,
-                    t358,
-                    t369,
-                    t372,
-                    t376,
+                    t359,
+                    t370,
+                    t373,
+                    t377,
                     self.zH,
                     P_delta_lateral_mH,
-                    t377,
                     t378,
                     t379,
-                    t28,
                     t380,
-                    t382,
-                    t383,
+                    t28,
+                    t381,
+                    t386,
+                    t388,
                     C112_h_spin_F,
-                    t385,
+                    t392,
                     K222_h_spin_F,
-                    t387,
                     t394,
-                    t405,
-                    t411,
-                    t410,
-                    t416,
+                    t401,
+                    t412,
+                    t418,
+                    t417,
+                    t423,
                     self.mF,
                     P_delta_lateral_rF,
-                    t417,
-                    t419,
-                    t422,
-                    t423,
                     t424,
-                    t435,
-                    t436,
+                    t426,
+                    t429,
+                    t430,
+                    t431,
                     t442,
-                    self.rF,
-                    t453,
                     t443,
-                    t444,
-                    t445,
-                    t446,
-                    t447,
-                    t448,
                     t449,
+                    self.rF,
+                    t460,
+                    t450,
+                    t451,
+                    t452,
+                    t453,
+                    t454,
+                    t455,
+                    t456,
                 ],
             },
         )

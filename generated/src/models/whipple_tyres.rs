@@ -1295,9 +1295,9 @@ impl WhippleTyresDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 102),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 102),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 103),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 104).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 104),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 105),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 106).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 106),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 107).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 108).negative(),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 108).negative(),
@@ -1308,7 +1308,7 @@ impl WhippleTyresDerivatives {
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 113),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 113),
         ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 114),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 115).negative(),
+        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 115),
         ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 116),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 117),
         ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 118),
@@ -1435,7 +1435,8 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             P_delta_lateral,
             t119,
             t121,
-            t124,
+            t122,
+            t126,
             t129,
             t130,
             t132,
@@ -1521,6 +1522,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t295,
             t297,
             t302,
+            K_phi_delta_rhoF,
             K_phi_delta_lam,
             t310,
             t311,
@@ -1616,24 +1618,22 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
             t456,
             t457,
             t458,
-            t460,
-            t463,
+            t461,
             t464,
             t465,
+            t466,
             P_delta_yaw_mF,
-            t471,
             t472,
-            t478,
-            t481,
+            t473,
+            t479,
+            t482,
             K_phi_delta_mF,
-            t485,
             t486,
-            t490,
+            t487,
             t491,
             t492,
             t493,
             t494,
-            K_phi_delta_rhoF,
         );
         t6 = self.zH * self.mH;
         t10 = self.rF * self.mF;
@@ -1688,8 +1688,9 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         P_delta_lateral = t116 - t72;
         t119 = (yaw_per_v_delta * P_delta_yaw) + (yaw_by_delta * P_delta_lateral);
         t121 = t43 * Sx_all;
-        t124 = ((self.mR + self.mB) + m_delta) - t121;
-        t129 = (Sz_all + (self.rhoR * t124)) + (t121 * self.rhoF);
+        t122 = self.rhoF * t121;
+        t126 = ((self.mR + self.mB) + m_delta) - t121;
+        t129 = (Sz_all + t122) + (self.rhoR * t126);
         t130 = self.c * t40;
         t132 = (t28 * self.rhoF) - t130;
         K_phi_delta = t72 + (t121 * t132);
@@ -1750,7 +1751,7 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t224 = t28 * K_phi_delta_w;
         t225 = t104 * t145;
         K222_Sx_all = yaw_per_v_delta * yaw_by_delta;
-        t228 = K222_Sx_all + (t40 * yaw_per_v_delta);
+        t228 = (t40 * yaw_per_v_delta) + K222_Sx_all;
         t229 = self.mH * t228;
         t231 = (m_delta * K222_Sx_all) - t229;
         K222_yaw_by_delta = yaw_per_v_delta * Sx_all;
@@ -1782,7 +1783,8 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t297 = t137 + (t181 * t275);
         t302 = ((yaw_per_v_delta * hz_delta_lam) - (t185 * t283))
             - (C122_yaw_per_v_delta * t275);
-        K_phi_delta_lam = t283 + (t121 * ((t28 * self.c) + (t40 * self.rhoF)));
+        K_phi_delta_rhoF = t28 * t121;
+        K_phi_delta_lam = (t283 + (self.c * K_phi_delta_rhoF)) + (t40 * t122);
         t310 = (t28 * K_phi_delta_lam) + (t40 * K_phi_delta);
         t311 = t104 * t275;
         t315 = (yaw_per_v_delta * (t97 - t283)) - (K222_yaw_per_v_delta * t275);
@@ -1870,34 +1872,33 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t441 = (self.mF * t438) + (t10 * t28);
         t445 = (t379 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
         t448 = (self.mF * t445) + (t10 * M22_Jxx_delta);
-        t449 = yaw_by_delta - t185;
+        t449 = t185 - yaw_by_delta;
         t451 = t95 * h_spin_F;
         t452 = C112_h_spin_F * t451;
-        t453 = (self.mF * t449) + t452;
-        t455 = (self.c * K222_h_spin_F) - t391;
+        t453 = (self.mF * t449) - t452;
+        t455 = t391 - (self.c * K222_h_spin_F);
         t456 = self.mF * t455;
         t457 = self.mF * t28;
         t458 = t28 * t457;
-        t460 = yaw_per_v_delta * (self.mF - t451);
-        t463 = (self.mF * K222_h_spin_F) - (K222_h_spin_F * t451);
-        t464 = self.rF * self.rF;
-        t465 = self.rF * t438;
+        t461 = (self.mF * yaw_per_v_delta) - (yaw_per_v_delta * t451);
+        t464 = (self.mF * K222_h_spin_F) - (K222_h_spin_F * t451);
+        t465 = self.rF * self.rF;
+        t466 = self.rF * t438;
         P_delta_yaw_mF = yaw_by_delta * t80;
-        t471 = ((self.c * t242) + (self.rF * t445)) + (yaw_by_delta * P_delta_yaw_mF);
-        t472 = self.rF * t449;
-        t478 = ((C122_m_delta + (self.c * t257)) + (yaw_per_v_delta * P_delta_yaw_mF))
-            - (self.rF * t455);
-        t481 = (K011_m_delta - self.rF) - (self.c * K011_Sx_all);
+        t472 = ((self.c * t242) + (self.rF * t445)) + (yaw_by_delta * P_delta_yaw_mF);
+        t473 = self.rF * t449;
+        t479 = ((C122_m_delta + (self.c * t257)) + (self.rF * t455))
+            + (yaw_per_v_delta * P_delta_yaw_mF);
+        t482 = (K011_m_delta - self.rF) - (self.c * K011_Sx_all);
         K_phi_delta_mF = (K_phi_delta_m_delta + (self.c * t218)) - t436;
-        t485 = t28 * K_phi_delta_mF;
-        t486 = self.rF * yaw_per_v_delta;
-        t490 = (K222_m_delta + (self.rF * K222_h_spin_F)) - (self.c * t228);
-        t491 = M22_Jxx_delta + t432;
-        t492 = t95 * C112_h_spin_F;
-        t493 = yaw_per_v_delta * t95;
-        t494 = t95 * K222_h_spin_F;
-        K_phi_delta_rhoF = t28 * t121;
-        let (t496, t497);
+        t486 = t28 * K_phi_delta_mF;
+        t487 = self.rF * yaw_per_v_delta;
+        t491 = (K222_m_delta + (self.rF * K222_h_spin_F)) - (self.c * t228);
+        t492 = M22_Jxx_delta + t432;
+        t493 = t95 * C112_h_spin_F;
+        t494 = yaw_per_v_delta * t95;
+        let (t495, t496, t497);
+        t495 = t95 * K222_h_spin_F;
         t496 = t28 * K_phi_delta_rhoF;
         t497 = -(t97 + (yaw_by_delta * h_wheels_all));
         (
@@ -2022,23 +2023,23 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
                     self.mF,
                     t457,
                     t458,
-                    t460,
-                    t463,
+                    t461,
                     t464,
                     t465,
-                    t471,
+                    t466,
                     t472,
-                    t478,
-                    t481,
+                    t473,
+                    t479,
+                    t482,
                     K_phi_delta_mF,
-                    t485,
                     t486,
-                    t490,
+                    t487,
                     t491,
                     t492,
                     t493,
                     t494,
-                    t124,
+                    t495,
+                    t126,
                     t121,
                     K_phi_delta_rhoF,
                     t496,

@@ -10,14 +10,15 @@ use crate::equations::Equations;
 use crate::model::Expr;
 use crate::program::{Counts, Program, passes};
 
-/// In models with more definitions than this one program is built, and nothing is tried: of models with hundreds of
-/// definitions the programs that are compared here differ by less than a hundredth, and each takes as long as the first.
-const MAX_TRIED: usize = 100;
+/// In models with more definitions than this one program is built, of the formulas as they are written, and nothing is
+/// tried: of models with hundreds of definitions the programs that are compared here differ by some hundredths, and
+/// finding the shapes of a hundred formulas takes seconds where the engine is built without optimization.
+const MAX_TRIED: usize = 64;
 
 /// So many programs are built at most, and fewer of long ones: as many as come to so many operations together. It is not
 /// the clock that ends the search, since the same declaration must always give the same program.
 const MAX_PROGRAMS: usize = 40;
-const MAX_OPERATIONS: usize = 5_000;
+const MAX_OPERATIONS: usize = 2_500;
 /// Choices that lead to formulas which were there before build no program, but making the formulas takes time, too: so many
 /// are made at most, beyond those of the first program.
 const MAX_FORMULAS: usize = 20_000;
@@ -80,7 +81,7 @@ impl Search<'_> {
         formulas.flat_map(mentioned).for_each(|index| times[index] += 1);
         let used_once: Vec<bool> = times.into_iter().map(|times| times == 1).collect();
         if count > MAX_TRIED {
-            self.try_out(self.choices(&used_once, None))?;
+            self.try_out(self.choices(&used_once, Some(Shape::Written)))?;
             return Ok(());
         }
         let none = vec![false; count];
