@@ -33,7 +33,7 @@ fn sweeps_that_make_no_sense() {
     let message = "critical speeds are for two coordinates, and Pendulum has 1: give --eigenvalues SPEEDS";
     check(&["--model", "Pendulum", "--vary", "l=1,2"], message);
     let huge = ["--vary", "w=1:2:1000000 points", "--vary", "c=1:2:1000000 points", "--vary", "mB=1,2"];
-    check(&huge, "there are more than 1000000000000 designs");
+    check(&huge, "--vary, --random and --samples make too many designs; there must be at most 1000000000000");
     check(
         &["--vary", "w=1,2", "--eigenvalues", "0:10:0.05"],
         "--eigenvalues 0:10:0.05: there are 201 speeds; there must be at most 100",
@@ -64,6 +64,22 @@ fn files_of_designs_that_cannot_be_used() {
     check("w,lamm,w\n1,2,3\n", message);
     check("name,id\na,b\n", "bikes.csv: no column is a parameter");
     check("", "bikes.csv: no column is a parameter");
+    for (text, line) in [("w,name\n1.0,\"abc\n1.1,b\n1.2,c\n", 2), ("# a\nw\n1\n\"1.0\n", 4), ("w,\"n\nm\"\n1,2\n", 1)]
+    {
+        let message = "a quote opens here that is not closed in this line; fields have no line breaks";
+        check(text, &format!("bikes.csv:{line}: {message}"));
+    }
+    check("w\n1\n\"1.0", "bikes.csv:3: a quote opens here that is not closed");
+    check(&format!("w\n{}\n", "1".repeat(2_000_000)), "bikes.csv:2: the line is longer than 1 MiB");
+    for header in ["w", "w,name\n\n"] {
+        check(header, "bikes.csv: there is no design: no row follows the names of the columns");
+    }
+    directory.write("bikes.csv", "w,mB\n1,2\n");
+    let message = "error: --set w=2: `w` is given twice; also by a column of bikes.csv\n";
+    directory.run(&["sweep", "--designs", "bikes.csv", "--set", "w=2"]).fails(2, message);
+    std::fs::create_dir(directory.0.join("folder.csv")).unwrap();
+    let message = "error: --designs folder.csv: expected a regular file\n";
+    directory.run(&["sweep", "--designs", "folder.csv"]).fails(2, message);
     directory
         .run(&["sweep", "--designs", "bikes.txt"])
         .fails(2, "error: --designs bikes.txt: the name must end in .csv or .parquet\n");
