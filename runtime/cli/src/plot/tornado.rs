@@ -2,7 +2,7 @@
 
 use carvallo::{CriticalKind, Mode};
 
-use super::axes::{INK, label, ticks};
+use super::axes::{INK, across};
 use super::eigenvalues::color;
 use super::font;
 use super::scene::{Anchor, Color, Paint, Scene, line};
@@ -53,7 +53,7 @@ pub fn tornado(changes: &Changes) -> Option<Scene> {
     let left = 24.0 + symbols + 14.0 + steps + 12.0;
     let x = |effect: f64| left + ((effect - extent.0) / (extent.1 - extent.0)) as f32 * (RIGHT - left);
     legend(&series, left, &mut scene);
-    for tick in ticks(extent) {
+    for (tick, _) in across(extent, RIGHT - left) {
         scene.polyline(&[(x(tick), top), (x(tick), bottom)], line(1.0), GRID);
     }
     for (index, row) in rows.iter().enumerate() {
@@ -120,9 +120,9 @@ fn frame(extent: (f64, f64), area: [f32; 4], x: &dyn Fn(f64) -> f32, scene: &mut
     let [left, top, right, bottom] = area;
     scene.polyline(&[(x(0.0), top), (x(0.0), bottom)], line(1.2), INK);
     scene.rectangle(area, line(1.2), INK);
-    for tick in ticks(extent) {
+    for (tick, text) in across(extent, right - left) {
         scene.polyline(&[(x(tick), bottom), (x(tick), bottom + 5.0)], line(1.2), INK);
-        scene.text((x(tick), bottom + 20.0), Anchor::Middle, TEXT_SIZE, INK, &label(tick, extent));
+        scene.text((x(tick), bottom + 20.0), Anchor::Middle, TEXT_SIZE, INK, &text);
     }
     let title = "change of the critical speed (m/s) as the parameter changes by what stands beside it";
     scene.text(((left + right) / 2.0, bottom + 45.0), Anchor::Middle, 15.0, INK, title);
