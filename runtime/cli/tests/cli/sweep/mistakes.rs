@@ -118,4 +118,30 @@ fn results_that_cannot_be_written_are_failures() {
     let run = directory.run(&["sweep", "--vary", "w=1,2", "--output", "missing/table.csv"]);
     assert_eq!((run.code, run.stdout.as_str()), (Some(1), ""));
     assert!(run.stderr.starts_with("error: cannot write missing/table.csv"), "{}", run.stderr);
+    // Before anything is computed, and nothing is left behind.
+    let two = ["sweep", "--vary", "w=1,2", "--vary", "c=1,2", "--map"];
+    let run = directory.run(&[&two[..], &["missing/map.png"]].concat());
+    assert_eq!(run.code, Some(1));
+    assert!(run.stderr.starts_with("error: cannot write missing/map.png"), "{}", run.stderr);
+    std::fs::create_dir(directory.0.join("folder.csv")).unwrap();
+    let message = "error: --output folder.csv: it is a directory\n";
+    directory.run(&["sweep", "--vary", "w=1,2", "--output", "folder.csv", "--restart"]).fails(2, message);
+    assert_eq!(std::fs::read_dir(&directory.0).unwrap().count(), 1);
+}
+
+#[test]
+fn what_is_read_is_not_replaced() {
+    let directory = Directory::new("sweep-base");
+    let parameters = directory.run(&["show", "benchmark"]).ok();
+    directory.write("b.csv", &parameters);
+    directory.write("b.svg", &parameters);
+    let replaced = |option: &str| format!("error: {option}: the parameters are read from this file\n");
+    let sweep = ["sweep", "--vary", "w=1,1.1", "--vary", "c=0,0.1"];
+    let run = directory.run(&[&sweep[..], &["b.csv", "--output", "./b.csv", "--restart"]].concat());
+    run.fails(2, &replaced("--output ./b.csv"));
+    directory.run(&[&sweep[..], &["b.svg", "--map", "b.svg"]].concat()).fails(2, &replaced("--map b.svg"));
+    for command in ["analyze", "sensitivity", "show"] {
+        directory.run(&[command, "b.svg", "--plot", "b.svg"]).fails(2, &replaced("--plot b.svg"));
+    }
+    assert_eq!(std::fs::read_to_string(directory.0.join("b.svg")).unwrap(), parameters);
 }
