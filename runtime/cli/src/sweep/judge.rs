@@ -91,6 +91,9 @@ impl Judge {
             (Some(0), false) => self.option("--samples", "0", "expected at least 1"),
             _ => {}
         }
+        if request.seed.is_some() && request.random.is_empty() {
+            self.problem(Place::Nowhere, "--seed needs --random NAME=VALUES");
+        }
         if request.vary.is_empty() && request.random.is_empty() && request.designs.is_none() {
             self.problem(Place::Nowhere, "nothing varies: expected --vary, --random or --designs");
         }

@@ -51,7 +51,7 @@ impl Plan {
             }
             None => {
                 let samples = request.samples.unwrap_or(1);
-                Source::Generated(Generator { vary, random, samples, seed: request.seed })
+                Source::Generated(Generator { vary, random, samples, seed: request.seed.unwrap_or_default() })
             }
         };
         let batch = match &source {

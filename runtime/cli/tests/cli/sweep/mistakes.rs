@@ -27,6 +27,17 @@ fn sweeps_that_make_no_sense() {
     check(&[], "nothing varies: expected --vary, --random or --designs");
     check(&["--random", "w=1..2"], "--random needs --samples COUNT");
     check(&["--vary", "w=1,2", "--samples", "3"], "--samples needs --random NAME=VALUES");
+    check(&["--vary", "w=1,2", "--seed", "3"], "--seed needs --random NAME=VALUES");
+    check(
+        &["--vary", "w=-1e308:1e308:3 points"],
+        "--vary w=-1e308:1e308:3 points: the range from -1e308 m to 1e308 m is too wide for double precision",
+    );
+    for (option, value) in [("--samples", "1e3"), ("--seed", "abc"), ("--seed", "-1")] {
+        let run = Directory::of_this_test().run(&["sweep", "--random", "w=1..2", option, value]);
+        assert_eq!(run.code, Some(2));
+        assert!(run.stderr.contains(&format!("invalid value '{value}' for '{option}")), "{}", run.stderr);
+        assert!(run.stderr.contains("expected a whole number"), "{}", run.stderr);
+    }
     check(&["--random", "w=1..2", "--samples", "0"], "--samples 0: expected at least 1");
     check(&["--vary", "w=1,2", "--vary", "w=3"], "--vary w=3: `w` is given twice; first at --vary w=1,2");
     check(&["--vary", "g=1,2", "--gravity", "3"], "--vary g=1,2: `g` is given twice; first at --gravity 3");
@@ -106,8 +117,13 @@ fn files_of_designs_that_cannot_be_used() {
 #[test]
 fn help_has_examples_and_the_exit_codes() {
     let help = Directory::new("sweep-help").run(&["sweep", "--help"]).ok();
-    for expected in ["carvallo sweep --vary mB=60:100:1 > mass.csv", "Exit codes: 0 done", "stable_from_1", "--restart"]
-    {
+    for expected in [
+        "carvallo sweep --vary mB=60:100:1 > mass.csv",
+        "Exit codes: 0 done",
+        "stable_from_1",
+        "--restart",
+        "100 speeds",
+    ] {
         assert!(help.contains(expected), "{help}");
     }
 }
