@@ -97,7 +97,8 @@ those of double roots too; their layout is in docs/sensitivity.md.
 Examples:
   carvallo sensitivity                          The benchmark bicycle
   carvallo sensitivity browser --plot browser.png
-                                                A measured bicycle, with deviations and a bar chart
+                                                A measured bicycle, with deviations in the table, and a
+                                                bar chart of the effects of 1 %
   carvallo sensitivity --set c=0                Without trail
   carvallo sensitivity my-bike.toml --format csv
 

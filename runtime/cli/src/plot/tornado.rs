@@ -21,6 +21,8 @@ const LEGEND: f32 = 21.0;
 const LEGEND_TOP: f32 = 62.0;
 const BELOW: f32 = 82.0;
 const GRID: Color = Color(0xe4, 0xe4, 0xe4);
+/// Of the hue that it has against the speed, but lighter: bars side by side must differ also for who sees no hues.
+const CAPSIZE: Color = Color(0xea, 0xa2, 0x21);
 
 /// The bars of one parameter.
 struct Row {
@@ -83,11 +85,16 @@ fn rows(changes: &Changes) -> Vec<Row> {
         let effects: Option<Vec<f64>> =
             ranked.iter().map(|(_, derivatives)| changes.effect(derivatives, parameter)).collect();
         let (info, step) = (&info.parameters[parameter], changes.steps[parameter].size()?);
+        // Angles are shown in degrees, as on maps.
+        let (step, unit) = match info.unit {
+            "rad" => (step.to_degrees(), "°".to_owned()),
+            declared => (step, format!(" {}", unit(declared))),
+        };
         // Three digits are enough beside a bar.
         let rounded: f64 = format!("{step:.2e}").parse().unwrap_or(step);
         let sign = if step < 0.0 { "" } else { "+" };
         let mark = if matches!(changes.steps[parameter], Step::OfScale(_)) { "* " } else { "" };
-        let step = format!("{mark}{sign}{} {}", shortest(rounded), unit(info.unit)).replace('-', "−");
+        let step = format!("{mark}{sign}{}{unit}", shortest(rounded)).replace('-', "−");
         Some(Row { symbol: info.symbol.to_owned(), step: step.trim_end().to_owned(), effects: effects? })
     };
     changes.order().into_iter().filter_map(row).collect()
@@ -99,7 +106,7 @@ fn series(changes: &Changes) -> Vec<(String, Color)> {
     let entry = |(index, (critical, _)): (usize, &(&carvallo::CriticalSpeed, _))| {
         let (name, color) = match critical.kind {
             CriticalKind::Weave => ("weave", color(Mode::Weave)),
-            _ => ("capsize", color(Mode::Capsize)),
+            _ => ("capsize", CAPSIZE),
         };
         let before = ranked[..index].iter().filter(|(other, _)| other.kind == critical.kind).count();
         let color = color.lighter((0.4 * before as f32).min(0.8));

@@ -104,7 +104,7 @@ impl Journal {
             }
             Some(line) if line != first.as_bytes() => {
                 let designs = |line| std::str::from_utf8(line).ok()?.split(' ').next()?.parse().ok();
-                return Err(Refusal::Foreign(lines.filter_map(designs).last().unwrap_or_default()));
+                return Err(Refusal::Foreign(lines.filter_map(designs).next_back().unwrap_or_default()));
             }
             Some(_) => {
                 for (index, line) in lines.enumerate() {
