@@ -114,8 +114,9 @@ impl Store {
             Format::Csv => partial.clone(),
             Format::Parquet => {
                 let whole = beside(path, "assembled");
-                let assembled = parquet::assemble(headings, &partial, self.journal.lengths(), &whole);
-                assembled.map_err(|error| Failure::Run(format!("cannot write {}: {error}", path.display())))?;
+                let fail = |error| format!("cannot write {}: {}", path.display(), parquet::message(error));
+                let lengths = self.journal.lengths();
+                parquet::assemble(headings, &partial, lengths, &whole).map_err(|error| Failure::Run(fail(error)))?;
                 whole
             }
         };

@@ -11,6 +11,7 @@ use parquet::schema::types::Type;
 
 use super::{Cell, Rows};
 use crate::failure::{Failure, Place, Problem};
+use crate::sweep::write::parquet::message;
 
 /// The rows of a file.
 pub struct Records {
@@ -24,11 +25,7 @@ fn open(path: &Path) -> Result<SerializedFileReader<std::fs::File>, Failure> {
 }
 
 fn fail(path: &Path, error: ParquetError) -> Failure {
-    let error = match error {
-        ParquetError::External(error) => error.to_string(),
-        error => error.to_string(),
-    };
-    Failure::Run(format!("cannot read {}: {error}", path.display()))
+    Failure::Run(format!("cannot read {}: {}", path.display(), message(error)))
 }
 
 /// The names of the columns.
