@@ -94,7 +94,6 @@ impl Journal {
         let first = format!("carvallo sweep {definition:016x}\n");
         let mut journal = Self { file, batches: Vec::new(), saved: 0, checksum: definition, finished: None };
         let mut lines = content.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
-        let mut length = first.len();
         match lines.next() {
             None => {
                 journal.file.set_len(0)?;
@@ -107,23 +106,7 @@ impl Journal {
                 return Err(Refusal::Foreign(lines.filter_map(designs).next_back().unwrap_or_default()));
             }
             Some(_) => {
-                for (index, line) in lines.enumerate() {
-                    // What is not text was not written here.
-                    let line_text = std::str::from_utf8(line).unwrap_or_default();
-                    let read = journal.read(line_text).ok_or(Refusal::Broken(index + 2))?;
-                    match read {
-                        (Line::Batch(next), checksum) if bytes.is_none_or(|bytes| next.bytes <= bytes) => {
-                            journal.batches.push(next);
-                            journal.checksum = checksum;
-                        }
-                        (Line::Finished(stamp), _) if bytes.is_none() => {
-                            journal.finished = Some(stamp);
-                            break;
-                        }
-                        _ => break,
-                    }
-                    length += line.len();
-                }
+                let length = first.len() + journal.replay(lines, bytes)?;
                 if bytes.is_some() {
                     journal.file.set_len(length as u64)?;
                 }
@@ -134,11 +117,33 @@ impl Journal {
         Ok(journal)
     }
 
+    /// Takes in the lines below the first one as far as they count; how many bytes they have.
+    fn replay<'a>(&mut self, lines: impl Iterator<Item = &'a [u8]>, bytes: Option<u64>) -> Result<usize, Refusal> {
+        let mut length = 0;
+        for (index, line) in lines.enumerate() {
+            // What is not text was not written here.
+            let text = std::str::from_utf8(line).unwrap_or_default();
+            match self.read(text).ok_or(Refusal::Broken(index + 2))? {
+                (Line::Batch(next), checksum) if bytes.is_none_or(|bytes| next.bytes <= bytes) => {
+                    self.batches.push(next);
+                    self.checksum = checksum;
+                }
+                (Line::Finished(stamp), _) if bytes.is_none() => {
+                    self.finished = Some(stamp);
+                    break;
+                }
+                _ => break,
+            }
+            length += line.len();
+        }
+        Ok(length)
+    }
+
     /// A line after those that were read, with its checksum; `None` if it is not as it was written.
     fn read(&self, line: &str) -> Option<(Line, u64)> {
         let (text, found) = line.strip_suffix('\n')?.rsplit_once(' ')?;
         let checksum = checksum(self.checksum, text);
-        if self.finished.is_some() || found != format!("{checksum:016x}") {
+        if found != format!("{checksum:016x}") {
             return None;
         }
         let mut words = text.split(' ');

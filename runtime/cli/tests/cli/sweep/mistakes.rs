@@ -101,6 +101,9 @@ fn files_of_designs_that_cannot_be_used() {
         "{}",
         run.stderr
     );
+    let run = directory.run(&["sweep", "--designs", "missing.parquet"]);
+    assert!(run.stderr.starts_with("error: cannot read missing.parquet: "), "{}", run.stderr);
+    assert!(!run.stderr.contains("External"), "{}", run.stderr);
     directory.write("broken.parquet", "PAR1 this is none");
     let run = directory.run(&["sweep", "--designs", "broken.parquet"]);
     assert_eq!(
