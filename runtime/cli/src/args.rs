@@ -97,7 +97,8 @@ those of double roots too; their layout is in docs/sensitivity.md.
 Examples:
   carvallo sensitivity                          The benchmark bicycle
   carvallo sensitivity browser --plot browser.png
-                                                A measured bicycle, with deviations and a bar chart
+                                                A measured bicycle, with deviations in the table, and a
+                                                bar chart of the effects of 1 %
   carvallo sensitivity --set c=0                Without trail
   carvallo sensitivity my-bike.toml --format csv
 
@@ -196,7 +197,8 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, F
                 })
             });
             let format = format(matches);
-            let (request, plot, speeds) = (request(matches)?, plot(matches)?, speeds.transpose()?);
+            let (request, speeds) = (request(matches)?, speeds.transpose()?);
+            let plot = plot(matches, &request)?;
             if let (Some(path), Some([first, others @ ..])) = (&plot, speeds.as_deref())
                 && others.iter().all(|speed| speed == first)
             {
@@ -206,10 +208,14 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, F
             Ok(Command::Analyze { request, speeds, format, plot })
         }
         Some(("sensitivity", matches)) => {
-            let (request, plot) = (request(matches)?, plot(matches)?);
+            let request = request(matches)?;
+            let plot = plot(matches, &request)?;
             Ok(Command::Sensitivity { request, format: format(matches), plot })
         }
-        Some(("show", matches)) => Ok(Command::Show { request: request(matches)?, plot: plot(matches)? }),
+        Some(("show", matches)) => {
+            let request = request(matches)?;
+            Ok(Command::Show { plot: plot(matches, &request)?, request })
+        }
         Some(("sweep", matches)) => Ok(Command::Sweep(Box::new(sweep::request(matches, request(matches)?)))),
         Some(("models", _)) => Ok(Command::Models),
         Some(_) => Ok(Command::Bicycles),
@@ -245,12 +251,18 @@ fn request(matches: &ArgMatches) -> Result<Request, Failure> {
     Ok(Request { model, parameters, overrides })
 }
 
-/// The picture is refused before anything is computed if its ending names no format.
-fn plot(matches: &ArgMatches) -> Result<Option<PathBuf>, Failure> {
+/// The picture is refused before anything is computed if its ending names no format, or if it would replace what is read.
+fn plot(matches: &ArgMatches, request: &Request) -> Result<Option<PathBuf>, Failure> {
     let Some(path) = matches.get_one::<PathBuf>("plot") else { return Ok(None) };
     let is_known =
         path.extension().is_some_and(|ending| ["svg", "png"].iter().any(|known| ending.eq_ignore_ascii_case(known)));
-    if is_known { Ok(Some(path.clone())) } else { Err(plot_problem(path, "the name must end in .svg or .png")) }
+    if !is_known {
+        return Err(plot_problem(path, "the name must end in .svg or .png"));
+    }
+    if request.reads(path) {
+        return Err(plot_problem(path, "the parameters are read from this file"));
+    }
+    Ok(Some(path.clone()))
 }
 
 fn plot_problem(path: &Path, message: &str) -> Failure {

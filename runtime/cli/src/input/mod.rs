@@ -36,6 +36,18 @@ pub struct Request {
     pub overrides: Vec<(String, String, String)>,
 }
 
+impl Request {
+    /// Whether the parameters are read from this file, so that nothing must be written there.
+    pub fn reads(&self, path: &Path) -> bool {
+        self.parameters.as_ref().is_some_and(|parameters| is_same_file(Path::new(parameters), path))
+    }
+}
+
+/// Whether two paths are of one file, which is there.
+pub fn is_same_file(first: &Path, second: &Path) -> bool {
+    first.canonicalize().is_ok_and(|first| second.canonicalize().is_ok_and(|second| first == second))
+}
+
 /// Reads and judges the parameters.
 ///
 /// # Errors

@@ -15,8 +15,10 @@ const TOP: f32 = 84.0;
 const TEXT: f32 = 13.0;
 /// From the right of a panel to the labels of its scale.
 const SCALE: [f32; 2] = [14.0, 32.0];
-/// Room for the labels of a scale, and the next panel.
-const BETWEEN: f32 = 96.0;
+/// The least room right of a panel, for the scale and what stands above it.
+const RIGHT: f32 = 80.0;
+/// From there to the next panel.
+const BETWEEN: f32 = 24.0;
 
 /// Dark for low values, light for high ones, of even steps in lightness and readable without colours (viridis, by van der
 /// Walt & Smith).
@@ -108,19 +110,17 @@ pub fn map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
     let edges = [x_axis.edges(), y_axis.edges()];
     let [x_range, y_range] = [MapAxis::extent(&edges[0]), MapAxis::extent(&edges[1])];
     let left = axes::margin(y_range);
-    let width = 2.0 * (left + SIDE) + BETWEEN + SCALE[1] + 40.0;
+    let scales = PANELS.each_ref().map(|panel| Scale::of(values(panel, cells)));
+    let [first_right, second_right] = scales.each_ref().map(Scale::room);
+    let second_left = left + SIDE + first_right + BETWEEN + left;
+    let width = second_left + SIDE + second_right;
     let title = format!("Stability of {name} over two parameters");
     let mut scene = Scene::new(title.clone(), width, HEIGHT);
     scene.text((width / 2.0, 30.0), Anchor::Middle, 18.0, INK, &title);
-    for (panel, left) in PANELS.iter().zip([left, 2.0 * left + SIDE + BETWEEN]) {
+    for ((panel, scale), left) in PANELS.iter().zip(scales).zip([left, second_left]) {
         let area = [left, TOP, left + SIDE, TOP + SIDE - 40.0];
         let axes = Axes { x: x_range, y: y_range, area };
         scene.text((left + SIDE / 2.0, TOP - 14.0), Anchor::Middle, 15.0, INK, panel.title);
-        let values = cells.iter().filter_map(|cell| match cell {
-            MapCell::Stable(range) => (panel.value)(range),
-            _ => None,
-        });
-        let scale = Scale::of(values);
         fill(&mut scene, &axes, &edges, cells, |cell| match cell {
             MapCell::Stable(range) => (panel.value)(range).map_or(Shade::Endless, |value| scale.shade(value)),
             MapCell::Unstable => Shade::Unstable,
@@ -138,6 +138,14 @@ pub fn map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
         scene.text((x + 24.0, y + 5.0), Anchor::Start, TEXT, INK, name);
     }
     scene
+}
+
+/// What a panel shows in colours.
+fn values(panel: &Panel, cells: &[MapCell]) -> impl Iterator<Item = f64> {
+    cells.iter().filter_map(|cell| match cell {
+        MapCell::Stable(range) => (panel.value)(range),
+        _ => None,
+    })
 }
 
 /// How a cell is painted.
@@ -249,6 +257,12 @@ impl Scale {
         Shade::Level(((share * LEVELS as f64) as usize).min(LEVELS - 1))
     }
 
+    /// What it takes right of a panel.
+    fn room(&self) -> f32 {
+        let labels = self.range.map_or(0.0, |range| axes::width(&axes::upward(range)));
+        RIGHT.max(SCALE[1] + 9.0 + labels + 12.0)
+    }
+
     /// The colours from bottom to top right of a panel, with their values.
     fn draw(&self, scene: &mut Scene, [_, top, right, bottom]: [f32; 4]) {
         let Some(range) = self.range else { return };
@@ -264,7 +278,7 @@ impl Scale {
             scene.text((left, top - 7.0), Anchor::Start, TEXT, INK, "and more");
         }
         let axes = Axes { x: (0.0, 1.0), y: range, area: [left, top, right, bottom] };
-        for (value, text) in axes::labels(range) {
+        for (value, text) in axes::upward(range) {
             let (_, y) = axes.place(0.0, value);
             scene.polyline(&[(right, y), (right + 5.0, y)], line(1.2), INK);
             scene.text((right + 9.0, y + 4.5), Anchor::Start, TEXT, INK, &text);

@@ -2,7 +2,7 @@
 
 use carvallo::{CriticalKind, Mode};
 
-use super::axes::{INK, label, ticks};
+use super::axes::{INK, across};
 use super::eigenvalues::color;
 use super::font;
 use super::scene::{Anchor, Color, Paint, Scene, line};
@@ -21,6 +21,8 @@ const LEGEND: f32 = 21.0;
 const LEGEND_TOP: f32 = 62.0;
 const BELOW: f32 = 82.0;
 const GRID: Color = Color(0xe4, 0xe4, 0xe4);
+/// Of the hue that it has against the speed, but lighter: bars side by side must differ also for who sees no hues.
+const CAPSIZE: Color = Color(0xea, 0xa2, 0x21);
 
 /// The bars of one parameter.
 struct Row {
@@ -53,7 +55,7 @@ pub fn tornado(changes: &Changes) -> Option<Scene> {
     let left = 24.0 + symbols + 14.0 + steps + 12.0;
     let x = |effect: f64| left + ((effect - extent.0) / (extent.1 - extent.0)) as f32 * (RIGHT - left);
     legend(&series, left, &mut scene);
-    for tick in ticks(extent) {
+    for (tick, _) in across(extent, RIGHT - left) {
         scene.polyline(&[(x(tick), top), (x(tick), bottom)], line(1.0), GRID);
     }
     for (index, row) in rows.iter().enumerate() {
@@ -83,11 +85,16 @@ fn rows(changes: &Changes) -> Vec<Row> {
         let effects: Option<Vec<f64>> =
             ranked.iter().map(|(_, derivatives)| changes.effect(derivatives, parameter)).collect();
         let (info, step) = (&info.parameters[parameter], changes.steps[parameter].size()?);
+        // Angles are shown in degrees, as on maps.
+        let (step, unit) = match info.unit {
+            "rad" => (step.to_degrees(), "°".to_owned()),
+            declared => (step, format!(" {}", unit(declared))),
+        };
         // Three digits are enough beside a bar.
         let rounded: f64 = format!("{step:.2e}").parse().unwrap_or(step);
         let sign = if step < 0.0 { "" } else { "+" };
         let mark = if matches!(changes.steps[parameter], Step::OfScale(_)) { "* " } else { "" };
-        let step = format!("{mark}{sign}{} {}", shortest(rounded), unit(info.unit)).replace('-', "−");
+        let step = format!("{mark}{sign}{}{unit}", shortest(rounded)).replace('-', "−");
         Some(Row { symbol: info.symbol.to_owned(), step: step.trim_end().to_owned(), effects: effects? })
     };
     changes.order().into_iter().filter_map(row).collect()
@@ -99,7 +106,7 @@ fn series(changes: &Changes) -> Vec<(String, Color)> {
     let entry = |(index, (critical, _)): (usize, &(&carvallo::CriticalSpeed, _))| {
         let (name, color) = match critical.kind {
             CriticalKind::Weave => ("weave", color(Mode::Weave)),
-            _ => ("capsize", color(Mode::Capsize)),
+            _ => ("capsize", CAPSIZE),
         };
         let before = ranked[..index].iter().filter(|(other, _)| other.kind == critical.kind).count();
         let color = color.lighter((0.4 * before as f32).min(0.8));
@@ -120,9 +127,9 @@ fn frame(extent: (f64, f64), area: [f32; 4], x: &dyn Fn(f64) -> f32, scene: &mut
     let [left, top, right, bottom] = area;
     scene.polyline(&[(x(0.0), top), (x(0.0), bottom)], line(1.2), INK);
     scene.rectangle(area, line(1.2), INK);
-    for tick in ticks(extent) {
+    for (tick, text) in across(extent, right - left) {
         scene.polyline(&[(x(tick), bottom), (x(tick), bottom + 5.0)], line(1.2), INK);
-        scene.text((x(tick), bottom + 20.0), Anchor::Middle, TEXT_SIZE, INK, &label(tick, extent));
+        scene.text((x(tick), bottom + 20.0), Anchor::Middle, TEXT_SIZE, INK, &text);
     }
     let title = "change of the critical speed (m/s) as the parameter changes by what stands beside it";
     scene.text(((left + right) / 2.0, bottom + 45.0), Anchor::Middle, 15.0, INK, title);

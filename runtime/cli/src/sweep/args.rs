@@ -14,7 +14,7 @@ pub struct Request {
     pub vary: Vec<String>,
     pub random: Vec<String>,
     pub samples: Option<u64>,
-    pub seed: u64,
+    pub seed: Option<u64>,
     pub designs: Option<PathBuf>,
     /// The speeds of the eigenvalues.
     pub eigenvalues: Option<String>,
@@ -35,7 +35,10 @@ Designs:
   --random 'mB=85+-5' --samples 1000 normal, by its mean and standard deviation; also +/- and ±
                                      Beside --vary, each combination gets the same samples
   --designs bikes.csv                a row for each design; columns are named like parameters, and `name` and `id` are
-                                     copied. Parameters without a column are those of DESIGN
+                                     copied. Parameters without a column are those of DESIGN. In CSV, lines before the
+                                     header that begin with # are comments; Parquet may be compressed with Snappy, gzip
+                                     or LZ4, or not at all
+At most 1,000,000 values for each --vary, 10^12 designs, 100 speeds of --eigenvalues, and 1,000,000 designs in a map.
 
 Columns of the result, in SI units (speeds in m/s, eigenvalues in 1/s):
   the parameters that vary, or all columns of the file
@@ -64,7 +67,8 @@ Exit codes: 0 done, also where single designs have an error (their number is tol
 pub fn command(base: [Arg; 4]) -> clap::Command {
     let file = |name: &'static str| Arg::new(name).long(name).value_name("FILE").value_parser(value_parser!(PathBuf));
     let several = |name: &'static str| Arg::new(name).long(name).action(ArgAction::Append).allow_hyphen_values(true);
-    let number = |name: &'static str| Arg::new(name).long(name).value_parser(value_parser!(u64));
+    let whole = |text: &str| text.parse::<u64>().map_err(|_| "expected a whole number");
+    let number = |name: &'static str| Arg::new(name).long(name).allow_hyphen_values(true).value_parser(whole);
     clap::Command::new("sweep")
         .about("Critical speeds, stable ranges and eigenvalues of many designs, to CSV or Parquet")
         .after_help(HELP)
@@ -76,7 +80,7 @@ pub fn command(base: [Arg; 4]) -> clap::Command {
         )
         .arg(several("random").value_name("NAME=VALUES").help("Draws a parameter: LOW..HIGH, or MEAN+-DEVIATION"))
         .arg(number("samples").value_name("COUNT").help("How many designs to draw"))
-        .arg(number("seed").value_name("SEED").default_value("0").help("Another seed draws other designs"))
+        .arg(number("seed").value_name("SEED").help("Another seed draws other designs [default: 0]"))
         .arg(file("designs").conflicts_with_all(["vary", "random"]).help("Reads the designs; .csv or .parquet"))
         .arg(
             Arg::new("eigenvalues")
@@ -105,7 +109,7 @@ pub fn request(matches: &ArgMatches, base: input::Request) -> Request {
         vary: several("vary"),
         random: several("random"),
         samples: matches.get_one("samples").copied(),
-        seed: matches.get_one("seed").copied().unwrap_or_default(),
+        seed: matches.get_one("seed").copied(),
         designs: file("designs"),
         eigenvalues: matches.get_one("eigenvalues").cloned(),
         output: file("output"),

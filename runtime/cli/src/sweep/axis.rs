@@ -81,6 +81,12 @@ pub fn any_possible(values: &[f64], info: &ParameterInfo) -> Result<(), String> 
     Err(format!("no value of `{name}` is possible, such as {first}; it must be {domain}{hint}"))
 }
 
+/// Of a range that is longer than the largest double.
+pub fn too_wide(low: f64, high: f64, info: &ParameterInfo) -> String {
+    let [low, high] = [low, high].map(|value| with_unit(value, info.unit));
+    format!("the range from {low} to {high} is too wide for double precision")
+}
+
 struct Range {
     low: f64,
     high: f64,
@@ -92,6 +98,9 @@ impl Range {
         if low > high {
             let [low, high] = [low, high].map(|value| with_unit(value, info.unit));
             return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
+        }
+        if !(high - low).is_finite() {
+            return Err(too_wide(low, high, info));
         }
         Ok(Self { low, high })
     }
@@ -194,6 +203,7 @@ mod tests {
             ("w=2:1:0.1", "the range ends at 1 m, before it begins at 2 m; it must ascend"),
             ("w=1:2:1 points", "the number of points is `1`; it must be a whole number from 2 to 1000000"),
             ("w=1:2:1e-9", "the range has more than 1000000 points"),
+            ("w=-1e308:1e308:3 points", "the range from -1e308 m to 1e308 m is too wide for double precision"),
             ("w=1,,2", "a value of `w` is empty; expected a number, or an expression such as `pi/10`"),
             ("w=-2:-1:0.5", "no value of `w` is possible, such as -2 m; it must be > 0"),
             (

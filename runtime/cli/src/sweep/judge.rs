@@ -10,6 +10,7 @@ use super::map::MAX_CELLS;
 use super::random::Random;
 use super::write::Format;
 use crate::failure::{Failure, Place, Problem};
+use crate::input::is_same_file;
 use crate::number::shortest;
 use crate::speeds;
 
@@ -90,6 +91,9 @@ impl Judge {
             (Some(0), false) => self.option("--samples", "0", "expected at least 1"),
             _ => {}
         }
+        if request.seed.is_some() && request.random.is_empty() {
+            self.problem(Place::Nowhere, "--seed needs --random NAME=VALUES");
+        }
         if request.vary.is_empty() && request.random.is_empty() && request.designs.is_none() {
             self.problem(Place::Nowhere, "nothing varies: expected --vary, --random or --designs");
         }
@@ -115,13 +119,17 @@ impl Judge {
         })
     }
 
-    /// Whether the results would replace the designs.
+    /// Whether the results would replace what is read.
     fn paths(&mut self, request: &Request) {
-        if let (Some(designs), Some(output)) = (&request.designs, &request.output)
-            && let (Ok(from), Ok(to)) = (designs.canonicalize(), output.canonicalize())
-            && from == to
-        {
-            self.option("--output", &output.display().to_string(), "the designs are read from this file");
+        for (option, path) in [("--output", &request.output), ("--map", &request.map)] {
+            let Some(path) = path else { continue };
+            let shown = path.display().to_string();
+            if request.designs.as_ref().is_some_and(|designs| is_same_file(designs, path)) {
+                self.option(option, &shown, "the designs are read from this file");
+            }
+            if request.base.reads(path) {
+                self.option(option, &shown, "the parameters are read from this file");
+            }
         }
     }
 

@@ -46,6 +46,7 @@ const CHUNK: usize = 512;
 pub fn run(design: Result<Design, Failure>, request: &Request) -> Result<(), Failure> {
     let design = design.map_err(|failure| with_options(failure, request))?;
     let plan = Plan::new(&design, request)?;
+    request.map.as_deref().map(plot::check).transpose()?;
     let mut map = request.map.as_ref().map(|_| Map::new(&plan));
     let mut target = Target::open(request, &plan)?;
     let done = target.designs();

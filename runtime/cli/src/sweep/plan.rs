@@ -9,7 +9,7 @@ use super::judge::{Judged, judge};
 use super::layout::Layout;
 use super::read::File;
 use super::write::Format;
-use crate::failure::Failure;
+use crate::failure::{Failure, Place, Problem};
 use crate::input::Design;
 
 /// More designs than this are taken for a slip in a step.
@@ -44,17 +44,26 @@ impl Plan {
         let info = design.info();
         let Judged { vary, random, speeds, format, file } = judge(request, info)?;
         let source = match file {
-            Some((path, format)) => Source::File(File::open(&path, format, info)?),
+            Some((path, format)) => {
+                let file = File::open(&path, format, info)?;
+                once(request, &file)?;
+                Source::File(file)
+            }
             None => {
                 let samples = request.samples.unwrap_or(1);
-                Source::Generated(Generator { vary, random, samples, seed: request.seed })
+                Source::Generated(Generator { vary, random, samples, seed: request.seed.unwrap_or_default() })
             }
         };
         let batch = match &source {
             Source::File(_) => BATCH.0,
             Source::Generated(generator) => match generator.total().filter(|total| *total <= MAX_DESIGNS) {
                 Some(total) => (total / 64).clamp(BATCH.0, BATCH.1),
-                None => return Err(Failure::usage(format!("there are more than {MAX_DESIGNS} designs"))),
+                None => {
+                    let options = "--vary, --random and --samples";
+                    return Err(Failure::usage(format!(
+                        "{options} make too many designs; there must be at most {MAX_DESIGNS}"
+                    )));
+                }
             },
         };
         let evaluate = evaluate::of(design.model)
@@ -66,6 +75,18 @@ impl Plan {
         let definition = definition(design, &source, &headings, format)?;
         Ok(Self { task, source, headings, format, batch: batch as usize, definition })
     }
+}
+
+/// Whether each parameter has its value from one place.
+fn once(request: &Request, file: &File) -> Result<(), Failure> {
+    let is_twice = |name: &str| file.columns.iter().any(|(column, _)| column == name);
+    let twice = request.base.overrides.iter().filter(|(_, name, _)| is_twice(name));
+    let problem = |(option, name, _): &(String, String, String)| {
+        let message = format!("`{name}` is given twice; also by a column of {}", file.path.display());
+        Problem { place: Place::Option(option.clone()), message }
+    };
+    let problems: Vec<Problem> = twice.map(problem).collect();
+    if problems.is_empty() { Ok(()) } else { Err(Failure::Input(problems)) }
 }
 
 impl Source {

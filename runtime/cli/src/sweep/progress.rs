@@ -4,7 +4,7 @@ use std::fmt;
 use std::io::IsTerminal as _;
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanCount, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::target::Target;
 
@@ -22,12 +22,17 @@ impl Progress {
         let (target, template) = match (is_shared, total) {
             (true, _) => (ProgressDrawTarget::hidden(), ""),
             (false, Some(_)) => {
-                (ProgressDrawTarget::stderr(), "{wide_bar} {human_pos} of {human_len} designs, {per_sec}, {eta} left")
+                (ProgressDrawTarget::stderr(), "{wide_bar} {human_pos} of {human_len} designs, {rate}, {eta} left")
             }
-            (false, None) => (ProgressDrawTarget::stderr(), "{spinner} {human_pos} designs, {per_sec}"),
+            (false, None) => (ProgressDrawTarget::stderr(), "{spinner} {human_pos} designs, {rate}"),
         };
         let bar = ProgressBar::with_draw_target(total, target);
-        let style = ProgressStyle::with_template(template);
+        // Without decimals, unlike the `per_sec` of the library.
+        let rate = |state: &ProgressState, text: &mut dyn fmt::Write| {
+            // The text is memory.
+            let _ = write!(text, "{}/s", HumanCount(state.per_sec() as u64));
+        };
+        let style = ProgressStyle::with_template(template).map(|style| style.with_key("rate", rate));
         let bar = style.map_or(bar.clone(), |style| bar.with_style(style));
         Self { bar, designs: 0, time: Duration::ZERO }
     }
@@ -53,7 +58,8 @@ impl Progress {
 impl fmt::Display for Progress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (designs, seconds) = (self.designs, self.time.as_secs_f64());
-        write!(f, "{designs} designs in {seconds:.3} s")?;
+        let noun = if designs == 1 { "design" } else { "designs" };
+        write!(f, "{designs} {noun} in {seconds:.3} s")?;
         if seconds > 0.0 && designs > 0 {
             write!(f, ", {:.0} designs/s", designs as f64 / seconds)?;
         }

@@ -4,11 +4,14 @@ use carvallo::ModelInfo;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore as _, SeedableRng as _};
 
-use super::axis::{any_possible, number, split};
+use super::axis::{any_possible, number, split, too_wide};
 use crate::number::with_unit;
 
 /// The 32-bit words that each sample takes, whatever its distribution.
 const WORDS: u128 = 4;
+
+/// No sample is farther from the mean, in standard deviations: sqrt(-2 ln 2^-53) is 8.57.
+const FARTHEST: f64 = 8.6;
 
 /// A parameter and its distribution.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,12 +45,21 @@ impl Random {
                 return Err(format!("the standard deviation is {}; it must be >= 0", with_unit(deviation)));
             }
             any_possible(&[mean], parameter)?;
+            if !(mean.abs() + FARTHEST * deviation).is_finite() {
+                return Err(format!(
+                    "the standard deviation is {}, too large for double precision",
+                    with_unit(deviation)
+                ));
+            }
             Distribution::Normal { mean, deviation }
         } else {
             let (low, high) = both(values.split_once("..").ok_or(expected)?)?;
             if low > high {
                 let [low, high] = [low, high].map(with_unit);
                 return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
+            }
+            if !(high - low).is_finite() {
+                return Err(too_wide(low, high, parameter));
             }
             any_possible(&[low, low / 2.0 + high / 2.0, high], parameter)?;
             Distribution::Uniform { low, high }
@@ -138,6 +150,8 @@ mod tests {
             ("c", expected),
             ("c=1", expected),
             ("c=2..1", "the range ends at 1 m, before it begins at 2 m; it must ascend"),
+            ("w=-1e308..1e308", "the range from -1e308 m to 1e308 m is too wide for double precision"),
+            ("mB=85+-1e308", "the standard deviation is 1e308 kg, too large for double precision"),
             ("mB=85+/--5", "the standard deviation is -5 kg; it must be >= 0"),
             ("MB=85±5", "`MB` is not a parameter of Whipple; did you mean `mB`?"),
         ] {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use super::columns::Heading;
-use super::journal::{Journal, Progress, Refusal};
+use super::journal::{Journal, Progress, Refusal, Stamp};
 use super::plan::Plan;
 use super::write::{Format, parquet};
 use crate::failure::{Failure, Place, Problem};
@@ -29,6 +29,9 @@ impl Store {
     /// If there is a finished file, another sweep's, or one that another process writes; or if it cannot be written.
     pub fn open(path: &Path, plan: &Plan, restart: bool) -> Result<Option<Self>, Failure> {
         let (partial_path, journal_path) = (beside(path, "partial"), beside(path, "journal"));
+        if path.is_dir() {
+            return Err(refused(path, "it is a directory"));
+        }
         if path.exists() && !journal_path.exists() && !restart {
             return Err(refused(path, "the file exists already; --restart replaces it"));
         }
@@ -42,19 +45,26 @@ impl Store {
         let journal =
             Journal::open(&journal_path, plan.definition, length, restart).map_err(|refusal| match refusal {
                 Refusal::Busy => Failure::Run(format!("another sweep is writing {}", path.display())),
-                Refusal::Foreign(Progress { designs, .. }) => {
+                Refusal::Foreign(designs) => {
                     let journal = journal_path.display();
-                    refused(
-                        path,
-                        &format!(
-                            "{journal} is of another sweep, of which {designs} designs are done; --restart drops it"
-                        ),
-                    )
+                    let done = format!("{journal} is of another sweep, of which {designs} designs are done");
+                    refused(path, &format!("{done}; --restart drops it"))
+                }
+                Refusal::Broken(line) => {
+                    let journal = journal_path.display();
+                    refused(path, &format!("{journal}:{line} is not as it was written; --restart begins anew"))
                 }
                 Refusal::Io(error) => io(&journal_path, error),
             })?;
-        // Killed between the last name and the end of the journal.
-        if renamed && journal.finished {
+        if renamed {
+            // Killed between the last name and the end of the journal; or what was computed is gone.
+            let stamp = std::fs::metadata(path).and_then(|metadata| Stamp::of(&metadata)).map_err(fail)?;
+            if journal.finished != Some(stamp) {
+                let [partial, journal] = [&partial_path, &journal_path].map(|path| path.display());
+                let message =
+                    format!("{journal} tells of another file, and {partial} is missing; --restart begins anew");
+                return Err(refused(path, &message));
+            }
             std::fs::remove_file(&journal_path).map_err(fail)?;
             return Ok(None);
         }
@@ -100,17 +110,22 @@ impl Store {
         let path = &self.path;
         let partial = beside(path, "partial");
         let fail = |error| io(path, error);
-        self.journal.finish().map_err(fail)?;
-        match format {
-            Format::Csv => std::fs::rename(&partial, path).map_err(fail)?,
+        let whole = match format {
+            Format::Csv => partial.clone(),
             Format::Parquet => {
                 let whole = beside(path, "assembled");
-                let assembled = parquet::assemble(headings, &partial, self.journal.lengths(), &whole);
-                assembled.map_err(|error| Failure::Run(format!("cannot write {}: {error}", path.display())))?;
-                std::fs::rename(&whole, path).map_err(fail)?;
-                sync_directory(path).map_err(fail)?;
-                std::fs::remove_file(&partial).map_err(fail)?;
+                let fail = |error| format!("cannot write {}: {}", path.display(), parquet::message(error));
+                let lengths = self.journal.lengths();
+                parquet::assemble(headings, &partial, lengths, &whole).map_err(|error| Failure::Run(fail(error)))?;
+                whole
             }
+        };
+        let stamp = std::fs::metadata(&whole).and_then(|metadata| Stamp::of(&metadata)).map_err(fail)?;
+        self.journal.finish(stamp).map_err(fail)?;
+        std::fs::rename(&whole, path).map_err(fail)?;
+        if whole != partial {
+            sync_directory(path).map_err(fail)?;
+            std::fs::remove_file(&partial).map_err(fail)?;
         }
         sync_directory(path).map_err(fail)?;
         std::fs::remove_file(beside(path, "journal")).map_err(fail)

@@ -75,13 +75,16 @@ impl Target {
         }
         let sizes: Vec<usize> = designs.iter().map(|designs| designs.rows).collect();
         let tables: Vec<Vec<Column>> = designs.into_iter().zip(results).map(|(d, r)| table(d, r)).collect();
-        let bytes: Vec<Vec<u8>> = match plan.format {
-            Format::Csv => tables.par_iter().zip(&sizes).map(|(table, rows)| csv::rows(table, *rows)).collect(),
-            Format::Parquet => {
-                let part = parquet::part(&plan.headings, &tables);
-                vec![part.map_err(|error| Failure::Run(format!("cannot write the results: {error}")))?]
-            }
-        };
+        let bytes: Vec<Vec<u8>> =
+            match plan.format {
+                Format::Csv => tables.par_iter().zip(&sizes).map(|(table, rows)| csv::rows(table, *rows)).collect(),
+                Format::Parquet => {
+                    let part = parquet::part(&plan.headings, &tables);
+                    vec![part.map_err(|error| {
+                        Failure::Run(format!("cannot write the results: {}", parquet::message(error)))
+                    })?]
+                }
+            };
         self.put(&bytes, rows, errors)
     }
 

@@ -62,7 +62,7 @@ fn a_bar_chart_has_a_legend_and_every_parameter_with_its_step() {
         "weave speed, 4.2924 m/s",
         "capsize speed, 6.0243 m/s",
         "λ",
-        "+0.00314 rad",
+        "+0.18°",
         "IRxx",
         "−0.009 m",
         "+0.85 kg",

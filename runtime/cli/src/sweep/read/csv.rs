@@ -1,28 +1,45 @@
 //! Designs from comma-separated values.
 
+use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use csv::{ByteRecord, Reader, ReaderBuilder, Trim};
 
+use super::lines::{BadLine, Lines};
 use super::{Cell, Rows};
-use crate::failure::Failure;
+use crate::failure::{Failure, Place, Problem};
 
 /// The rows of a file.
 pub struct Records {
     path: PathBuf,
-    reader: Reader<std::fs::File>,
+    reader: Reader<Lines<File>>,
     record: ByteRecord,
     columns: usize,
 }
 
-fn open(path: &Path) -> Result<Reader<std::fs::File>, Failure> {
-    let mut builder = ReaderBuilder::new();
-    builder.flexible(true).trim(Trim::All).comment(Some(b'#'));
-    builder.from_path(path).map_err(|error| fail(path, error))
+fn open(path: &Path) -> Result<Reader<Lines<File>>, Failure> {
+    let file = File::open(path).map_err(|error| cannot_read(path, error))?;
+    Ok(ReaderBuilder::new().flexible(true).trim(Trim::All).from_reader(Lines::new(file)))
 }
 
 fn fail(path: &Path, error: csv::Error) -> Failure {
-    Failure::Run(format!("cannot read {}: {error}", path.display()))
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => cannot_read(path, error),
+        // Only reading can fail where rows may have any number of fields, of bytes.
+        other => Failure::Run(format!("cannot read {}: {other:?}", path.display())),
+    }
+}
+
+/// A line that is wrong is the user's mistake.
+fn cannot_read(path: &Path, error: std::io::Error) -> Failure {
+    let label = path.display().to_string();
+    match error.get_ref().and_then(|error| error.downcast_ref()) {
+        Some(BadLine { line, message }) => {
+            let place = Place::Line(label, *line);
+            Failure::Input(vec![Problem { place, message: (*message).to_owned() }])
+        }
+        None => Failure::Run(format!("cannot read {label}: {error}")),
+    }
 }
 
 /// The names in the first line.
@@ -33,6 +50,16 @@ pub fn names(path: &Path) -> Result<Vec<String>, Failure> {
     let mut reader = open(path)?;
     let header = reader.byte_headers().map_err(|error| fail(path, error))?;
     Ok(header.iter().map(|name| String::from_utf8_lossy(name).into_owned()).collect())
+}
+
+/// Reads the whole file, so that a line that is wrong is found before anything is computed.
+///
+/// # Errors
+/// If the file cannot be read, or a line is wrong.
+pub fn check(path: &Path) -> Result<(), Failure> {
+    let file = File::open(path).map_err(|error| cannot_read(path, error))?;
+    let mut lines = std::io::BufReader::with_capacity(1 << 16, Lines::new(file));
+    std::io::copy(&mut lines, &mut std::io::sink()).map_err(|error| cannot_read(path, error)).map(|_| ())
 }
 
 impl Records {
@@ -52,12 +79,13 @@ impl Records {
         let is_there = self.reader.read_byte_record(&mut self.record).map_err(|error| fail(&self.path, error))?;
         if is_there && self.record.len() != self.columns {
             let (found, expected) = (self.record.len(), self.columns);
-            rows.add_fault(format!("the row has {found} fields; the header has {expected}"));
+            let fields = if found == 1 { "field" } else { "fields" };
+            rows.add_fault(format!("the row has {found} {fields}; the header has {expected}"));
         } else if is_there {
             rows.add(self.record.iter().map(|field| match std::str::from_utf8(field) {
                 Ok("") => Cell::Empty,
                 Ok(text) => Cell::Text(text),
-                Err(_) => Cell::Other("not UTF-8 text"),
+                Err(_) => Cell::NotText,
             }));
         }
         Ok(is_there)

@@ -1,6 +1,7 @@
 //! Designs from a file: a row each.
 
 mod csv;
+mod lines;
 mod parquet;
 
 use std::path::{Path, PathBuf};
@@ -36,22 +37,29 @@ pub enum Records {
 /// A value of a file.
 enum Cell<'a> {
     Number(f64),
+    /// Wide enough for every integer of a file.
+    Integer(i128),
     Text(&'a str),
     Empty,
-    /// What cannot be a value, in words.
-    Other(&'static str),
+    /// Bytes that are not UTF-8.
+    NotText,
 }
 
 impl File {
     /// # Errors
     /// If the file cannot be read, and everything that is wrong with its columns.
     pub fn open(path: &Path, format: Format, info: &'static ModelInfo) -> Result<Self, Failure> {
+        let label = path.display().to_string();
+        // Files are read more than once, and reading others may never end.
+        if std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+            let message = "expected a regular file".to_owned();
+            return Err(Failure::Input(vec![Problem { place: Place::Option(format!("--designs {label}")), message }]));
+        }
         let names = match format {
             Format::Csv => csv::names(path)?,
             Format::Parquet => parquet::names(path)?,
         };
         let mut problems = Vec::new();
-        let label = path.display().to_string();
         let mut problem = |message| problems.push(Problem { place: Place::File(label.clone()), message });
         let mut columns: Vec<(String, Option<usize>)> = Vec::new();
         for name in names {
@@ -69,13 +77,22 @@ impl File {
             columns.push((name, position));
         }
         if columns.iter().all(|(_, position)| position.is_none()) && problems.is_empty() {
-            problems.push(Problem { place: Place::File(label), message: "no column is a parameter".to_owned() });
+            problems
+                .push(Problem { place: Place::File(label.clone()), message: "no column is a parameter".to_owned() });
         }
-        if problems.is_empty() {
-            Ok(Self { path: path.to_owned(), format, info, columns })
-        } else {
-            Err(Failure::Input(problems))
+        if !problems.is_empty() {
+            return Err(Failure::Input(problems));
         }
+        match format {
+            Format::Csv => csv::check(path)?,
+            Format::Parquet => parquet::check(path, &columns)?,
+        }
+        let file = Self { path: path.to_owned(), format, info, columns };
+        if file.designs(&mut file.records()?, 1)?.rows == 0 {
+            let message = "there is no design: no row follows the names of the columns".to_owned();
+            return Err(Failure::Input(vec![Problem { place: Place::File(label), message }]));
+        }
+        Ok(file)
     }
 
     /// # Errors
@@ -122,7 +139,7 @@ impl Rows<'_> {
     /// A row that has the cells of the columns.
     fn add<'c>(&mut self, cells: impl Iterator<Item = Cell<'c>>) {
         let mut fault = None;
-        for ((cell, column), (_, position)) in cells.zip(&mut self.designs.columns).zip(&self.file.columns) {
+        for ((cell, column), (name, position)) in cells.zip(&mut self.designs.columns).zip(&self.file.columns) {
             match column {
                 Column::Numbers(values) => {
                     let parameter = position.map(|position| &self.file.info.parameters[position]);
@@ -136,8 +153,13 @@ impl Rows<'_> {
                 }
                 Column::Texts(values) => values.push(match cell {
                     Cell::Text(text) => Some(text.to_owned().into()),
+                    Cell::Integer(integer) => Some(integer.to_string().into()),
                     Cell::Number(number) => Some(shortest(number).into()),
-                    Cell::Empty | Cell::Other(_) => None,
+                    Cell::Empty => None,
+                    Cell::NotText => {
+                        fault.get_or_insert_with(|| format!("`{name}` is not UTF-8 text"));
+                        None
+                    }
                 }),
                 Column::Counts(values) => values.push(None),
             }
@@ -156,6 +178,7 @@ fn number(cell: Cell, info: &ParameterInfo) -> Result<f64, String> {
     let found = match cell {
         Cell::Number(value) if value.is_finite() => return Ok(value),
         Cell::Number(value) => format!("`{value}`; expected a finite number"),
+        Cell::Integer(value) => return Ok(value as f64),
         // Zero may be what is left of a number that is too small.
         Cell::Text(text) => match text.parse::<f64>() {
             Ok(value) if value.is_finite() && value != 0.0 => return Ok(value),
@@ -165,7 +188,7 @@ fn number(cell: Cell, info: &ParameterInfo) -> Result<f64, String> {
             },
         },
         Cell::Empty => "empty; expected a number".to_owned(),
-        Cell::Other(found) => format!("{found}; expected a number"),
+        Cell::NotText => "not UTF-8 text; expected a number".to_owned(),
     };
     Err(format!("`{}` is {found}", info.name))
 }

@@ -84,6 +84,14 @@ fn properties(headings: &[Heading]) -> WriterProperties {
         .build()
 }
 
+/// What a failure says, without the name of its kind where it comes from the system.
+pub fn message(error: ParquetError) -> String {
+    match error {
+        ParquetError::External(error) => error.to_string(),
+        error => error.to_string(),
+    }
+}
+
 /// One file of the parts that stand one after the other in another, each as long as it is said.
 ///
 /// # Errors

@@ -52,6 +52,26 @@ fn designs_come_from_rows_of_csv() {
     assert!(errors[2].starts_with("`mB` is empty; expected a number"), "{errors:?}");
 }
 
+/// Only before the header: a name may begin with `#`.
+#[test]
+fn comments_stand_before_the_header() {
+    let directory = Directory::new("sweep-comments");
+    directory.write("bikes.csv", "\u{feff}# one, \"two\n\n#three\nname,w\n#1,1\n# 2,1.02\n#\n");
+    let table = table(directory.run(&["sweep", "--designs", "bikes.csv"]));
+    assert_eq!([0, 1].map(|row| table.text(row, "name")), ["#1", "# 2"]);
+    assert_eq!([0, 1].map(|row| table.text(row, "error")), ["", ""]);
+    assert_eq!(table.text(2, "error"), "the row has 1 field; the header has 2");
+}
+
+#[test]
+fn names_that_are_not_text_are_told() {
+    let directory = Directory::new("sweep-latin");
+    std::fs::write(directory.0.join("bikes.csv"), b"w,name\n1.02,M\xfcller\n1.02,\"M\xc3\xbcller\"\n").unwrap();
+    let table = table(directory.run(&["sweep", "--designs", "bikes.csv"]));
+    assert_eq!([0, 1].map(|row| table.text(row, "name")), ["", "Müller"]);
+    assert_eq!([0, 1].map(|row| table.text(row, "error")), ["`name` is not UTF-8 text", ""]);
+}
+
 /// Also more rows than one batch has.
 #[test]
 fn long_files_are_read_to_their_end() {

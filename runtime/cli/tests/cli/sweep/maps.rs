@@ -62,3 +62,23 @@ fn a_map_may_have_nothing_stable_and_come_with_a_table() {
     assert!(std::fs::read(directory.0.join("map.png")).unwrap().starts_with(b"\x89PNG\r\n\x1a\n"));
     assert_eq!(std::fs::read_to_string(directory.0.join("map.csv")).unwrap().lines().count(), 7);
 }
+
+/// Of a scale of 400 pixels and a font of 13.
+#[test]
+fn labels_of_narrow_and_large_ranges_can_be_read() {
+    for (x, y, expected) in [
+        ("c=0.08:0.0801:0.00001", "w=1.02:1.021:0.0001", ["0.08002", "1.0205"]),
+        ("c=0.08:0.080001:5 points", "w=1.02:1.0200001:5 points", ["0.0800005", "1.02000002"]),
+        ("mB=0:1000000:50000", "c=0.000001:0.00001:0.000001", ["200000", "2.0e−6"]),
+    ] {
+        let (texts, _) = map(&["--vary", x, "--vary", y]);
+        for expected in expected {
+            // In both panels.
+            assert_eq!(texts.iter().filter(|text| *text == expected).count(), 2, "{expected}: {texts:?}");
+        }
+        assert!(!texts.iter().any(|text| text.ends_with("e0")), "{texts:?}");
+        for between in ["0.08001", "0.0800002", "100000"] {
+            assert!(!texts.iter().any(|text| text == between), "{between}: {texts:?}");
+        }
+    }
+}

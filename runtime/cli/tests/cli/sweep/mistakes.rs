@@ -27,13 +27,24 @@ fn sweeps_that_make_no_sense() {
     check(&[], "nothing varies: expected --vary, --random or --designs");
     check(&["--random", "w=1..2"], "--random needs --samples COUNT");
     check(&["--vary", "w=1,2", "--samples", "3"], "--samples needs --random NAME=VALUES");
+    check(&["--vary", "w=1,2", "--seed", "3"], "--seed needs --random NAME=VALUES");
+    check(
+        &["--vary", "w=-1e308:1e308:3 points"],
+        "--vary w=-1e308:1e308:3 points: the range from -1e308 m to 1e308 m is too wide for double precision",
+    );
+    for (option, value) in [("--samples", "1e3"), ("--seed", "abc"), ("--seed", "-1")] {
+        let run = Directory::of_this_test().run(&["sweep", "--random", "w=1..2", option, value]);
+        assert_eq!(run.code, Some(2));
+        assert!(run.stderr.contains(&format!("invalid value '{value}' for '{option}")), "{}", run.stderr);
+        assert!(run.stderr.contains("expected a whole number"), "{}", run.stderr);
+    }
     check(&["--random", "w=1..2", "--samples", "0"], "--samples 0: expected at least 1");
     check(&["--vary", "w=1,2", "--vary", "w=3"], "--vary w=3: `w` is given twice; first at --vary w=1,2");
     check(&["--vary", "g=1,2", "--gravity", "3"], "--vary g=1,2: `g` is given twice; first at --gravity 3");
     let message = "critical speeds are for two coordinates, and Pendulum has 1: give --eigenvalues SPEEDS";
     check(&["--model", "Pendulum", "--vary", "l=1,2"], message);
     let huge = ["--vary", "w=1:2:1000000 points", "--vary", "c=1:2:1000000 points", "--vary", "mB=1,2"];
-    check(&huge, "there are more than 1000000000000 designs");
+    check(&huge, "--vary, --random and --samples make too many designs; there must be at most 1000000000000");
     check(
         &["--vary", "w=1,2", "--eigenvalues", "0:10:0.05"],
         "--eigenvalues 0:10:0.05: there are 201 speeds; there must be at most 100",
@@ -64,6 +75,22 @@ fn files_of_designs_that_cannot_be_used() {
     check("w,lamm,w\n1,2,3\n", message);
     check("name,id\na,b\n", "bikes.csv: no column is a parameter");
     check("", "bikes.csv: no column is a parameter");
+    for (text, line) in [("w,name\n1.0,\"abc\n1.1,b\n1.2,c\n", 2), ("# a\nw\n1\n\"1.0\n", 4), ("w,\"n\nm\"\n1,2\n", 1)]
+    {
+        let message = "a quote opens here that is not closed in this line; fields have no line breaks";
+        check(text, &format!("bikes.csv:{line}: {message}"));
+    }
+    check("w\n1\n\"1.0", "bikes.csv:3: a quote opens here that is not closed");
+    check(&format!("w\n{}\n", "1".repeat(2_000_000)), "bikes.csv:2: the line is longer than 1 MiB");
+    for header in ["w", "w,name\n\n"] {
+        check(header, "bikes.csv: there is no design: no row follows the names of the columns");
+    }
+    directory.write("bikes.csv", "w,mB\n1,2\n");
+    let message = "error: --set w=2: `w` is given twice; also by a column of bikes.csv\n";
+    directory.run(&["sweep", "--designs", "bikes.csv", "--set", "w=2"]).fails(2, message);
+    std::fs::create_dir(directory.0.join("folder.csv")).unwrap();
+    let message = "error: --designs folder.csv: expected a regular file\n";
+    directory.run(&["sweep", "--designs", "folder.csv"]).fails(2, message);
     directory
         .run(&["sweep", "--designs", "bikes.txt"])
         .fails(2, "error: --designs bikes.txt: the name must end in .csv or .parquet\n");
@@ -74,6 +101,9 @@ fn files_of_designs_that_cannot_be_used() {
         "{}",
         run.stderr
     );
+    let run = directory.run(&["sweep", "--designs", "missing.parquet"]);
+    assert!(run.stderr.starts_with("error: cannot read missing.parquet: "), "{}", run.stderr);
+    assert!(!run.stderr.contains("External"), "{}", run.stderr);
     directory.write("broken.parquet", "PAR1 this is none");
     let run = directory.run(&["sweep", "--designs", "broken.parquet"]);
     assert_eq!(
@@ -90,8 +120,13 @@ fn files_of_designs_that_cannot_be_used() {
 #[test]
 fn help_has_examples_and_the_exit_codes() {
     let help = Directory::new("sweep-help").run(&["sweep", "--help"]).ok();
-    for expected in ["carvallo sweep --vary mB=60:100:1 > mass.csv", "Exit codes: 0 done", "stable_from_1", "--restart"]
-    {
+    for expected in [
+        "carvallo sweep --vary mB=60:100:1 > mass.csv",
+        "Exit codes: 0 done",
+        "stable_from_1",
+        "--restart",
+        "100 speeds",
+    ] {
         assert!(help.contains(expected), "{help}");
     }
 }
@@ -102,4 +137,30 @@ fn results_that_cannot_be_written_are_failures() {
     let run = directory.run(&["sweep", "--vary", "w=1,2", "--output", "missing/table.csv"]);
     assert_eq!((run.code, run.stdout.as_str()), (Some(1), ""));
     assert!(run.stderr.starts_with("error: cannot write missing/table.csv"), "{}", run.stderr);
+    // Before anything is computed, and nothing is left behind.
+    let two = ["sweep", "--vary", "w=1,2", "--vary", "c=1,2", "--map"];
+    let run = directory.run(&[&two[..], &["missing/map.png"]].concat());
+    assert_eq!(run.code, Some(1));
+    assert!(run.stderr.starts_with("error: cannot write missing/map.png"), "{}", run.stderr);
+    std::fs::create_dir(directory.0.join("folder.csv")).unwrap();
+    let message = "error: --output folder.csv: it is a directory\n";
+    directory.run(&["sweep", "--vary", "w=1,2", "--output", "folder.csv", "--restart"]).fails(2, message);
+    assert_eq!(std::fs::read_dir(&directory.0).unwrap().count(), 1);
+}
+
+#[test]
+fn what_is_read_is_not_replaced() {
+    let directory = Directory::new("sweep-base");
+    let parameters = directory.run(&["show", "benchmark"]).ok();
+    directory.write("b.csv", &parameters);
+    directory.write("b.svg", &parameters);
+    let replaced = |option: &str| format!("error: {option}: the parameters are read from this file\n");
+    let sweep = ["sweep", "--vary", "w=1,1.1", "--vary", "c=0,0.1"];
+    let run = directory.run(&[&sweep[..], &["b.csv", "--output", "./b.csv", "--restart"]].concat());
+    run.fails(2, &replaced("--output ./b.csv"));
+    directory.run(&[&sweep[..], &["b.svg", "--map", "b.svg"]].concat()).fails(2, &replaced("--map b.svg"));
+    for command in ["analyze", "sensitivity", "show"] {
+        directory.run(&[command, "b.svg", "--plot", "b.svg"]).fails(2, &replaced("--plot b.svg"));
+    }
+    assert_eq!(std::fs::read_to_string(directory.0.join("b.svg")).unwrap(), parameters);
 }

@@ -4,6 +4,8 @@ use std::path::Path;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
+use twox_hash::XxHash64;
+
 use crate::Directory;
 
 /// Twelve times as many designs as samples, a twelfth of them with errors.
@@ -121,36 +123,74 @@ fn a_journal_is_trusted_only_as_far_as_it_goes() {
     // Begun by this one, with more in the file than in the journal, with half a line, and with less.
     let definition = definition(&directory);
     let header = whole.iter().position(|&byte| byte == b'\n').unwrap() + 1;
-    for (partial, lines) in [
-        ([&whole[..header], b"1.0,gar"].concat(), format!("0 {header} 0\n")),
-        (whole[..header].to_vec(), format!("0 {header} 0\n5 3")),
-        (whole[..header - 3].to_vec(), format!("0 {header} 0\n")),
-        (Vec::new(), String::new()),
-        (whole.clone(), format!("0 {header} 0\n5 {} 0\nfinished\n", whole.len())),
+    let (begun, done) = (format!("0 {header} 0"), format!("5 {} 0", whole.len()));
+    for (partial, lines, more) in [
+        ([&whole[..header], b"1.0,gar"].concat(), vec![begun.as_str()], ""),
+        (whole[..header].to_vec(), vec![&begun], "5 3"),
+        (whole[..header - 3].to_vec(), vec![&begun], ""),
+        (Vec::new(), vec![], ""),
+        (whole.clone(), vec![&begun, &done, "finished 1 2"], ""),
     ] {
         std::fs::write(path(".partial"), partial).unwrap();
-        std::fs::write(path(".journal"), format!("{definition}\n{lines}")).unwrap();
+        std::fs::write(path(".journal"), self::journal(&definition, &lines) + more).unwrap();
         let run = sweep("w=1:1.4:0.1", &[]);
-        assert_eq!(run.code, Some(0), "{lines}: {}", run.stderr);
-        assert_eq!(std::fs::read(path("")).unwrap(), whole, "{lines}");
+        assert_eq!(run.code, Some(0), "{lines:?}: {}", run.stderr);
+        assert_eq!(std::fs::read(path("")).unwrap(), whole, "{lines:?}");
         assert!(!path(".journal").exists() && !path(".partial").exists());
         std::fs::remove_file(path("")).unwrap();
     }
     // Killed when the file had its name already.
     std::fs::write(path(""), &whole).unwrap();
-    std::fs::write(path(".journal"), format!("{definition}\n0 {header} 0\n5 {} 0\nfinished\n", whole.len())).unwrap();
+    let modified = std::fs::metadata(path("")).unwrap().modified().unwrap();
+    let modified = modified.duration_since(std::time::UNIX_EPOCH).unwrap().as_nanos();
+    let finished = format!("finished {} {modified}", whole.len());
+    std::fs::write(path(".journal"), self::journal(&definition, &[&begun, &done, &finished])).unwrap();
     assert_eq!(sweep("w=1:1.4:0.1", &[]).code, Some(0));
     assert_eq!(std::fs::read(path("")).unwrap(), whole);
     assert!(!path(".journal").exists());
+    // The file is an older one, as long, and what was computed is gone.
+    let foreign = format!("finished {} {}", whole.len(), modified - 1);
+    for lines in [vec![begun.as_str(), &done, &foreign], vec![&begun, &done], vec![]] {
+        std::fs::write(path(".journal"), self::journal(&definition, &lines)).unwrap();
+        let message =
+            "table.csv.journal tells of another file, and table.csv.partial is missing; --restart begins anew";
+        sweep("w=1:1.4:0.1", &[]).fails(2, &format!("error: --output table.csv: {message}\n"));
+    }
+    assert_eq!(sweep("w=1:1.4:0.1", &["--restart"]).code, Some(0));
+    std::fs::remove_file(path("")).unwrap();
+
+    // A digit that changed, a line that is there twice, and one that is no line.
+    let good = self::journal(&definition, &[&begun, &done]);
+    let last = good.lines().last().unwrap();
+    let changed = good.replace(&format!("5 {} 0", whole.len()), &format!("5 {} 0", whole.len() - 10));
+    for (journal, line) in [(changed, 3), (format!("{good}{last}\n"), 4), (format!("{good}\n"), 4)] {
+        std::fs::write(path(".partial"), &whole).unwrap();
+        std::fs::write(path(".journal"), &journal).unwrap();
+        let message = format!("table.csv.journal:{line} is not as it was written; --restart begins anew");
+        sweep("w=1:1.4:0.1", &[]).fails(2, &format!("error: --output table.csv: {message}\n"));
+        assert_eq!(std::fs::read_to_string(path(".journal")).unwrap(), journal);
+    }
+    assert_eq!(sweep("w=1:1.4:0.1", &["--restart"]).code, Some(0));
+    assert_eq!(std::fs::read(path("")).unwrap(), whole);
 }
 
-/// The first line of the journal of `w=1:1.4:0.1`: what a sweep leaves behind that cannot give its file a name.
+/// A journal with these lines below the first one, each with its checksum.
+fn journal(definition: &str, lines: &[&str]) -> String {
+    let mut text = format!("{definition}\n");
+    let mut checksum = u64::from_str_radix(definition.split(' ').next_back().unwrap(), 16).unwrap();
+    for line in lines {
+        checksum = XxHash64::oneshot(checksum, line.as_bytes());
+        text.push_str(&format!("{line} {checksum:016x}\n"));
+    }
+    text
+}
+
+/// The first line of the journal of `w=1:1.4:0.1`: what a sweep leaves behind that cannot begin its file.
 fn definition(directory: &Directory) -> String {
-    std::fs::create_dir(directory.0.join("table.csv")).unwrap();
-    std::fs::write(directory.0.join("table.csv.journal"), "").unwrap();
+    std::fs::create_dir(directory.0.join("table.csv.partial")).unwrap();
     let run = directory.run(&["sweep", "--vary", "w=1:1.4:0.1", "--output", "table.csv"]);
     assert_eq!(run.code, Some(1), "{}", run.stderr);
     let journal = std::fs::read_to_string(directory.0.join("table.csv.journal")).unwrap();
-    std::fs::remove_dir(directory.0.join("table.csv")).unwrap();
+    std::fs::remove_dir(directory.0.join("table.csv.partial")).unwrap();
     journal.lines().next().unwrap().to_owned()
 }

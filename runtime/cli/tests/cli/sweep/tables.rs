@@ -4,7 +4,8 @@ use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
-use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int32Type};
+use parquet::basic::{Compression, GzipLevel};
+use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DoubleType, FloatType, Int32Type, Int64Type};
 use parquet::file::properties::WriterProperties;
 use parquet::file::reader::{FileReader as _, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
@@ -97,4 +98,74 @@ fn designs_come_from_rows_of_parquet() {
     assert_eq!(from_parquet.rows[..2], from_csv.rows[..2]);
     assert_eq!(from_parquet.text(2, "error"), "`w` is empty; expected a number");
     assert!((from_parquet.number(0, "weave_1").unwrap() - 4.292_382_536_341_11).abs() < 1e-13);
+}
+
+/// A file with one row: `w` and another column.
+fn two_columns<T: parquet::data_type::DataType>(path: &Path, column: &str, values: &[T::T], compression: Compression) {
+    let schema = Arc::new(parse_message_type(&format!("message designs {{ required double w; {column}; }}")).unwrap());
+    let properties = WriterProperties::builder().set_compression(compression).build();
+    let mut writer = SerializedFileWriter::new(File::create(path).unwrap(), schema, Arc::new(properties)).unwrap();
+    let mut group = writer.next_row_group().unwrap();
+    let mut column = group.next_column().unwrap().unwrap();
+    column.typed::<DoubleType>().write_batch(&vec![1.02; values.len()], None, None).unwrap();
+    column.close().unwrap();
+    let mut column = group.next_column().unwrap().unwrap();
+    column.typed::<T>().write_batch(values, None, None).unwrap();
+    column.close().unwrap();
+    group.close().unwrap();
+    writer.close().unwrap();
+}
+
+/// 2^53 + 1 and 2^64 - 1 are no doubles.
+#[test]
+fn integers_are_copied_as_they_are() {
+    let directory = Directory::new("sweep-integers");
+    let path = directory.0.join("bikes.parquet");
+    let ids = || super::table(directory.run(&["sweep", "--designs", "bikes.parquet"]));
+    two_columns::<Int64Type>(&path, "required int64 id", &[9_007_199_254_740_993, -5], Compression::UNCOMPRESSED);
+    assert_eq!([0, 1].map(|row| ids().text(row, "id").to_owned()), ["9007199254740993", "-5"]);
+    two_columns::<Int64Type>(&path, "required int64 id (UINT_64)", &[-1], Compression::UNCOMPRESSED);
+    assert_eq!(ids().text(0, "id"), "18446744073709551615");
+}
+
+#[test]
+fn columns_that_cannot_be_copied_are_refused() {
+    let directory = Directory::new("sweep-kinds");
+    let path = directory.0.join("bikes.parquet");
+    let check = |message: &str| {
+        let message = format!("error: bikes.parquet: column {message}\n");
+        directory.run(&["sweep", "--designs", "bikes.parquet"]).fails(2, &message);
+    };
+    two_columns::<FloatType>(&path, "required float id", &[0.1], Compression::UNCOMPRESSED);
+    check("`id` holds FLOAT; expected integers or text");
+    two_columns::<BoolType>(&path, "required boolean mB", &[true], Compression::UNCOMPRESSED);
+    check("`mB` holds BOOLEAN; expected numbers or text");
+    two_columns::<Int32Type>(&path, "required int32 name (DATE)", &[1], Compression::UNCOMPRESSED);
+    check("`name` holds INT32 (Date); expected integers or text");
+    two_columns::<ByteArrayType>(&path, "required binary name", &["a".into()], Compression::UNCOMPRESSED);
+    check("`name` holds BYTE_ARRAY; expected integers or text");
+}
+
+#[test]
+fn compressed_parquet_is_read() {
+    let directory = Directory::new("sweep-compressed");
+    let path = directory.0.join("bikes.parquet");
+    let gzip = Compression::GZIP(GzipLevel::default());
+    for compression in [Compression::SNAPPY, gzip, Compression::LZ4, Compression::LZ4_RAW] {
+        two_columns::<Int32Type>(&path, "required int32 id", &[7; 100], compression);
+        let table = super::table(directory.run(&["sweep", "--designs", "bikes.parquet"]));
+        assert_eq!((table.rows.len(), table.text(99, "id")), (100, "7"), "{compression}");
+    }
+    // Files like those of other programs: the footer says how the column `w` is compressed (6: Zstandard, 4: Brotli).
+    two_columns::<Int32Type>(&path, "required int32 id", &[7], Compression::SNAPPY);
+    let bytes = std::fs::read(&path).unwrap();
+    let place = bytes.windows(6).position(|bytes| bytes == b"\x19\x18\x01w\x15\x02").unwrap();
+    for (number, name) in [(6, "zstd"), (4, "brotli")] {
+        let mut changed = bytes.clone();
+        changed[place + 5] = 2 * number;
+        std::fs::write(&path, changed).unwrap();
+        let message = format!("it is compressed with {name}; expected snappy, gzip, lz4 or no compression");
+        let run = directory.run(&["sweep", "--designs", "bikes.parquet"]);
+        run.fails(2, &format!("error: bikes.parquet: {message}\n"));
+    }
 }
