@@ -433,81 +433,82 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         let t158 = t93 - t142;
         let t159 = -(t42 * P_delta_lateral);
         let t160 = -(Sz_theta * yaw_per_v_delta);
-        WhippleLeaningMatrices {
-            m: [
-                [t40, t76, M_phi_theta],
-                [t76, t119, P_delta_theta],
-                [M_phi_theta, P_delta_theta, Jxx_theta],
-            ],
-            c0: [
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 54],
+                first: ::core::primitive::usize,
+            ) -> [[T; 3]; 3] {
                 [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    self.dU,
-                ],
-            ],
-            c1: [
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t136,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [t157, t146, ::carvallo::Number::like(self.w, 0.0)],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t149,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-            ],
-            kc: [
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    self.kU,
-                ],
-            ],
-            k0: [
-                [Sz_all, t158, Sz_theta],
-                [t158, t159, ::carvallo::Number::like(self.w, 0.0)],
-                [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
-            ],
-            k2: [
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t152,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t155,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t160,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-            ],
+                    [entries[first + 0], entries[first + 1], entries[first + 2]],
+                    [entries[first + 3], entries[first + 4], entries[first + 5]],
+                    [entries[first + 6], entries[first + 7], entries[first + 8]],
+                ]
+            }
+            let entries = [
+                t40,
+                t76,
+                M_phi_theta,
+                t76,
+                t119,
+                P_delta_theta,
+                M_phi_theta,
+                P_delta_theta,
+                Jxx_theta,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                self.dU,
+                ::carvallo::Number::like(self.w, 0.0),
+                t136,
+                ::carvallo::Number::like(self.w, 0.0),
+                t157,
+                t146,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                t149,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                self.kU,
+                Sz_all,
+                t158,
+                Sz_theta,
+                t158,
+                t159,
+                ::carvallo::Number::like(self.w, 0.0),
+                Sz_theta,
+                ::carvallo::Number::like(self.w, 0.0),
+                Sz_theta,
+                ::carvallo::Number::like(self.w, 0.0),
+                t152,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                t155,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                t160,
+                ::carvallo::Number::like(self.w, 0.0),
+            ];
+            WhippleLeaningMatrices {
+                m: matrix(&entries, 0),
+                c0: matrix(&entries, 9),
+                c1: matrix(&entries, 18),
+                kc: matrix(&entries, 27),
+                k0: matrix(&entries, 36),
+                k2: matrix(&entries, 45),
+            }
         }
     }
 }
@@ -2305,81 +2306,82 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t551 = -(t42 * t487);
         t552 = -(yaw_per_v_delta * t487);
         (
-            WhippleLeaningMatrices {
-                m: [
-                    [t40, t77, M_phi_theta],
-                    [t77, t120, P_delta_theta],
-                    [M_phi_theta, P_delta_theta, Jxx_theta],
-                ],
-                c0: [
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 54],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 3]; 3] {
                     [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        self.dU,
-                    ],
-                ],
-                c1: [
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t139,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [t548, t149, ::carvallo::Number::like(self.w, 0.0)],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t152,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                ],
-                kc: [
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        self.kU,
-                    ],
-                ],
-                k0: [
-                    [Sz_all, t147, Sz_theta],
-                    [t147, t154, ::carvallo::Number::like(self.w, 0.0)],
-                    [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
-                ],
-                k2: [
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t155,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t158,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t549,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                ],
+                        [entries[first + 0], entries[first + 1], entries[first + 2]],
+                        [entries[first + 3], entries[first + 4], entries[first + 5]],
+                        [entries[first + 6], entries[first + 7], entries[first + 8]],
+                    ]
+                }
+                let entries = [
+                    t40,
+                    t77,
+                    M_phi_theta,
+                    t77,
+                    t120,
+                    P_delta_theta,
+                    M_phi_theta,
+                    P_delta_theta,
+                    Jxx_theta,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    self.dU,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t139,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t548,
+                    t149,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t152,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    self.kU,
+                    Sz_all,
+                    t147,
+                    Sz_theta,
+                    t147,
+                    t154,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    Sz_theta,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    Sz_theta,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t155,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t158,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t549,
+                    ::carvallo::Number::like(self.w, 0.0),
+                ];
+                WhippleLeaningMatrices {
+                    m: matrix(&entries, 0),
+                    c0: matrix(&entries, 9),
+                    c1: matrix(&entries, 18),
+                    kc: matrix(&entries, 27),
+                    k0: matrix(&entries, 36),
+                    k2: matrix(&entries, 45),
+                }
             },
             WhippleLeaningDerivatives {
                 values: [
