@@ -149,7 +149,7 @@ impl<T: ::carvallo::Number> DoublePendulum<T> {
                 first: ::core::primitive::usize,
             ) -> [[T; 2]; 2] {
                 [
-                    [entries[first + 0], entries[first + 1]],
+                    [entries[first], entries[first + 1]],
                     [entries[first + 2], entries[first + 3]],
                 ]
             }
@@ -600,7 +600,7 @@ impl<T: ::carvallo::Number> DoublePendulum<T> {
                     first: ::core::primitive::usize,
                 ) -> [[T; 2]; 2] {
                     [
-                        [entries[first + 0], entries[first + 1]],
+                        [entries[first], entries[first + 1]],
                         [entries[first + 2], entries[first + 3]],
                     ]
                 }

@@ -112,7 +112,7 @@ impl<T: ::carvallo::Number> Pendulum<T> {
                 entries: &[T; 3],
                 first: ::core::primitive::usize,
             ) -> [[T; 1]; 1] {
-                [[entries[first + 0]]]
+                [[entries[first]]]
             }
             let entries = [t3, self.c, t2];
             PendulumMatrices {
@@ -395,7 +395,7 @@ impl<T: ::carvallo::Number> Pendulum<T> {
                     entries: &[T; 3],
                     first: ::core::primitive::usize,
                 ) -> [[T; 1]; 1] {
-                    [[entries[first + 0]]]
+                    [[entries[first]]]
                 }
                 let entries = [t3, self.c, t5];
                 PendulumMatrices {

@@ -137,7 +137,7 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
                 first: ::core::primitive::usize,
             ) -> [[T; 2]; 2] {
                 [
-                    [entries[first + 0], entries[first + 1]],
+                    [entries[first], entries[first + 1]],
                     [entries[first + 2], entries[first + 3]],
                 ]
             }
@@ -540,7 +540,7 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
                     first: ::core::primitive::usize,
                 ) -> [[T; 2]; 2] {
                     [
-                        [entries[first + 0], entries[first + 1]],
+                        [entries[first], entries[first + 1]],
                         [entries[first + 2], entries[first + 3]],
                     ]
                 }

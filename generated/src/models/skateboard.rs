@@ -226,7 +226,7 @@ impl<T: ::carvallo::Number> Skateboard<T> {
                 entries: &[T; 5],
                 first: ::core::primitive::usize,
             ) -> [[T; 1]; 1] {
-                [[entries[first + 0]]]
+                [[entries[first]]]
             }
             let entries = [t5, t27, t34, t36, t35];
             SkateboardMatrices {
@@ -873,7 +873,7 @@ impl<T: ::carvallo::Number> Skateboard<T> {
                     entries: &[T; 5],
                     first: ::core::primitive::usize,
                 ) -> [[T; 1]; 1] {
-                    [[entries[first + 0]]]
+                    [[entries[first]]]
                 }
                 let entries = [t5, t26, t33, t66, t34];
                 SkateboardMatrices {

@@ -152,7 +152,7 @@ impl<T: ::carvallo::Number> ThreePipes<T> {
                 first: ::core::primitive::usize,
             ) -> [[T; 3]; 3] {
                 [
-                    [entries[first + 0], entries[first + 1], entries[first + 2]],
+                    [entries[first], entries[first + 1], entries[first + 2]],
                     [entries[first + 3], entries[first + 4], entries[first + 5]],
                     [entries[first + 6], entries[first + 7], entries[first + 8]],
                 ]
@@ -703,7 +703,7 @@ impl<T: ::carvallo::Number> ThreePipes<T> {
                     first: ::core::primitive::usize,
                 ) -> [[T; 3]; 3] {
                     [
-                        [entries[first + 0], entries[first + 1], entries[first + 2]],
+                        [entries[first], entries[first + 1], entries[first + 2]],
                         [entries[first + 3], entries[first + 4], entries[first + 5]],
                         [entries[first + 6], entries[first + 7], entries[first + 8]],
                     ]

@@ -367,7 +367,7 @@ impl<T: ::carvallo::Number> Whipple<T> {
                 first: ::core::primitive::usize,
             ) -> [[T; 2]; 2] {
                 [
-                    [entries[first + 0], entries[first + 1]],
+                    [entries[first], entries[first + 1]],
                     [entries[first + 2], entries[first + 3]],
                 ]
             }
@@ -1489,7 +1489,7 @@ impl<T: ::carvallo::Number> Whipple<T> {
                     first: ::core::primitive::usize,
                 ) -> [[T; 2]; 2] {
                     [
-                        [entries[first + 0], entries[first + 1]],
+                        [entries[first], entries[first + 1]],
                         [entries[first + 2], entries[first + 3]],
                     ]
                 }

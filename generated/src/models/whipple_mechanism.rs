@@ -411,7 +411,7 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
                 first: ::core::primitive::usize,
             ) -> [[T; 2]; 2] {
                 [
-                    [entries[first + 0], entries[first + 1]],
+                    [entries[first], entries[first + 1]],
                     [entries[first + 2], entries[first + 3]],
                 ]
             }
@@ -1646,7 +1646,7 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
                     first: ::core::primitive::usize,
                 ) -> [[T; 2]; 2] {
                     [
-                        [entries[first + 0], entries[first + 1]],
+                        [entries[first], entries[first + 1]],
                         [entries[first + 2], entries[first + 3]],
                     ]
                 }

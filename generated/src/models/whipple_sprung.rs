@@ -399,7 +399,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                 first: ::core::primitive::usize,
             ) -> [[T; 2]; 2] {
                 [
-                    [entries[first + 0], entries[first + 1]],
+                    [entries[first], entries[first + 1]],
                     [entries[first + 2], entries[first + 3]],
                 ]
             }
@@ -1675,7 +1675,7 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
                     first: ::core::primitive::usize,
                 ) -> [[T; 2]; 2] {
                     [
-                        [entries[first + 0], entries[first + 1]],
+                        [entries[first], entries[first + 1]],
                         [entries[first + 2], entries[first + 3]],
                     ]
                 }

@@ -108,8 +108,11 @@ pub fn literal(body: &Body, outputs: &[Value], fields: &[Ident], model: &Model, 
     let count = fields.len() * n * n;
     let values = outputs[..count].iter().map(|value| &body.values[*value]);
     let rows = (0..n).map(|row| {
-        let places = (row * n..(row + 1) * n).map(Literal::usize_unsuffixed);
-        quote! { [#(#entries[#first + #places]),*] }
+        let entries = (row * n..(row + 1) * n).map(|after| match Literal::usize_unsuffixed(after) {
+            _ if after == 0 => quote!(#entries[#first]),
+            after => quote!(#entries[#first + #after]),
+        });
+        quote! { [#(#entries),*] }
     });
     let firsts = (0..count).step_by(n * n).map(Literal::usize_unsuffixed);
     let [n, count] = [n, count].map(Literal::usize_unsuffixed);
