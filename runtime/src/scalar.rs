@@ -7,8 +7,9 @@ use crate::trigonometry::{sin_cos, sin_cos_single};
 
 /// A floating-point number: `f32` or `f64`.
 ///
-/// Sine and cosine are the same to the last bit on every platform, but for angles beyond 1e5 rad. Those, the tangent and
-/// the square root come from the platform with feature `std`, and from `libm` without it.
+/// Sine and cosine of `f64` are the same to the last bit on every platform, but for angles beyond 1e5 rad. Those, sine and
+/// cosine of `f32`, the tangent and the square root come from the platform with feature `std`, and from `libm` without
+/// it.
 pub trait Scalar: Number + Display + PartialOrd + nalgebra::Scalar {
     /// The number nearest to `value`.
     fn from_f64(value: f64) -> Self;

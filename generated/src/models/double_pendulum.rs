@@ -142,9 +142,31 @@ impl<T: ::carvallo::Number> DoublePendulum<T> {
         let M_theta1_theta2 = Jxx_theta2 + (t4 * self.l1);
         let t22 = -(t9 + t14);
         let t23 = -t4;
-        DoublePendulumMatrices {
-            m: [[Jxx_theta1, M_theta1_theta2], [M_theta1_theta2, Jxx_theta2]],
-            k0: [[t22, t23], [t23, t23]],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 8],
+                first: ::core::primitive::usize,
+            ) -> [[T; 2]; 2] {
+                [
+                    [entries[first], entries[first + 1]],
+                    [entries[first + 2], entries[first + 3]],
+                ]
+            }
+            let entries = [
+                Jxx_theta1,
+                M_theta1_theta2,
+                M_theta1_theta2,
+                Jxx_theta2,
+                t22,
+                t23,
+                t23,
+                t23,
+            ];
+            DoublePendulumMatrices {
+                m: matrix(&entries, 0),
+                k0: matrix(&entries, 4),
+            }
         }
     }
 }
@@ -571,9 +593,31 @@ impl<T: ::carvallo::Number> DoublePendulum<T> {
         let t30 = -(t9 + t14);
         let t31 = -t4;
         (
-            DoublePendulumMatrices {
-                m: [[Jxx_theta1, M_theta1_theta2], [M_theta1_theta2, Jxx_theta2]],
-                k0: [[t30, t31], [t31, t31]],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 8],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 2]; 2] {
+                    [
+                        [entries[first], entries[first + 1]],
+                        [entries[first + 2], entries[first + 3]],
+                    ]
+                }
+                let entries = [
+                    Jxx_theta1,
+                    M_theta1_theta2,
+                    M_theta1_theta2,
+                    Jxx_theta2,
+                    t30,
+                    t31,
+                    t31,
+                    t31,
+                ];
+                DoublePendulumMatrices {
+                    m: matrix(&entries, 0),
+                    k0: matrix(&entries, 4),
+                }
             },
             DoublePendulumDerivatives {
                 values: [

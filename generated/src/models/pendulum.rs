@@ -106,10 +106,20 @@ impl<T: ::carvallo::Number> Pendulum<T> {
     pub fn matrices(&self) -> PendulumMatrices<T> {
         let t2 = self.l * self.m;
         let t3 = self.l * t2;
-        PendulumMatrices {
-            m: [[t3]],
-            c0: [[self.c]],
-            k0: [[t2]],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 3],
+                first: ::core::primitive::usize,
+            ) -> [[T; 1]; 1] {
+                [[entries[first]]]
+            }
+            let entries = [t3, self.c, t2];
+            PendulumMatrices {
+                m: matrix(&entries, 0),
+                c0: matrix(&entries, 1),
+                k0: matrix(&entries, 2),
+            }
         }
     }
 }
@@ -379,10 +389,20 @@ impl<T: ::carvallo::Number> Pendulum<T> {
         let t5 = self.m * self.l;
         let t6 = t5 + t5;
         (
-            PendulumMatrices {
-                m: [[t3]],
-                c0: [[self.c]],
-                k0: [[t5]],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 3],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 1]; 1] {
+                    [[entries[first]]]
+                }
+                let entries = [t3, self.c, t5];
+                PendulumMatrices {
+                    m: matrix(&entries, 0),
+                    c0: matrix(&entries, 1),
+                    k0: matrix(&entries, 2),
+                }
             },
             PendulumDerivatives {
                 values: [t2, self.l, t6, self.m, ::carvallo::Number::like(self.m, 1.0)],

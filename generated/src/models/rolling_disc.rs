@@ -130,22 +130,36 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
         let t9 = t3 + h_spin_D;
         let t10 = -h_spin_D;
         let t11 = -t3;
-        RollingDiscMatrices {
-            m: [
-                [Jxx_all, ::carvallo::Number::like(self.r, 0.0)],
-                [::carvallo::Number::like(self.r, 0.0), self.It],
-            ],
-            c1: [
-                [::carvallo::Number::like(self.r, 0.0), t9],
-                [t10, ::carvallo::Number::like(self.r, 0.0)],
-            ],
-            k0: [
-                [t11, ::carvallo::Number::like(self.r, 0.0)],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 12],
+                first: ::core::primitive::usize,
+            ) -> [[T; 2]; 2] {
                 [
-                    ::carvallo::Number::like(self.r, 0.0),
-                    ::carvallo::Number::like(self.r, 0.0),
-                ],
-            ],
+                    [entries[first], entries[first + 1]],
+                    [entries[first + 2], entries[first + 3]],
+                ]
+            }
+            let entries = [
+                Jxx_all,
+                ::carvallo::Number::like(self.r, 0.0),
+                ::carvallo::Number::like(self.r, 0.0),
+                self.It,
+                ::carvallo::Number::like(self.r, 0.0),
+                t9,
+                t10,
+                ::carvallo::Number::like(self.r, 0.0),
+                t11,
+                ::carvallo::Number::like(self.r, 0.0),
+                ::carvallo::Number::like(self.r, 0.0),
+                ::carvallo::Number::like(self.r, 0.0),
+            ];
+            RollingDiscMatrices {
+                m: matrix(&entries, 0),
+                c1: matrix(&entries, 4),
+                k0: matrix(&entries, 8),
+            }
         }
     }
 }
@@ -519,22 +533,36 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
         let t16 = -h_spin_D;
         let t17 = -t3;
         (
-            RollingDiscMatrices {
-                m: [
-                    [Jxx_all, ::carvallo::Number::like(self.r, 0.0)],
-                    [::carvallo::Number::like(self.r, 0.0), self.It],
-                ],
-                c1: [
-                    [::carvallo::Number::like(self.r, 0.0), t10],
-                    [t16, ::carvallo::Number::like(self.r, 0.0)],
-                ],
-                k0: [
-                    [t17, ::carvallo::Number::like(self.r, 0.0)],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 12],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 2]; 2] {
                     [
-                        ::carvallo::Number::like(self.r, 0.0),
-                        ::carvallo::Number::like(self.r, 0.0),
-                    ],
-                ],
+                        [entries[first], entries[first + 1]],
+                        [entries[first + 2], entries[first + 3]],
+                    ]
+                }
+                let entries = [
+                    Jxx_all,
+                    ::carvallo::Number::like(self.r, 0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
+                    self.It,
+                    ::carvallo::Number::like(self.r, 0.0),
+                    t10,
+                    t16,
+                    ::carvallo::Number::like(self.r, 0.0),
+                    t17,
+                    ::carvallo::Number::like(self.r, 0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
+                    ::carvallo::Number::like(self.r, 0.0),
+                ];
+                RollingDiscMatrices {
+                    m: matrix(&entries, 0),
+                    c1: matrix(&entries, 4),
+                    k0: matrix(&entries, 8),
+                }
             },
             RollingDiscDerivatives {
                 values: [

@@ -220,12 +220,22 @@ impl<T: ::carvallo::Number> Skateboard<T> {
         let t34 = ((t18 * t18) * self.kF) + ((t8 * t8) * self.kR);
         let t35 = P_gamma_lateral * t25;
         let t36 = -P_gamma_lateral;
-        SkateboardMatrices {
-            m: [[t5]],
-            c1: [[t27]],
-            kc: [[t34]],
-            k0: [[t36]],
-            k2: [[t35]],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 5],
+                first: ::core::primitive::usize,
+            ) -> [[T; 1]; 1] {
+                [[entries[first]]]
+            }
+            let entries = [t5, t27, t34, t36, t35];
+            SkateboardMatrices {
+                m: matrix(&entries, 0),
+                c1: matrix(&entries, 1),
+                kc: matrix(&entries, 2),
+                k0: matrix(&entries, 3),
+                k2: matrix(&entries, 4),
+            }
         }
     }
 }
@@ -857,12 +867,22 @@ impl<T: ::carvallo::Number> Skateboard<T> {
         let t65 = self.m * t24;
         let t66 = -P_gamma_lateral;
         (
-            SkateboardMatrices {
-                m: [[t5]],
-                c1: [[t26]],
-                kc: [[t33]],
-                k0: [[t66]],
-                k2: [[t34]],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 5],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 1]; 1] {
+                    [[entries[first]]]
+                }
+                let entries = [t5, t26, t33, t66, t34];
+                SkateboardMatrices {
+                    m: matrix(&entries, 0),
+                    c1: matrix(&entries, 1),
+                    kc: matrix(&entries, 2),
+                    k0: matrix(&entries, 3),
+                    k2: matrix(&entries, 4),
+                }
             },
             SkateboardDerivatives {
                 values: [

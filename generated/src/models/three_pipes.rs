@@ -145,53 +145,82 @@ impl<T: ::carvallo::Number> ThreePipes<T> {
         let t29 = -self.c;
         let t30 = -self.k;
         let t31 = -t28;
-        ThreePipesMatrices {
-            m: [[t8, t10, t12], [t10, t14, t12], [t12, t12, t16]],
-            c0: [
-                [t18, t29, ::carvallo::Number::like(self.l, 0.0)],
-                [t29, t18, t29],
-                [::carvallo::Number::like(self.l, 0.0), t29, self.c],
-            ],
-            c1: [
-                [t20, t21, t21],
-                [::carvallo::Number::like(self.l, 0.0), t20, t21],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 54],
+                first: ::core::primitive::usize,
+            ) -> [[T; 3]; 3] {
                 [
-                    ::carvallo::Number::like(self.l, 0.0),
-                    ::carvallo::Number::like(self.l, 0.0),
-                    t20,
-                ],
-            ],
-            kc: [
-                [t23, t30, ::carvallo::Number::like(self.l, 0.0)],
-                [t30, t23, t30],
-                [::carvallo::Number::like(self.l, 0.0), t30, self.k],
-            ],
-            k0: [
-                [
-                    t25,
-                    ::carvallo::Number::like(self.l, 0.0),
-                    ::carvallo::Number::like(self.l, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.l, 0.0),
-                    t26,
-                    ::carvallo::Number::like(self.l, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.l, 0.0),
-                    ::carvallo::Number::like(self.l, 0.0),
-                    t27,
-                ],
-            ],
-            k2: [
-                [t31, ::carvallo::Number::like(self.l, 0.0), t28],
-                [::carvallo::Number::like(self.l, 0.0), t31, t28],
-                [
-                    ::carvallo::Number::like(self.l, 0.0),
-                    ::carvallo::Number::like(self.l, 0.0),
-                    ::carvallo::Number::like(self.l, 0.0),
-                ],
-            ],
+                    [entries[first], entries[first + 1], entries[first + 2]],
+                    [entries[first + 3], entries[first + 4], entries[first + 5]],
+                    [entries[first + 6], entries[first + 7], entries[first + 8]],
+                ]
+            }
+            let entries = [
+                t8,
+                t10,
+                t12,
+                t10,
+                t14,
+                t12,
+                t12,
+                t12,
+                t16,
+                t18,
+                t29,
+                ::carvallo::Number::like(self.l, 0.0),
+                t29,
+                t18,
+                t29,
+                ::carvallo::Number::like(self.l, 0.0),
+                t29,
+                self.c,
+                t20,
+                t21,
+                t21,
+                ::carvallo::Number::like(self.l, 0.0),
+                t20,
+                t21,
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+                t20,
+                t23,
+                t30,
+                ::carvallo::Number::like(self.l, 0.0),
+                t30,
+                t23,
+                t30,
+                ::carvallo::Number::like(self.l, 0.0),
+                t30,
+                self.k,
+                t25,
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+                t26,
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+                t27,
+                t31,
+                ::carvallo::Number::like(self.l, 0.0),
+                t28,
+                ::carvallo::Number::like(self.l, 0.0),
+                t31,
+                t28,
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+            ];
+            ThreePipesMatrices {
+                m: matrix(&entries, 0),
+                c0: matrix(&entries, 9),
+                c1: matrix(&entries, 18),
+                kc: matrix(&entries, 27),
+                k0: matrix(&entries, 36),
+                k2: matrix(&entries, 45),
+            }
         }
     }
 }
@@ -667,53 +696,82 @@ impl<T: ::carvallo::Number> ThreePipes<T> {
         let t55 = -self.k;
         let t56 = -t30;
         (
-            ThreePipesMatrices {
-                m: [[t8, t10, t12], [t10, t14, t12], [t12, t12, t16]],
-                c0: [
-                    [t18, t54, ::carvallo::Number::like(self.l, 0.0)],
-                    [t54, t18, t54],
-                    [::carvallo::Number::like(self.l, 0.0), t54, self.c],
-                ],
-                c1: [
-                    [t20, t22, t22],
-                    [::carvallo::Number::like(self.l, 0.0), t20, t22],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 54],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 3]; 3] {
                     [
-                        ::carvallo::Number::like(self.l, 0.0),
-                        ::carvallo::Number::like(self.l, 0.0),
-                        t20,
-                    ],
-                ],
-                kc: [
-                    [t24, t55, ::carvallo::Number::like(self.l, 0.0)],
-                    [t55, t24, t55],
-                    [::carvallo::Number::like(self.l, 0.0), t55, self.k],
-                ],
-                k0: [
-                    [
-                        t27,
-                        ::carvallo::Number::like(self.l, 0.0),
-                        ::carvallo::Number::like(self.l, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.l, 0.0),
-                        t28,
-                        ::carvallo::Number::like(self.l, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.l, 0.0),
-                        ::carvallo::Number::like(self.l, 0.0),
-                        t29,
-                    ],
-                ],
-                k2: [
-                    [t56, ::carvallo::Number::like(self.l, 0.0), t30],
-                    [::carvallo::Number::like(self.l, 0.0), t56, t30],
-                    [
-                        ::carvallo::Number::like(self.l, 0.0),
-                        ::carvallo::Number::like(self.l, 0.0),
-                        ::carvallo::Number::like(self.l, 0.0),
-                    ],
-                ],
+                        [entries[first], entries[first + 1], entries[first + 2]],
+                        [entries[first + 3], entries[first + 4], entries[first + 5]],
+                        [entries[first + 6], entries[first + 7], entries[first + 8]],
+                    ]
+                }
+                let entries = [
+                    t8,
+                    t10,
+                    t12,
+                    t10,
+                    t14,
+                    t12,
+                    t12,
+                    t12,
+                    t16,
+                    t18,
+                    t54,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t54,
+                    t18,
+                    t54,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t54,
+                    self.c,
+                    t20,
+                    t22,
+                    t22,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t20,
+                    t22,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t20,
+                    t24,
+                    t55,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t55,
+                    t24,
+                    t55,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t55,
+                    self.k,
+                    t27,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t28,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t29,
+                    t56,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t30,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t56,
+                    t30,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                ];
+                ThreePipesMatrices {
+                    m: matrix(&entries, 0),
+                    c0: matrix(&entries, 9),
+                    c1: matrix(&entries, 18),
+                    kc: matrix(&entries, 27),
+                    k0: matrix(&entries, 36),
+                    k2: matrix(&entries, 45),
+                }
             },
             ThreePipesDerivatives {
                 values: [

@@ -142,22 +142,51 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
         let t24 = -self.c;
         let t25 = -self.k;
         let t26 = -t23;
-        TwoPipesMatrices {
-            m: [[t8, t10], [t10, t12]],
-            c0: [[t14, t24], [t24, self.c]],
-            c1: [[t15, t16], [::carvallo::Number::like(self.l, 0.0), t15]],
-            kc: [[t19, t25], [t25, self.k]],
-            k0: [
-                [t21, ::carvallo::Number::like(self.l, 0.0)],
-                [::carvallo::Number::like(self.l, 0.0), t22],
-            ],
-            k2: [
-                [t26, t23],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 24],
+                first: ::core::primitive::usize,
+            ) -> [[T; 2]; 2] {
                 [
-                    ::carvallo::Number::like(self.l, 0.0),
-                    ::carvallo::Number::like(self.l, 0.0),
-                ],
-            ],
+                    [entries[first], entries[first + 1]],
+                    [entries[first + 2], entries[first + 3]],
+                ]
+            }
+            let entries = [
+                t8,
+                t10,
+                t10,
+                t12,
+                t14,
+                t24,
+                t24,
+                self.c,
+                t15,
+                t16,
+                ::carvallo::Number::like(self.l, 0.0),
+                t15,
+                t19,
+                t25,
+                t25,
+                self.k,
+                t21,
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+                t22,
+                t26,
+                t23,
+                ::carvallo::Number::like(self.l, 0.0),
+                ::carvallo::Number::like(self.l, 0.0),
+            ];
+            TwoPipesMatrices {
+                m: matrix(&entries, 0),
+                c0: matrix(&entries, 4),
+                c1: matrix(&entries, 8),
+                kc: matrix(&entries, 12),
+                k0: matrix(&entries, 16),
+                k2: matrix(&entries, 20),
+            }
         }
     }
 }
@@ -570,22 +599,51 @@ impl<T: ::carvallo::Number> TwoPipes<T> {
         let t42 = -self.k;
         let t43 = -t25;
         (
-            TwoPipesMatrices {
-                m: [[t8, t10], [t10, t12]],
-                c0: [[t14, t41], [t41, self.c]],
-                c1: [[t15, t17], [::carvallo::Number::like(self.l, 0.0), t15]],
-                kc: [[t20, t42], [t42, self.k]],
-                k0: [
-                    [t23, ::carvallo::Number::like(self.l, 0.0)],
-                    [::carvallo::Number::like(self.l, 0.0), t24],
-                ],
-                k2: [
-                    [t43, t25],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 24],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 2]; 2] {
                     [
-                        ::carvallo::Number::like(self.l, 0.0),
-                        ::carvallo::Number::like(self.l, 0.0),
-                    ],
-                ],
+                        [entries[first], entries[first + 1]],
+                        [entries[first + 2], entries[first + 3]],
+                    ]
+                }
+                let entries = [
+                    t8,
+                    t10,
+                    t10,
+                    t12,
+                    t14,
+                    t41,
+                    t41,
+                    self.c,
+                    t15,
+                    t17,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t15,
+                    t20,
+                    t42,
+                    t42,
+                    self.k,
+                    t23,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                    t24,
+                    t43,
+                    t25,
+                    ::carvallo::Number::like(self.l, 0.0),
+                    ::carvallo::Number::like(self.l, 0.0),
+                ];
+                TwoPipesMatrices {
+                    m: matrix(&entries, 0),
+                    c0: matrix(&entries, 4),
+                    c1: matrix(&entries, 8),
+                    kc: matrix(&entries, 12),
+                    k0: matrix(&entries, 16),
+                    k2: matrix(&entries, 20),
+                }
             },
             TwoPipesDerivatives {
                 values: [

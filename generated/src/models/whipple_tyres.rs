@@ -392,14 +392,41 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         let t134 = yaw_per_v_delta * t101;
         let t137 = yaw_per_v_delta * (P_delta_lateral + (t28 * h_spin_F));
         let t138 = -(t104 + (yaw_by_delta * h_wheels_all));
-        WhippleTyresMatrices {
-            m: [[t26, t55], [t55, t92]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t106], [t138, t117]],
-            k0: [[t127, K_phi_delta], [K_phi_delta, t133]],
-            k2: [
-                [::carvallo::Number::like(self.w, 0.0), t134],
-                [::carvallo::Number::like(self.w, 0.0), t137],
-            ],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 16],
+                first: ::core::primitive::usize,
+            ) -> [[T; 2]; 2] {
+                [
+                    [entries[first], entries[first + 1]],
+                    [entries[first + 2], entries[first + 3]],
+                ]
+            }
+            let entries = [
+                t26,
+                t55,
+                t55,
+                t92,
+                ::carvallo::Number::like(self.w, 0.0),
+                t106,
+                t138,
+                t117,
+                t127,
+                K_phi_delta,
+                K_phi_delta,
+                t133,
+                ::carvallo::Number::like(self.w, 0.0),
+                t134,
+                ::carvallo::Number::like(self.w, 0.0),
+                t137,
+            ];
+            WhippleTyresMatrices {
+                m: matrix(&entries, 0),
+                c1: matrix(&entries, 4),
+                k0: matrix(&entries, 8),
+                k2: matrix(&entries, 12),
+            }
         }
     }
 }
@@ -1902,14 +1929,41 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t496 = t28 * K_phi_delta_rhoF;
         t497 = -(t97 + (yaw_by_delta * h_wheels_all));
         (
-            WhippleTyresMatrices {
-                m: [[t26, t55], [t55, t92]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t497, t119]],
-                k0: [[t129, K_phi_delta], [K_phi_delta, t135]],
-                k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t136],
-                    [::carvallo::Number::like(self.w, 0.0), t139],
-                ],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 16],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 2]; 2] {
+                    [
+                        [entries[first], entries[first + 1]],
+                        [entries[first + 2], entries[first + 3]],
+                    ]
+                }
+                let entries = [
+                    t26,
+                    t55,
+                    t55,
+                    t92,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t108,
+                    t497,
+                    t119,
+                    t129,
+                    K_phi_delta,
+                    K_phi_delta,
+                    t135,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t136,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t139,
+                ];
+                WhippleTyresMatrices {
+                    m: matrix(&entries, 0),
+                    c1: matrix(&entries, 4),
+                    k0: matrix(&entries, 8),
+                    k2: matrix(&entries, 12),
+                }
             },
             WhippleTyresDerivatives {
                 values: [

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::names::Names;
@@ -25,7 +25,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
         "The coefficient matrices of [`{name}`], each {n} x {n} and row by row, in SI units.\n\n\
          Matrices that are not among them are zero.",
     ));
-    let size = proc_macro2::Literal::usize_unsuffixed(n);
+    let size = Literal::usize_unsuffixed(n);
     let counts = program.map(|program| format!("\n{}", Counts::of(program))).unwrap_or_default();
     let function_docs = docs(&format!(
         "The coefficient matrices, from one straight-line program:{counts}.\n\n\
@@ -96,19 +96,37 @@ fn matrices_body(model: &Model, names: &Names, program: &Program, fields: &[Iden
     quote! { #statements #matrices }
 }
 
-/// The struct of the matrices, whose entries are the first of the outputs.
+/// The struct of the matrices, whose entries are the first of the outputs, as a block.
+///
+/// Rows of two `f32` that are written where they are used, or taken from an array at places known there, are for LLVM
+/// one whole number of 64 bits each, and then it puts no loop over designs into lanes. So the rows are taken from one
+/// array of all entries by a function that learns the place.
 pub fn literal(body: &Body, outputs: &[Value], fields: &[Ident], model: &Model, names: &Names) -> TokenStream {
-    let matrices = &names.matrices;
+    let Names { matrices, scalar, .. } = names;
+    let [entries, matrix, first] = ["entries", "matrix", "first"].map(|name| names.variable(name));
     let n = model.coordinates.len();
-    let rows = (0..fields.len()).map(|matrix| {
-        let rows = (0..n).map(|row| {
-            let first = (matrix * n + row) * n;
-            let entries = outputs[first..first + n].iter().map(|value| &body.values[*value]);
-            quote! { [#(#entries),*] }
+    let count = fields.len() * n * n;
+    let values = outputs[..count].iter().map(|value| &body.values[*value]);
+    let rows = (0..n).map(|row| {
+        let entries = (row * n..(row + 1) * n).map(|after| match Literal::usize_unsuffixed(after) {
+            _ if after == 0 => quote!(#entries[#first]),
+            after => quote!(#entries[#first + #after]),
         });
-        quote! { [#(#rows),*] }
+        quote! { [#(#entries),*] }
     });
-    quote! { #matrices { #(#fields: #rows,)* } }
+    let firsts = (0..count).step_by(n * n).map(Literal::usize_unsuffixed);
+    let [n, count] = [n, count].map(Literal::usize_unsuffixed);
+    quote! {{
+        #[inline(always)]
+        fn #matrix<#scalar: ::core::marker::Copy>(
+            #entries: &[#scalar; #count],
+            #first: ::core::primitive::usize,
+        ) -> [[#scalar; #n]; #n] {
+            [#(#rows),*]
+        }
+        let #entries = [#(#values),*];
+        #matrices { #(#fields: #matrix(&#entries, #firsts),)* }
+    }}
 }
 
 /// The values of a program that differ and are not always zero, each with the outputs that it is.
