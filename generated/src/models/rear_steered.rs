@@ -339,14 +339,41 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t120 = -(t103 + (yaw_by_delta * h_wheels_all));
         let t121 = t110 - py_delta;
         let t122 = -(t44 * t100);
-        RearSteeredMatrices {
-            m: [[t26, t55], [t55, t91]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t105], [t120, t114]],
-            k0: [[Sz_all, t121], [t121, t115]],
-            k2: [
-                [::carvallo::Number::like(self.w, 0.0), t122],
-                [::carvallo::Number::like(self.w, 0.0), t119],
-            ],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 16],
+                first: ::core::primitive::usize,
+            ) -> [[T; 2]; 2] {
+                [
+                    [entries[first], entries[first + 1]],
+                    [entries[first + 2], entries[first + 3]],
+                ]
+            }
+            let entries = [
+                t26,
+                t55,
+                t55,
+                t91,
+                ::carvallo::Number::like(self.w, 0.0),
+                t105,
+                t120,
+                t114,
+                Sz_all,
+                t121,
+                t121,
+                t115,
+                ::carvallo::Number::like(self.w, 0.0),
+                t122,
+                ::carvallo::Number::like(self.w, 0.0),
+                t119,
+            ];
+            RearSteeredMatrices {
+                m: matrix(&entries, 0),
+                c1: matrix(&entries, 4),
+                k0: matrix(&entries, 8),
+                k2: matrix(&entries, 12),
+            }
         }
     }
 }
@@ -1494,14 +1521,41 @@ impl<T: ::carvallo::Number> RearSteered<T> {
         let t460 = -(t45 * t105);
         let t461 = t180 - t141;
         (
-            RearSteeredMatrices {
-                m: [[t26, t56], [t56, t92]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t458, t117]],
-                k0: [[Sz_all, t459], [t459, t118]],
-                k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t460],
-                    [::carvallo::Number::like(self.w, 0.0), t122],
-                ],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 16],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 2]; 2] {
+                    [
+                        [entries[first], entries[first + 1]],
+                        [entries[first + 2], entries[first + 3]],
+                    ]
+                }
+                let entries = [
+                    t26,
+                    t56,
+                    t56,
+                    t92,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t108,
+                    t458,
+                    t117,
+                    Sz_all,
+                    t459,
+                    t459,
+                    t118,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t460,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t122,
+                ];
+                RearSteeredMatrices {
+                    m: matrix(&entries, 0),
+                    c1: matrix(&entries, 4),
+                    k0: matrix(&entries, 8),
+                    k2: matrix(&entries, 12),
+                }
             },
             RearSteeredDerivatives {
                 values: [

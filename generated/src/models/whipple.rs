@@ -361,14 +361,41 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t126 = t42 * ((t52 * SF) - t118);
         let t127 = -((mu * ST) + (t41 * SF));
         let t128 = t101 - t100;
-        WhippleMatrices {
-            m: [[ITxx, t55], [t55, t92]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t107], [t127, t121]],
-            k0: [[t128, t118], [t118, t122]],
-            k2: [
-                [::carvallo::Number::like(self.w, 0.0), t123],
-                [::carvallo::Number::like(self.w, 0.0), t126],
-            ],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 16],
+                first: ::core::primitive::usize,
+            ) -> [[T; 2]; 2] {
+                [
+                    [entries[first], entries[first + 1]],
+                    [entries[first + 2], entries[first + 3]],
+                ]
+            }
+            let entries = [
+                ITxx,
+                t55,
+                t55,
+                t92,
+                ::carvallo::Number::like(self.w, 0.0),
+                t107,
+                t127,
+                t121,
+                t128,
+                t118,
+                t118,
+                t122,
+                ::carvallo::Number::like(self.w, 0.0),
+                t123,
+                ::carvallo::Number::like(self.w, 0.0),
+                t126,
+            ];
+            WhippleMatrices {
+                m: matrix(&entries, 0),
+                c1: matrix(&entries, 4),
+                k0: matrix(&entries, 8),
+                k2: matrix(&entries, 12),
+            }
         }
     }
 }
@@ -1463,14 +1490,41 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t447 = t104 - t103;
         let t448 = t391 - t388;
         (
-            WhippleMatrices {
-                m: [[t26, t56], [t56, t93]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t110], [t446, t124]],
-                k0: [[t447, t121], [t121, t125]],
-                k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t126],
-                    [::carvallo::Number::like(self.w, 0.0), t129],
-                ],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 16],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 2]; 2] {
+                    [
+                        [entries[first], entries[first + 1]],
+                        [entries[first + 2], entries[first + 3]],
+                    ]
+                }
+                let entries = [
+                    t26,
+                    t56,
+                    t56,
+                    t93,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t110,
+                    t446,
+                    t124,
+                    t447,
+                    t121,
+                    t121,
+                    t125,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t126,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t129,
+                ];
+                WhippleMatrices {
+                    m: matrix(&entries, 0),
+                    c1: matrix(&entries, 4),
+                    k0: matrix(&entries, 8),
+                    k2: matrix(&entries, 12),
+                }
             },
             WhippleDerivatives {
                 values: [

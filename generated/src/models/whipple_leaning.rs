@@ -432,81 +432,82 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         let t160 = t93 - t144;
         let t161 = -(t42 * P_delta_lateral);
         let t162 = -(Sz_theta * yaw_per_v_delta);
-        WhippleLeaningMatrices {
-            m: [
-                [t40, t76, M_phi_theta],
-                [t76, t119, P_delta_theta],
-                [M_phi_theta, P_delta_theta, Jxx_theta],
-            ],
-            c0: [
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 54],
+                first: ::core::primitive::usize,
+            ) -> [[T; 3]; 3] {
                 [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    self.dU,
-                ],
-            ],
-            c1: [
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t136,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [t159, t148, ::carvallo::Number::like(self.w, 0.0)],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t151,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-            ],
-            kc: [
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    self.kU,
-                ],
-            ],
-            k0: [
-                [Sz_all, t160, Sz_theta],
-                [t160, t161, ::carvallo::Number::like(self.w, 0.0)],
-                [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
-            ],
-            k2: [
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t154,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t157,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t162,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-            ],
+                    [entries[first], entries[first + 1], entries[first + 2]],
+                    [entries[first + 3], entries[first + 4], entries[first + 5]],
+                    [entries[first + 6], entries[first + 7], entries[first + 8]],
+                ]
+            }
+            let entries = [
+                t40,
+                t76,
+                M_phi_theta,
+                t76,
+                t119,
+                P_delta_theta,
+                M_phi_theta,
+                P_delta_theta,
+                Jxx_theta,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                self.dU,
+                ::carvallo::Number::like(self.w, 0.0),
+                t136,
+                ::carvallo::Number::like(self.w, 0.0),
+                t159,
+                t148,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                t151,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                self.kU,
+                Sz_all,
+                t160,
+                Sz_theta,
+                t160,
+                t161,
+                ::carvallo::Number::like(self.w, 0.0),
+                Sz_theta,
+                ::carvallo::Number::like(self.w, 0.0),
+                Sz_theta,
+                ::carvallo::Number::like(self.w, 0.0),
+                t154,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                t157,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                t162,
+                ::carvallo::Number::like(self.w, 0.0),
+            ];
+            WhippleLeaningMatrices {
+                m: matrix(&entries, 0),
+                c0: matrix(&entries, 9),
+                c1: matrix(&entries, 18),
+                kc: matrix(&entries, 27),
+                k0: matrix(&entries, 36),
+                k2: matrix(&entries, 45),
+            }
         }
     }
 }
@@ -2313,81 +2314,82 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t543 = -(t127 + (yaw_by_delta * h_wheels_all));
         t544 = -t161;
         (
-            WhippleLeaningMatrices {
-                m: [
-                    [t40, t77, M_phi_theta],
-                    [t77, t120, P_delta_theta],
-                    [M_phi_theta, P_delta_theta, Jxx_theta],
-                ],
-                c0: [
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 54],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 3]; 3] {
                     [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        self.dU,
-                    ],
-                ],
-                c1: [
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t139,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [t543, t151, ::carvallo::Number::like(self.w, 0.0)],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t154,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                ],
-                kc: [
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                        self.kU,
-                    ],
-                ],
-                k0: [
-                    [Sz_all, t149, Sz_theta],
-                    [t149, t156, ::carvallo::Number::like(self.w, 0.0)],
-                    [Sz_theta, ::carvallo::Number::like(self.w, 0.0), Sz_theta],
-                ],
-                k2: [
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t157,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t160,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        t544,
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                ],
+                        [entries[first], entries[first + 1], entries[first + 2]],
+                        [entries[first + 3], entries[first + 4], entries[first + 5]],
+                        [entries[first + 6], entries[first + 7], entries[first + 8]],
+                    ]
+                }
+                let entries = [
+                    t40,
+                    t77,
+                    M_phi_theta,
+                    t77,
+                    t120,
+                    P_delta_theta,
+                    M_phi_theta,
+                    P_delta_theta,
+                    Jxx_theta,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    self.dU,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t139,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t543,
+                    t151,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t154,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    self.kU,
+                    Sz_all,
+                    t149,
+                    Sz_theta,
+                    t149,
+                    t156,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    Sz_theta,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    Sz_theta,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t157,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t160,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t544,
+                    ::carvallo::Number::like(self.w, 0.0),
+                ];
+                WhippleLeaningMatrices {
+                    m: matrix(&entries, 0),
+                    c0: matrix(&entries, 9),
+                    c1: matrix(&entries, 18),
+                    kc: matrix(&entries, 27),
+                    k0: matrix(&entries, 36),
+                    k2: matrix(&entries, 45),
+                }
             },
             WhippleLeaningDerivatives {
                 values: [

@@ -404,14 +404,41 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t119 = -(t103 + (mu * ST));
         let t120 = t69 - t109;
         let t121 = -(t28 * P_delta_lateral);
-        WhippleMechanismMatrices {
-            m: [[t26, t54], [t54, t91]],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t105], [t119, t113]],
-            k0: [[Sz_all, t120], [t120, t121]],
-            k2: [
-                [::carvallo::Number::like(self.w, 0.0), t115],
-                [::carvallo::Number::like(self.w, 0.0), t118],
-            ],
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 16],
+                first: ::core::primitive::usize,
+            ) -> [[T; 2]; 2] {
+                [
+                    [entries[first], entries[first + 1]],
+                    [entries[first + 2], entries[first + 3]],
+                ]
+            }
+            let entries = [
+                t26,
+                t54,
+                t54,
+                t91,
+                ::carvallo::Number::like(self.w, 0.0),
+                t105,
+                t119,
+                t113,
+                Sz_all,
+                t120,
+                t120,
+                t121,
+                ::carvallo::Number::like(self.w, 0.0),
+                t115,
+                ::carvallo::Number::like(self.w, 0.0),
+                t118,
+            ];
+            WhippleMechanismMatrices {
+                m: matrix(&entries, 0),
+                c1: matrix(&entries, 4),
+                k0: matrix(&entries, 8),
+                k2: matrix(&entries, 12),
+            }
         }
     }
 }
@@ -1612,14 +1639,41 @@ impl<T: ::carvallo::Number> WhippleMechanism<T> {
         let t431 = t172 - t171;
         let t432 = t229 - t228;
         (
-            WhippleMechanismMatrices {
-                m: [[t26, t55], [t55, t92]],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t108], [t430, t116]],
-                k0: [[Sz_all, t114], [t114, t117]],
-                k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t118],
-                    [::carvallo::Number::like(self.w, 0.0), t121],
-                ],
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 16],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 2]; 2] {
+                    [
+                        [entries[first], entries[first + 1]],
+                        [entries[first + 2], entries[first + 3]],
+                    ]
+                }
+                let entries = [
+                    t26,
+                    t55,
+                    t55,
+                    t92,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t108,
+                    t430,
+                    t116,
+                    Sz_all,
+                    t114,
+                    t114,
+                    t117,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t118,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t121,
+                ];
+                WhippleMechanismMatrices {
+                    m: matrix(&entries, 0),
+                    c1: matrix(&entries, 4),
+                    k0: matrix(&entries, 8),
+                    k2: matrix(&entries, 12),
+                }
             },
             WhippleMechanismDerivatives {
                 values: [

@@ -392,28 +392,51 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t122 = -(t104 + (yaw_by_delta * h_wheels_all));
         let t123 = -P_delta_lateral;
         let t124 = -(t28 * P_delta_lateral);
-        WhippleSprungMatrices {
-            m: [[t26, t55], [t55, t91]],
-            c0: [
+        {
+            #[inline(always)]
+            fn matrix<T: ::core::marker::Copy>(
+                entries: &[T; 24],
+                first: ::core::primitive::usize,
+            ) -> [[T; 2]; 2] {
                 [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [::carvallo::Number::like(self.w, 0.0), self.d],
-            ],
-            c1: [[::carvallo::Number::like(self.w, 0.0), t106], [t122, t115]],
-            kc: [
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [::carvallo::Number::like(self.w, 0.0), self.k],
-            ],
-            k0: [[Sz_all, t123], [t123, t124]],
-            k2: [
-                [::carvallo::Number::like(self.w, 0.0), t118],
-                [::carvallo::Number::like(self.w, 0.0), t121],
-            ],
+                    [entries[first], entries[first + 1]],
+                    [entries[first + 2], entries[first + 3]],
+                ]
+            }
+            let entries = [
+                t26,
+                t55,
+                t55,
+                t91,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                self.d,
+                ::carvallo::Number::like(self.w, 0.0),
+                t106,
+                t122,
+                t115,
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                ::carvallo::Number::like(self.w, 0.0),
+                self.k,
+                Sz_all,
+                t123,
+                t123,
+                t124,
+                ::carvallo::Number::like(self.w, 0.0),
+                t118,
+                ::carvallo::Number::like(self.w, 0.0),
+                t121,
+            ];
+            WhippleSprungMatrices {
+                m: matrix(&entries, 0),
+                c0: matrix(&entries, 4),
+                c1: matrix(&entries, 8),
+                kc: matrix(&entries, 12),
+                k0: matrix(&entries, 16),
+                k2: matrix(&entries, 20),
+            }
         }
     }
 }
@@ -1646,28 +1669,51 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t459 = -(t28 * P_delta_lateral);
         let t460 = t396 - t151;
         (
-            WhippleSprungMatrices {
-                m: [[t26, t56], [t56, t92]],
-                c0: [
+            {
+                #[inline(always)]
+                fn matrix<T: ::core::marker::Copy>(
+                    entries: &[T; 24],
+                    first: ::core::primitive::usize,
+                ) -> [[T; 2]; 2] {
                     [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [::carvallo::Number::like(self.w, 0.0), self.d],
-                ],
-                c1: [[::carvallo::Number::like(self.w, 0.0), t109], [t457, t118]],
-                kc: [
-                    [
-                        ::carvallo::Number::like(self.w, 0.0),
-                        ::carvallo::Number::like(self.w, 0.0),
-                    ],
-                    [::carvallo::Number::like(self.w, 0.0), self.k],
-                ],
-                k0: [[Sz_all, t458], [t458, t459]],
-                k2: [
-                    [::carvallo::Number::like(self.w, 0.0), t121],
-                    [::carvallo::Number::like(self.w, 0.0), t124],
-                ],
+                        [entries[first], entries[first + 1]],
+                        [entries[first + 2], entries[first + 3]],
+                    ]
+                }
+                let entries = [
+                    t26,
+                    t56,
+                    t56,
+                    t92,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    self.d,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t109,
+                    t457,
+                    t118,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    ::carvallo::Number::like(self.w, 0.0),
+                    self.k,
+                    Sz_all,
+                    t458,
+                    t458,
+                    t459,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t121,
+                    ::carvallo::Number::like(self.w, 0.0),
+                    t124,
+                ];
+                WhippleSprungMatrices {
+                    m: matrix(&entries, 0),
+                    c0: matrix(&entries, 4),
+                    c1: matrix(&entries, 8),
+                    kc: matrix(&entries, 12),
+                    k0: matrix(&entries, 16),
+                    k2: matrix(&entries, 20),
+                }
             },
             WhippleSprungDerivatives {
                 values: [
