@@ -33,7 +33,7 @@ impl Batch {
     /// # Errors
     /// If the slices differ in length. Nothing is written then.
     pub fn eigenvalues(&self, systems: &[System<2>], eigenvalues: &mut [Eigenvalues]) -> Result<(), BatchError> {
-        check(systems.len(), eigenvalues.len())?;
+        BatchError::require_room("result", systems.len(), eigenvalues.len())?;
         dispatch!(self.level, simd => of_systems(simd, systems, eigenvalues));
         Ok(())
     }
@@ -53,17 +53,10 @@ impl Batch {
         speeds: &[f64],
         eigenvalues: &mut [Eigenvalues],
     ) -> Result<(), BatchError> {
-        check(speeds.len(), eigenvalues.len())?;
+        BatchError::require_room("result", speeds.len(), eigenvalues.len())?;
         dispatch!(self.level, simd => along(simd, coefficients, gravity, speeds, eigenvalues));
         Ok(())
     }
-}
-
-fn check(expected: usize, found: usize) -> Result<(), BatchError> {
-    if expected == found {
-        return Ok(());
-    }
-    Err(BatchError::Length { what: "results", position: 0, expected, found })
 }
 
 #[inline(always)]

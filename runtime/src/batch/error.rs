@@ -29,6 +29,13 @@ pub enum BatchError {
     },
 }
 
+impl BatchError {
+    /// Whether there is room for as many results as there are inputs.
+    pub(super) fn require_room(what: &'static str, expected: usize, found: usize) -> Result<(), Self> {
+        if expected == found { Ok(()) } else { Err(Self::Length { what, position: 0, expected, found }) }
+    }
+}
+
 impl fmt::Display for BatchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -84,10 +84,7 @@ impl Batch {
         designs: &[M],
         coefficients: &mut [Coefficients<f64, N>],
     ) -> Result<(), BatchError> {
-        let (expected, found) = (designs.len(), coefficients.len());
-        if expected != found {
-            return Err(BatchError::Length { what: "result", position: 0, expected, found });
-        }
+        BatchError::require_room("result", designs.len(), coefficients.len())?;
         dispatch!(self.level, simd => structs::<_, N, M>(simd, designs, coefficients));
         Ok(())
     }
@@ -99,8 +96,7 @@ fn check_blocks<const N: usize, M: Model<N, Scalar = f64>>(
     entries: &Blocks,
 ) -> Result<(), BatchError> {
     check_widths::<N, M>(parameters.width(), entries.width())?;
-    let (expected, found) = (parameters.len(), entries.len());
-    if expected == found { Ok(()) } else { Err(BatchError::Length { what: "entry", position: 0, expected, found }) }
+    BatchError::require_room("entry", parameters.len(), entries.len())
 }
 
 fn check_widths<const N: usize, M: Model<N, Scalar = f64>>(

@@ -104,6 +104,6 @@ fn slices_of_unequal_length_are_an_error() {
     let systems = [System { m: one, c: one, k: one }; 3];
     let mut found = unset(2);
     let error = Batch::new().eigenvalues(&systems, &mut found).unwrap_err();
-    assert_eq!(error, BatchError::Length { what: "results", position: 0, expected: 3, found: 2 });
+    assert_eq!(error, BatchError::Length { what: "result", position: 0, expected: 3, found: 2 });
     assert!(found.iter().all(|eigenvalues| eigenvalues.unwrap()[0].re.is_nan()), "nothing is written");
 }
