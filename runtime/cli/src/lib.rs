@@ -1,6 +1,19 @@
-//! What the command line reads, and what it says of it: the part that strangers' files reach.
+//! The command line of Carvallo: stability of bicycles, and of every other model that ships.
+//!
+//! A library, so that what it says of strangers' files can be tested without a process for each of them.
 
+mod analysis;
+mod args;
+mod commands;
 pub mod failure;
 pub mod input;
 pub mod model;
 pub mod number;
+mod output;
+mod plot;
+mod sensitivity;
+mod speeds;
+mod sweep;
+mod terminal;
+
+pub use self::commands::main;

@@ -33,7 +33,8 @@ use self::read::{File, Records};
 use self::target::Target;
 use crate::failure::Failure;
 use crate::input::{self, Design};
-use crate::{WARNING, note, plot};
+use crate::plot;
+use crate::terminal::{WARNING, note};
 
 /// The designs that one core computes before it looks for more: small enough for its cache.
 const CHUNK: usize = 512;
