@@ -27,39 +27,22 @@
 
 #[cfg(feature = "batch")]
 pub mod batch;
-mod coefficients;
-#[cfg(feature = "derive")]
-mod declare;
-mod differentiable;
 mod eigenvalues;
-mod error;
-mod evaluator;
-mod info;
-// Without lanes only part of it has a use.
-#[cfg_attr(not(feature = "batch"), allow(dead_code))]
-mod lane;
 mod model;
 mod number;
 mod numeric;
-mod rate;
-mod scalar;
 #[cfg(feature = "std")]
 mod sensitivity;
 #[cfg(feature = "std")]
 mod stability;
 mod system;
-mod trigonometry;
 
-pub use coefficients::{Coefficients, Matrix};
-pub use differentiable::{Differentiable, MatrixName, Partial};
-pub use error::SystemError;
-pub use evaluator::Evaluator;
-pub use info::{Bound, CoordinateInfo, Domain, EntryInfo, ModelInfo, ParameterInfo, SetInfo};
-pub use model::{LengthError, Model, ParameterError};
+pub use model::{
+    Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, LengthError, Model, ModelInfo, ParameterError,
+    ParameterInfo, Partial, Rate, SetInfo,
+};
 pub use nalgebra::Complex;
-pub use number::Number;
-pub use rate::Rate;
-pub use scalar::Scalar;
+pub use number::{Number, Scalar};
 #[cfg(feature = "std")]
 pub use sensitivity::{
     CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable, Sensitivity,
@@ -67,7 +50,7 @@ pub use sensitivity::{
 };
 #[cfg(feature = "std")]
 pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};
-pub use system::{StateSpace, System};
+pub use system::{Coefficients, Matrix, MatrixName, StateSpace, System, SystemError};
 
 /// The other half of [`model!`].
 #[cfg(feature = "derive")]

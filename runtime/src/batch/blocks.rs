@@ -1,7 +1,7 @@
 //! Numbers of many designs, laid out for lanes.
 
-use crate::Model;
 use crate::batch::BatchError;
+use crate::model::Model;
 
 /// Some numbers for each of many designs, such as its parameters or the entries of its matrices: a structure of arrays in
 /// blocks of eight designs.

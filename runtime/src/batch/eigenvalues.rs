@@ -2,11 +2,11 @@
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
+use nalgebra::Complex;
 
 use super::{Batch, BatchError, Lanes};
-use crate::eigenvalues::field::{CubeRoot, UPPER_HALF};
 use crate::eigenvalues::{Four, Rows, quick_eigenvalues};
-use crate::{Coefficients, Complex, System, SystemError};
+use crate::system::{Coefficients, System, SystemError};
 
 /// What there is for each system: its four eigenvalues in 1/s, sorted by real part, then by imaginary part, or what is
 /// wrong with it.
@@ -158,21 +158,5 @@ fn write<S: Simd>(
         } else {
             scalar(lane)
         };
-    }
-}
-
-impl<S: Simd> CubeRoot for Lanes<S> {
-    #[inline(always)]
-    fn inverse_cube_root_estimate(self) -> Self {
-        // An integer below 2^52 is the mantissa of itself added to 2^52.
-        let integers: S::f64s = S::f64s::simd_from(self.0.token(), 4_503_599_627_370_496.0);
-        let offset: S::u64s = integers.bitcast();
-        let bits: S::u64s = self.0.bitcast();
-        let upper: S::f64s = ((bits >> 32) | offset).bitcast();
-        let third = (upper - integers) * (1.0 / 3.0);
-        // The sum would round to the nearest integer; the scalar function leaves the fraction out.
-        let estimate: S::u64s = ((S::f64s::simd_from(self.0.token(), UPPER_HALF) - third).floor() + integers).bitcast();
-        let estimate: S::f64s = (estimate << 32).bitcast();
-        Self(estimate)
     }
 }

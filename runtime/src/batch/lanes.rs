@@ -5,10 +5,11 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use fearless_simd::prelude::*;
 
-use crate::Number;
-use crate::lane::Lane;
+use crate::number::Number;
+use crate::number::lane::{Lane, UPPER_HALF};
+use crate::number::real::Real;
 use crate::number::sealed::Sealed;
-use crate::trigonometry::sin_cos_of_lanes;
+use crate::number::trigonometry::sin_cos_of_lanes;
 
 /// A register of `f64` at the level `S` of the processor's instructions.
 #[derive(Clone, Copy)]
@@ -100,9 +101,21 @@ impl<S: Simd> Number for Lanes<S> {
     }
 }
 
-impl<S: Simd> Lane for Lanes<S> {
+impl<S: Simd> Real for Lanes<S> {
     type Mask = S::mask64s;
 
+    #[inline(always)]
+    fn like(self, value: f64) -> Self {
+        Number::like(self, value)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Number::sqrt(self)
+    }
     #[inline(always)]
     fn less(self, other: Self) -> Self::Mask {
         self.0.simd_lt(other.0)
@@ -112,13 +125,6 @@ impl<S: Simd> Lane for Lanes<S> {
         self.0.simd_le(other.0)
     }
     #[inline(always)]
-    fn bit(self, index: u32) -> Self::Mask {
-        // The bit becomes the sign, which decides.
-        let bits: S::u64s = self.0.bitcast();
-        let sign: S::i64s = (bits << (63 - index)).bitcast();
-        sign.simd_lt(0)
-    }
-    #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
         Self(mask.select(yes.0, no.0))
     }
@@ -126,9 +132,15 @@ impl<S: Simd> Lane for Lanes<S> {
     fn all(mask: Self::Mask) -> bool {
         mask.all_true()
     }
+}
+
+impl<S: Simd> Lane for Lanes<S> {
     #[inline(always)]
-    fn abs(self) -> Self {
-        Self(self.0.abs())
+    fn bit(self, index: u32) -> Self::Mask {
+        // The bit becomes the sign, which decides.
+        let bits: S::u64s = self.0.bitcast();
+        let sign: S::i64s = (bits << (63 - index)).bitcast();
+        sign.simd_lt(0)
     }
     #[inline(always)]
     fn copysign(self, sign: Self) -> Self {
@@ -137,5 +149,18 @@ impl<S: Simd> Lane for Lanes<S> {
     #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self::from_fn(self.0.token(), |lane| f(self.lane(lane)))
+    }
+    #[inline(always)]
+    fn estimate_inverse_cube_root(self) -> Self {
+        // An integer below 2^52 is the mantissa of itself added to 2^52.
+        let integers: S::f64s = S::f64s::simd_from(self.0.token(), 4_503_599_627_370_496.0);
+        let offset: S::u64s = integers.bitcast();
+        let bits: S::u64s = self.0.bitcast();
+        let upper: S::f64s = ((bits >> 32) | offset).bitcast();
+        let third = (upper - integers) * (1.0 / 3.0);
+        // The sum would round to the nearest integer; the scalar function leaves the fraction out.
+        let estimate: S::u64s = ((S::f64s::simd_from(self.0.token(), UPPER_HALF) - third).floor() + integers).bitcast();
+        let estimate: S::f64s = (estimate << 32).bitcast();
+        Self(estimate)
     }
 }

@@ -5,7 +5,8 @@ use fearless_simd::{Simd, dispatch};
 #[cfg(feature = "std")]
 use super::Blocks;
 use super::{Batch, BatchError, Lanes};
-use crate::{Coefficients, Evaluator, Model};
+use crate::model::{Evaluator, Model};
+use crate::system::Coefficients;
 
 /// The number of designs in a block.
 const SIDE: usize = 8;

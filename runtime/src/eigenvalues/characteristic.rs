@@ -1,11 +1,13 @@
 //! The characteristic quartic of two coordinates, at any scale of the matrices.
 
+use nalgebra::Complex;
+
 use super::Quartic;
 #[cfg(feature = "batch")]
-use super::{field::CubeRoot, four::Four};
-use crate::lane::Lane;
+use super::four::Four;
+use crate::number::lane::Lane;
 use crate::numeric::{equilibrate, exponent, ldexp};
-use crate::{Complex, Matrix, System, SystemError};
+use crate::system::{Matrix, System, SystemError};
 
 /// The entries of a matrix by rows.
 pub(crate) type Rows<T = f64> = [[T; 2]; 2];
@@ -33,7 +35,7 @@ impl System<2> {
 /// [`System::quartic_eigenvalues`], which are then the same to the last bit; where they are not, it has to be asked.
 #[cfg(feature = "batch")]
 #[inline(always)]
-pub(crate) fn quick_eigenvalues<T: CubeRoot>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> (Four<T>, T::Mask) {
+pub(crate) fn quick_eigenvalues<T: Lane>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> (Four<T>, T::Mask) {
     let (quartic, is_singular) = quartic(m, c, k);
     let is_regular = !is_singular & quartic.is_moderate() & are_moderate(m) & are_moderate(c) & are_moderate(k);
     let (factors, are_exact) = quartic.quick_factors();
@@ -52,7 +54,7 @@ fn are_moderate<T: Lane>(matrix: Rows<T>) -> T::Mask {
 
 #[inline(always)]
 fn is_moderate<T: Lane>(entry: T) -> T::Mask {
-    let magnitude = Lane::abs(entry);
+    let magnitude = entry.abs();
     let limit = |value| entry.like(value);
     (limit(SMALL).less_or_equal(magnitude) & magnitude.less_or_equal(limit(LARGE)))
         | magnitude.less_or_equal(limit(0.0))
@@ -64,7 +66,7 @@ fn quartic<T: Lane>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> (Quartic<T>, T::Mask)
     let (forward, backward) = (m[0][0] * m[1][1], m[0][1] * m[1][0]);
     let det = forward - backward;
     // Below this the determinant is no more than the rounding of the entries.
-    let rounding = det.like(8.0 * f64::EPSILON) * (Lane::abs(forward) + Lane::abs(backward));
+    let rounding = det.like(8.0 * f64::EPSILON) * (forward.abs() + backward.abs());
     let scale = det.like(1.0) / det;
     let quartic = Quartic {
         a: mixed(m, c) * scale,
@@ -72,7 +74,7 @@ fn quartic<T: Lane>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> (Quartic<T>, T::Mask)
         c: mixed(c, k) * scale,
         d: determinant(k) * scale,
     };
-    (quartic, Lane::abs(det).less_or_equal(rounding))
+    (quartic, det.abs().less_or_equal(rounding))
 }
 
 /// What M s^2 + C s + K has of two of them in its determinant.

@@ -1,7 +1,7 @@
 //! Four eigenvalues in order, in each lane.
 
-use super::quartic::Quadratic;
-use crate::lane::Lane;
+use super::quadratic::Quadratic;
+use crate::number::lane::Lane;
 
 /// Four eigenvalues by their real and imaginary parts, sorted by real part, then by imaginary part.
 #[derive(Clone, Copy)]

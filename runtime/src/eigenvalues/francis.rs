@@ -1,7 +1,9 @@
 //! The eigenvalues of a Hessenberg matrix, by the QR algorithm with two shifts in one real sweep (Francis 1961).
 
+use nalgebra::Complex;
+
 use super::hessenberg::Row;
-use crate::{Complex, Number};
+use crate::number::Number;
 
 /// The bound on the sweeps per eigenvalue that LAPACK uses; two or three are usual.
 pub(super) const SWEEPS_PER_EIGENVALUE: usize = 30;

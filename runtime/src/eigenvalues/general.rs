@@ -1,13 +1,41 @@
 //! The eigenvalues of any number of coordinates, from the state matrix.
 
+use nalgebra::Complex;
+
 use super::francis::{self, SWEEPS_PER_EIGENVALUE};
 use super::hessenberg::{Row, balance, reduce};
-use super::quartic::Quadratic;
+use super::quadratic::Quadratic;
+use crate::number::Number;
 use crate::numeric::{exponent, ldexp};
-use crate::{Complex, Matrix, Number, System, SystemError};
+use crate::system::{Matrix, System, SystemError};
+
+impl<const N: usize> System<N> {
+    /// The 2N eigenvalues in 1/s, sorted by real part, then by imaginary part.
+    ///
+    /// For N = 2 they are [those of the quartic](System::quartic_eigenvalues), and for N = 1 those of the quadratic. For
+    /// more they come from the state matrix, balanced, by the QR algorithm with a bound on its iterations; jointly they are
+    /// the exact ones of a state matrix that differs from the given one by rounding, relative to its norm. There, too, real
+    /// ones have an imaginary part of exactly zero and pairs are exactly conjugate. Without any damping they are the square
+    /// roots of the eigenvalues of -M^-1 K: what oscillates then has a real part of exactly zero. Stability along speed is
+    /// for N = 2 alone.
+    ///
+    /// # Errors
+    /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or if the
+    /// iteration for N other than 2 does not converge.
+    pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>, SystemError> {
+        if N == 2 {
+            let two = |matrix: &Matrix<f64, N>| Matrix::<f64, 2>::from_fn(|i, j| matrix[(i, j)]);
+            let system = System { m: two(&self.m), c: two(&self.c), k: two(&self.k) };
+            return Ok(system.quartic_eigenvalues()?.to_vec());
+        }
+        let mut eigenvalues = any_number(self)?.as_flattened().to_vec();
+        eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+        Ok(eigenvalues)
+    }
+}
 
 /// The eigenvalues, in no order.
-pub(super) fn eigenvalues<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
+fn any_number<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
     system.require_finite()?;
     let [stiffness, damping] = system.solve([-system.k, -system.c])?;
     for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping)] {

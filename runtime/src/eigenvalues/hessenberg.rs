@@ -1,6 +1,6 @@
 //! Matrices balanced, and brought to Hessenberg form, by similarity: their eigenvalues stay the same.
 
-use crate::Number;
+use crate::number::Number;
 
 /// A row of a square matrix, as long as there are rows; the matrix itself is an array of them.
 pub(super) trait Row: Copy {

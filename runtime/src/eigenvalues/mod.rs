@@ -1,7 +1,7 @@
 //! The eigenvalues of the equations of motion.
 
 mod characteristic;
-pub(crate) mod field;
+mod factors;
 #[cfg(feature = "batch")]
 mod four;
 #[cfg(feature = "std")]
@@ -10,11 +10,13 @@ mod francis;
 mod general;
 #[cfg(feature = "std")]
 mod hessenberg;
+mod quadratic;
 mod quartic;
 mod resolvent;
 
-use crate::system::require_finite;
-use crate::{Complex, System, SystemError};
+use nalgebra::Complex;
+
+use crate::system::{System, SystemError};
 
 #[cfg(feature = "batch")]
 pub(crate) use characteristic::{Rows, quick_eigenvalues};
@@ -58,42 +60,6 @@ impl System<2> {
             }
         }
         Ok(sorted)
-    }
-}
-
-#[cfg(feature = "std")]
-impl<const N: usize> System<N> {
-    /// The 2N eigenvalues in 1/s, sorted by real part, then by imaginary part.
-    ///
-    /// For N = 2 they are [those of the quartic](System::quartic_eigenvalues), and for N = 1 those of the quadratic. For
-    /// more they come from the state matrix, balanced, by the QR algorithm with a bound on its iterations; jointly they are
-    /// the exact ones of a state matrix that differs from the given one by rounding, relative to its norm. There, too, real
-    /// ones have an imaginary part of exactly zero and pairs are exactly conjugate. Without any damping they are the square
-    /// roots of the eigenvalues of -M^-1 K: what oscillates then has a real part of exactly zero. Stability along speed is
-    /// for N = 2 alone.
-    ///
-    /// # Errors
-    /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or if the
-    /// iteration for N other than 2 does not converge.
-    pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>, SystemError> {
-        if N == 2 {
-            let two = |matrix: &crate::Matrix<f64, N>| crate::Matrix::<f64, 2>::from_fn(|i, j| matrix[(i, j)]);
-            let system = System { m: two(&self.m), c: two(&self.c), k: two(&self.k) };
-            return Ok(system.quartic_eigenvalues()?.to_vec());
-        }
-        let mut eigenvalues = general::eigenvalues(self)?.as_flattened().to_vec();
-        eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
-        Ok(eigenvalues)
-    }
-}
-
-impl<const N: usize> System<N> {
-    /// Whether every entry is finite.
-    pub(crate) fn require_finite(&self) -> Result<(), SystemError> {
-        for (quantity, matrix) in [("M", &self.m), ("C", &self.c), ("K", &self.k)] {
-            matrix.iter().try_for_each(|&entry| require_finite(quantity, entry))?;
-        }
-        Ok(())
     }
 }
 

@@ -11,10 +11,11 @@
 //! So does the smallest of three, if all roots of the quartic are real; it is the better one where the other two nearly
 //! coincide.
 
-use super::field::{CubeRoot, Field};
-use super::quartic::{Quadratic, Quartic};
-use crate::lane::Lane;
-use crate::numeric::{DoubleDouble, Real};
+use super::quadratic::Quadratic;
+use super::quartic::Quartic;
+use crate::number::lane::Lane;
+use crate::number::real::Real;
+use crate::numeric::DoubleDouble;
 
 /// The ratio of constant terms from which on it pays to compute one factor from the other.
 const MUCH_SMALLER: f64 = 1.0 / 64.0;
@@ -32,11 +33,11 @@ pub(super) struct Resolvent<T> {
     discriminant: T,
 }
 
-impl<T: Field> Resolvent<T> {
+impl<T: Real> Resolvent<T> {
     #[inline(always)]
     pub(super) fn new(quartic: Quartic<T>) -> Self {
         let Quartic { a, b, c, d } = quartic;
-        let constant = |value| a.constant(value);
+        let constant = |value| a.like(value);
         let one_third = constant(1.0) / constant(3.0);
         let third = b * one_third;
         let e = a * c - constant(4.0) * d;
@@ -49,36 +50,36 @@ impl<T: Field> Resolvent<T> {
     #[inline(always)]
     fn factors_at(&self, f: T) -> ([Quadratic<T>; 2], T::Mask) {
         let &Self { quartic: Quartic { a, b, c, d }, third, .. } = self;
-        let (zero, half) = (f.constant(0.0), f.constant(0.5));
+        let (zero, half) = (f.like(0.0), f.like(0.5));
         let y = third + f;
         let (half_a, half_y) = (half * a, half * y);
         let g_square = y - b + half_a * half_a;
         let h_square = half_y * half_y - d;
         let product = half * (a * half_y - c);
         // The square that cancelled less gives one of g and h; the other follows from their product.
-        let y_size = third.magnitude() + f.magnitude();
-        let g_size = y_size + b.magnitude() + half_a * half_a;
-        let h_size = half_y.magnitude() * y_size + d.magnitude();
-        let is_h_better = !h_square.at_most(zero) & (g_square * h_size).at_most(h_square * g_size);
-        let root = T::choose(is_h_better, h_square, g_square).root();
-        let other = T::choose(root.at_most(zero), zero, product / root);
-        let (g, h) = (T::choose(is_h_better, other, root), T::choose(is_h_better, root, other));
-        let is_plus_larger = zero.at_most(h * half_y);
-        let (g, h) = (T::choose(is_plus_larger, g, -g), T::choose(is_plus_larger, h, -h));
+        let y_size = third.abs() + f.abs();
+        let g_size = y_size + b.abs() + half_a * half_a;
+        let h_size = half_y.abs() * y_size + d.abs();
+        let is_h_better = !h_square.less_or_equal(zero) & (g_square * h_size).less_or_equal(h_square * g_size);
+        let root = T::select(is_h_better, h_square, g_square).sqrt_or_zero();
+        let other = T::select(root.less_or_equal(zero), zero, product / root);
+        let (g, h) = (T::select(is_h_better, other, root), T::select(is_h_better, root, other));
+        let is_plus_larger = zero.less_or_equal(h * half_y);
+        let (g, h) = (T::select(is_plus_larger, g, -g), T::select(is_plus_larger, h, -h));
         let (p_large, q_large, p_small) = (half_a + g, half_y + h, half_a - g);
         // The smaller constant term has cancelled, and its p as well if it is much smaller; c and d have not.
-        let inverse = f.constant(1.0) / q_large;
+        let inverse = f.like(1.0) / q_large;
         let q_small = d * inverse;
-        let is_much_smaller = q_small.magnitude().at_most(f.constant(MUCH_SMALLER) * q_large.magnitude());
-        let p_small = T::choose(is_much_smaller, (c - p_large * q_small) * inverse, p_small);
+        let is_much_smaller = q_small.abs().less_or_equal(f.like(MUCH_SMALLER) * q_large.abs());
+        let p_small = T::select(is_much_smaller, (c - p_large * q_small) * inverse, p_small);
         // Both are zero if the larger one is.
-        let is_zero = q_large.magnitude().at_most(zero);
-        let small = Quadratic { p: T::choose(is_zero, half_a - g, p_small), q: T::choose(is_zero, zero, q_small) };
-        ([Quadratic { p: p_large, q: q_large }, small], zero.at_most(g_square) & zero.at_most(h_square))
+        let is_zero = q_large.abs().less_or_equal(zero);
+        let small = Quadratic { p: T::select(is_zero, half_a - g, p_small), q: T::select(is_zero, zero, q_small) };
+        ([Quadratic { p: p_large, q: q_large }, small], zero.less_or_equal(g_square) & zero.less_or_equal(h_square))
     }
 }
 
-impl<T: CubeRoot> Resolvent<T> {
+impl<T: Lane> Resolvent<T> {
     /// The two factors.
     #[inline(always)]
     pub(super) fn factors(&self) -> [Quadratic<T>; 2] {
@@ -86,8 +87,8 @@ impl<T: CubeRoot> Resolvent<T> {
         let zero = m.like(0.0);
         let has_three = discriminant.less_or_equal(zero);
         // What no lane needs is left out.
-        let single = if T::all(has_three) { zero } else { single_root(m, Lane::abs(n), discriminant) };
-        let outer = if T::all(!has_three) { zero } else { outer_root(m, Lane::abs(n)) };
+        let single = if T::all(has_three) { zero } else { single_root(m, n.abs(), discriminant) };
+        let outer = if T::all(!has_three) { zero } else { outer_root(m, n.abs()) };
         let f = T::select(has_three, outer, single).copysign(n);
         let (factors, is_real) = self.factors_at(f);
         // Of three, the smallest may belong to imaginary factors; the largest does not.
@@ -138,9 +139,9 @@ impl Resolvent<DoubleDouble> {
 
 /// The magnitude of the only real root of `f^3 - 3 m f - 2 n`, for a positive discriminant, from that of n.
 #[inline(always)]
-fn single_root<T: CubeRoot>(m: T, n: T, discriminant: T) -> T {
+fn single_root<T: Lane>(m: T, n: T, discriminant: T) -> T {
     // A sum of two terms whose product is m; where their signs differ they would cancel.
-    let cube = n + discriminant.root();
+    let cube = n + discriminant.sqrt_or_zero();
     let reciprocal = inverse_cube_root(cube);
     let (large, small) = (cube * reciprocal * reciprocal, m * reciprocal);
     let is_sum = m.like(0.0).less(m);
@@ -155,7 +156,7 @@ fn single_root<T: CubeRoot>(m: T, n: T, discriminant: T) -> T {
 #[inline(always)]
 fn outer_root<T: Lane>(m: T, n: T) -> T {
     let zero = m.like(0.0);
-    let root = m.root();
+    let root = m.sqrt_or_zero();
     let cosine = n / (m * root);
     // Rounding may leave it a little above one.
     let cosine = T::select(cosine.less(m.like(1.0)), cosine, m.like(1.0));
@@ -166,7 +167,7 @@ fn outer_root<T: Lane>(m: T, n: T) -> T {
 #[inline(always)]
 fn largest_root<T: Lane>(m: T, n: T) -> T {
     let constant = |value| m.like(value);
-    let root = m.root();
+    let root = m.sqrt_or_zero();
     let cosine = n / (m * root);
     let cosine = T::select(cosine.less(constant(1.0)), cosine, constant(1.0));
     let cosine = T::select(constant(-1.0).less(cosine), cosine, constant(-1.0));
@@ -196,9 +197,9 @@ fn third_of_angle<T: Lane>(x: T) -> T {
 /// `x^(-1/3)` for a positive normal number, to a few units in the last place and without a division: several times faster
 /// than a correctly rounded cube root, of which nothing would be left in the end.
 #[inline(always)]
-fn inverse_cube_root<T: CubeRoot>(x: T) -> T {
+fn inverse_cube_root<T: Lane>(x: T) -> T {
     let constant = |value| x.like(value);
-    let mut root = x.inverse_cube_root_estimate();
+    let mut root = x.estimate_inverse_cube_root();
     // The error becomes its fourth power with each step.
     for _ in 0..2 {
         let h = constant(1.0) - x * root * (root * root);

@@ -2,6 +2,9 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::number::Number;
+use crate::number::real::Real;
+
 /// The unevaluated sum of two `f64` that do not overlap: about 32 digits in the range of `f64`.
 ///
 /// Operations err by a few units of 2^-104 relative to their result (Dekker 1971; Hida, Li & Bailey 2001). Products are
@@ -106,6 +109,38 @@ impl Div for DoubleDouble {
     }
 }
 
+impl Real for DoubleDouble {
+    type Mask = bool;
+
+    fn like(self, value: f64) -> Self {
+        value.into()
+    }
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+    fn sqrt(self) -> Self {
+        let root = Number::sqrt(self.to_f64());
+        if root == 0.0 {
+            return Self::ZERO;
+        }
+        // One step of Newton's iteration doubles the digits (Karp & Markstein 1997).
+        let rest = self - Self::product(root, root);
+        Self::from(root) + (rest.to_f64() / (2.0 * root)).into()
+    }
+    fn less(self, other: Self) -> bool {
+        self < other
+    }
+    fn less_or_equal(self, other: Self) -> bool {
+        self <= other
+    }
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+    fn all(mask: bool) -> bool {
+        mask
+    }
+}
+
 /// `a + b`, exactly.
 #[inline]
 fn sum(a: f64, b: f64) -> DoubleDouble {
@@ -132,7 +167,7 @@ fn split(a: f64) -> (f64, f64) {
 #[cfg(all(test, feature = "std"))]
 mod tests {
     use super::DoubleDouble;
-    use crate::numeric::Real;
+    use crate::number::real::Real;
 
     /// One third of 2^-53 is far below `f64` at 1; Dekker's pair must keep it.
     #[test]

@@ -138,19 +138,19 @@ mod tests {
     use super::Brackets;
     use crate::numeric::fixed::product;
     use crate::numeric::rounded::Rounded;
-    use crate::numeric::{DoubleDouble, Sum};
+    use crate::numeric::{DoubleDouble, Tracked};
 
-    fn linear(root: f64) -> [Sum; 2] {
-        [Sum::from(-root), Sum::from(1.0)]
+    fn linear(root: f64) -> [Tracked; 2] {
+        [Tracked::from(-root), Tracked::from(1.0)]
     }
 
     /// The polynomial with these roots.
-    fn from_roots([r0, r1, r2, r3, r4, r5]: [f64; 6]) -> [Sum; 7] {
+    fn from_roots([r0, r1, r2, r3, r4, r5]: [f64; 6]) -> [Tracked; 7] {
         let pairs = [[r0, r1], [r2, r3], [r4, r5]].map(|[x, y]| product::<2, 2, 3>(&linear(x), &linear(y)));
         product::<5, 3, 7>(&product(&pairs[0], &pairs[1]), &pairs[2])
     }
 
-    fn isolate<const N: usize>(polynomial: &[Sum; N]) -> Option<Vec<f64>> {
+    fn isolate<const N: usize>(polynomial: &[Tracked; N]) -> Option<Vec<f64>> {
         let rounded = Rounded::new(polynomial);
         let mut brackets = Brackets::new();
         rounded.isolate(&mut brackets)?;
@@ -183,17 +183,17 @@ mod tests {
     /// x^2 + 1, x^2 + e and x^2 - 2 x + 1 + e, where e is noise, much less than a rounding, or a little.
     #[test]
     fn is_certain_of_signs() {
-        let polynomial = |linear: f64, constant: Sum| [constant, Sum::from(linear), Sum::from(1.0)];
-        assert_eq!(isolate(&polynomial(0.0, Sum::from(1.0))), Some(vec![]));
-        let noise = Sum { value: DoubleDouble::from(-1e-27), size: 1.0 };
+        let polynomial = |linear: f64, constant: Tracked| [constant, Tracked::from(linear), Tracked::from(1.0)];
+        assert_eq!(isolate(&polynomial(0.0, Tracked::from(1.0))), Some(vec![]));
+        let noise = Tracked { value: DoubleDouble::from(-1e-27), size: 1.0 };
         assert_eq!(isolate(&polynomial(0.0, noise)), None);
-        assert_eq!(isolate(&polynomial(-2.0, Sum::from(1.0 + f64::EPSILON))), None);
-        assert_eq!(isolate(&polynomial(-2.0, Sum::from(1.001))), Some(vec![]));
+        assert_eq!(isolate(&polynomial(-2.0, Tracked::from(1.0 + f64::EPSILON))), None);
+        assert_eq!(isolate(&polynomial(-2.0, Tracked::from(1.001))), Some(vec![]));
     }
 
     #[test]
     fn stays_in_the_range_of_f64() {
-        assert_eq!(isolate(&[1e200, -1e-200, 0.0, 1e-200].map(Sum::from)), None);
+        assert_eq!(isolate(&[1e200, -1e-200, 0.0, 1e-200].map(Tracked::from)), None);
         let scaled = from_roots([1e-30, 2e-30, 3e-30, 4e-30, 5e-30, 6e-30]);
         assert_eq!(isolate(&scaled).map(|found| found.len()), Some(6));
     }

@@ -1,11 +1,13 @@
 //! Arithmetic that the analysis stands on: scaling by powers of two, twice the precision, real roots of polynomials.
 
+#[cfg(feature = "std")]
+mod complex_double_double;
 mod double_double;
-mod real;
 mod scale;
 
+#[cfg(feature = "std")]
+pub(crate) use complex_double_double::ComplexDoubleDouble;
 pub(crate) use double_double::DoubleDouble;
-pub(crate) use real::Real;
 pub(crate) use scale::{equilibrate, exponent, ldexp};
 
 #[cfg(feature = "std")]
@@ -21,11 +23,11 @@ mod roots;
 #[cfg(feature = "std")]
 pub(crate) mod rounded;
 #[cfg(feature = "std")]
-mod sum;
+mod tracked;
 
 #[cfg(feature = "std")]
 pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
 pub(crate) use roots::{Root, candidates, positive_roots};
 #[cfg(feature = "std")]
-pub(crate) use sum::{NOISE, Sum};
+pub(crate) use tracked::{NOISE, Tracked};

@@ -2,18 +2,19 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use super::{DoubleDouble, Sum};
+use super::double_double::DoubleDouble;
+use super::tracked::Tracked;
 
 /// A polynomial by its coefficients, ascending; the zero polynomial has none.
 ///
 /// Coefficients that are only the noise of cancelled terms are exact zeros, and the last coefficient is not zero.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Polynomial(Vec<Sum>);
+pub(crate) struct Polynomial(Vec<Tracked>);
 
 impl Polynomial {
-    pub(crate) fn new(coefficients: impl IntoIterator<Item = Sum>) -> Self {
-        let clean = |c: Sum| if c.sign() == 0 { Sum { value: DoubleDouble::ZERO, ..c } } else { c };
-        let mut coefficients: Vec<Sum> = coefficients.into_iter().map(clean).collect();
+    pub(crate) fn new(coefficients: impl IntoIterator<Item = Tracked>) -> Self {
+        let clean = |c: Tracked| if c.sign() == 0 { Tracked { value: DoubleDouble::ZERO, ..c } } else { c };
+        let mut coefficients: Vec<Tracked> = coefficients.into_iter().map(clean).collect();
         while coefficients.last().is_some_and(|c| c.sign() == 0) {
             coefficients.pop();
         }
@@ -24,7 +25,7 @@ impl Polynomial {
         Self::new([value.into()])
     }
 
-    pub(crate) fn coefficients(&self) -> &[Sum] {
+    pub(crate) fn coefficients(&self) -> &[Tracked] {
         &self.0
     }
 
@@ -33,9 +34,9 @@ impl Polynomial {
     }
 
     /// The value at `x` by Horner's rule; its size is that of the largest partial sums, for `x >= 0`.
-    pub(crate) fn at(&self, x: DoubleDouble) -> Sum {
-        let x = Sum::from(x);
-        self.0.iter().rev().fold(Sum::ZERO, |value, &c| value * x + c)
+    pub(crate) fn at(&self, x: DoubleDouble) -> Tracked {
+        let x = Tracked::from(x);
+        self.0.iter().rev().fold(Tracked::ZERO, |value, &c| value * x + c)
     }
 
     pub(crate) fn derivative(&self) -> Self {
@@ -44,7 +45,7 @@ impl Polynomial {
 
     /// The polynomial whose roots are `1 / scale` times those of this one.
     pub(crate) fn stretched(&self, scale: f64) -> Self {
-        let mut power = Sum::from(1.0);
+        let mut power = Tracked::from(1.0);
         Self::new(self.0.iter().map(|&c| {
             let stretched = c * power;
             power = power * scale.into();
@@ -72,7 +73,7 @@ impl Polynomial {
 impl Add for &Polynomial {
     type Output = Polynomial;
     fn add(self, other: Self) -> Polynomial {
-        let coefficient = |p: &Polynomial, power| p.0.get(power).copied().unwrap_or(Sum::ZERO);
+        let coefficient = |p: &Polynomial, power| p.0.get(power).copied().unwrap_or(Tracked::ZERO);
         Polynomial::new((0..self.0.len().max(other.0.len())).map(|i| coefficient(self, i) + coefficient(other, i)))
     }
 }
@@ -87,7 +88,7 @@ impl Sub for &Polynomial {
 impl Mul for &Polynomial {
     type Output = Polynomial;
     fn mul(self, other: Self) -> Polynomial {
-        let mut product = vec![Sum::ZERO; (self.0.len() + other.0.len()).saturating_sub(1)];
+        let mut product = vec![Tracked::ZERO; (self.0.len() + other.0.len()).saturating_sub(1)];
         for (i, &a) in self.0.iter().enumerate() {
             for (j, &b) in other.0.iter().enumerate() {
                 product[i + j] = product[i + j] + a * b;

@@ -2,7 +2,7 @@
 
 use super::isolation::Bracket;
 use super::rounded::Rounded;
-use crate::Number;
+use crate::number::Number;
 
 impl<const N: usize> Rounded<N> {
     /// The root in an interval, to a relative error of about the cube of `close`, by Halley's iteration.

@@ -4,7 +4,10 @@
 //! not. The stationary points are the roots of the derivative, which has one degree less; so the roots of all
 //! derivatives, from the last one up, isolate those of the polynomial.
 
-use super::{DoubleDouble, Polynomial, Real, ldexp};
+use super::double_double::DoubleDouble;
+use super::polynomial::Polynomial;
+use super::scale::ldexp;
+use crate::number::real::Real;
 
 /// A positive root.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -162,11 +165,11 @@ fn uncertainty(polynomial: &Polynomial, root: DoubleDouble) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{Root, positive_roots};
-    use crate::numeric::{Polynomial, Sum};
+    use crate::numeric::{Polynomial, Tracked};
 
     fn from_roots(roots: &[f64]) -> Polynomial {
         roots.iter().fold(Polynomial::constant(1.0), |product, &root| {
-            &product * &Polynomial::new([Sum::from(-root), Sum::from(1.0)])
+            &product * &Polynomial::new([Tracked::from(-root), Tracked::from(1.0)])
         })
     }
 
@@ -209,7 +212,7 @@ mod tests {
     #[test]
     fn solves_even_polynomials_in_the_square() {
         let squares = from_roots(&[4.0, 9.0, -16.0]);
-        let spread = squares.coefficients().iter().flat_map(|&c| [c, Sum::ZERO]);
+        let spread = squares.coefficients().iter().flat_map(|&c| [c, Tracked::ZERO]);
         assert_roots(&positive_roots(&Polynomial::new(spread)), &[2.0, 3.0]);
     }
 
@@ -217,6 +220,6 @@ mod tests {
     fn has_nothing_to_find_without_positive_roots() {
         assert!(positive_roots(&Polynomial::new([])).is_empty());
         assert!(positive_roots(&from_roots(&[0.0, -2.0])).is_empty());
-        assert!(positive_roots(&Polynomial::new([1.0, 0.0, 1.0].map(Sum::from))).is_empty());
+        assert!(positive_roots(&Polynomial::new([1.0, 0.0, 1.0].map(Tracked::from))).is_empty());
     }
 }

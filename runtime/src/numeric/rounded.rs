@@ -1,6 +1,6 @@
 //! Polynomials in plain `f64`, with bounds on what rounding may do to them.
 
-use super::{NOISE, Sum};
+use super::tracked::{NOISE, Tracked};
 
 /// A polynomial with coefficients in `f64`, ascending, with a size for each: coefficients err by a rounding of their size.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +14,7 @@ pub(super) const CERTAIN: f64 = 128.0 * f64::EPSILON;
 
 impl<const N: usize> Rounded<N> {
     #[inline]
-    pub(crate) fn new(coefficients: &[Sum; N]) -> Self {
+    pub(crate) fn new(coefficients: &[Tracked; N]) -> Self {
         let value = coefficients.map(|c| c.value.to_f64());
         // What is left of cancelled terms errs by the rounding of these in double-double.
         let size = coefficients.map(|c| c.value.to_f64().abs() + c.size * (NOISE / f64::EPSILON));

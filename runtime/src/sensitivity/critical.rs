@@ -2,12 +2,14 @@
 
 use core::fmt;
 
+use nalgebra::Complex;
+
 use super::Sensitivity;
 use super::condition::Condition;
 use super::scaled::{Entries, Scaled};
-use super::wide::Wide;
-use crate::numeric::{DoubleDouble, ldexp};
-use crate::{Complex, CriticalKind, CriticalSpeed, SystemError};
+use crate::numeric::{ComplexDoubleDouble, DoubleDouble, ldexp};
+use crate::stability::{CriticalKind, CriticalSpeed};
+use crate::system::SystemError;
 
 /// How a critical speed changes with each parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,16 +120,16 @@ fn condition(scaled: &Scaled, critical: &CriticalSpeed) -> Result<(Condition, Do
     let mut speed = DoubleDouble::from(ldexp(critical.speed, -scaled.speed_unit));
     let part = |part: f64| DoubleDouble::from(ldexp(part, -scaled.time_unit));
     let mut s = match kind {
-        CriticalKind::Capsize => Wide::ZERO,
-        _ => Wide { re: part(critical.eigenvalue.re), im: part(critical.eigenvalue.im) },
+        CriticalKind::Capsize => ComplexDoubleDouble::ZERO,
+        _ => ComplexDoubleDouble { re: part(critical.eigenvalue.re), im: part(critical.eigenvalue.im) },
     };
     // Eigenvalues are measured in a unit of which the largest terms are about one.
     if s.norm() < NEGLIGIBLE {
-        s = Wide::ZERO;
+        s = ComplexDoubleDouble::ZERO;
     }
-    let is_zero = s == Wide::ZERO;
+    let is_zero = s == ComplexDoubleDouble::ZERO;
     let zeros = if is_zero { scaled.zeros(speed) } else { 0 };
-    let at = |speed: DoubleDouble, s: Wide| {
+    let at = |speed: DoubleDouble, s: ComplexDoubleDouble| {
         let condition = Condition::new(scaled, kind, speed, s, zeros);
         if condition.condition() < MEETING { Ok(condition) } else { Err(NotDifferentiable::Meeting) }
     };

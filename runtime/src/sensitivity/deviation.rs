@@ -1,7 +1,7 @@
 //! How measured standard deviations of parameters propagate.
 
 use super::Sensitivity;
-use crate::{Coefficients, Matrix, SystemError};
+use crate::system::{Coefficients, Matrix, SystemError};
 
 /// The standard deviation of a quantity to first order, from its derivatives with respect to each parameter and the standard
 /// deviations of the parameters, which are taken to be independent: the root of the sum of the squares of their products.
@@ -76,7 +76,7 @@ fn root_sum_square(terms: impl Iterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::standard_deviation;
-    use crate::SystemError;
+    use crate::system::SystemError;
 
     #[test]
     fn squares_stay_in_range() {

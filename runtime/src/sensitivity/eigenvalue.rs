@@ -1,10 +1,12 @@
 //! The derivatives of eigenvalues.
 
+use nalgebra::Complex;
+
 use super::null_vectors::{NullVectors, null_vectors};
 use super::pencil::{ComplexMatrix, Direction, Pencil, Weights};
 use super::unfolding::{self, Neighbours};
 use super::{Gradient, Sensitivity};
-use crate::{Complex, SystemError};
+use crate::system::SystemError;
 
 /// An eigenvalue and its derivatives.
 #[derive(Clone, Debug, PartialEq)]

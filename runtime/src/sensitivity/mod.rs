@@ -10,12 +10,13 @@ mod scaled;
 #[cfg(test)]
 mod tests;
 mod unfolding;
-mod wide;
 
 use pencil::Direction;
 
+use crate::model::{Differentiable, Model};
+use crate::number::Scalar;
 use crate::system::require_finite;
-use crate::{Coefficients, Differentiable, Model, Scalar, SystemError};
+use crate::system::{Coefficients, SystemError};
 
 pub use critical::{CriticalDerivative, NotDifferentiable};
 pub use deviation::standard_deviation;

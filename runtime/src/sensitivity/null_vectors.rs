@@ -1,9 +1,10 @@
 //! The left and right eigenvectors of an eigenvalue, as null vectors of a small complex matrix.
 
+use nalgebra::Complex;
 use nalgebra::SVector;
 
 use super::pencil::ComplexMatrix;
-use crate::{Complex, Matrix};
+use crate::system::Matrix;
 
 /// Vectors with `Q x = 0` and `y^T Q = 0`, for the Q that is nearest to being singular under elimination.
 pub(super) struct NullVectors<const N: usize> {
@@ -69,8 +70,10 @@ pub(super) fn null_vectors<const N: usize>(matrix: &ComplexMatrix<N>, size: &Mat
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Complex;
+
     use super::null_vectors;
-    use crate::{Complex, Matrix};
+    use crate::system::Matrix;
 
     /// A matrix of rank 2, whose second row is the sum of the first and i times the third.
     #[test]

@@ -1,9 +1,10 @@
 //! The matrix polynomial `Q(s) = M s^2 + C s + K` at any scale of its matrices.
 
+use nalgebra::Complex;
 use nalgebra::SMatrix;
 
 use crate::numeric::{exponent, ldexp};
-use crate::{Complex, Matrix, System, SystemError};
+use crate::system::{Matrix, System, SystemError};
 
 pub(super) type ComplexMatrix<const N: usize> = SMatrix<Complex<f64>, N, N>;
 

@@ -1,11 +1,11 @@
 //! The characteristic polynomial of two coordinates and its derivatives, at any scale of the matrices.
 
 use super::pencil::equilibrate;
-use crate::numeric::{DoubleDouble, Sum, exponent, ldexp};
-use crate::{Coefficients, Matrix};
+use crate::numeric::{DoubleDouble, Tracked, exponent, ldexp};
+use crate::system::{Coefficients, Matrix};
 
 /// The coefficients of `det(M s^2 + C s + K)` in s, ascending, or their derivatives.
-pub(super) type Quartic = [Sum; 5];
+pub(super) type Quartic = [Tracked; 5];
 
 /// Something for each entry of `[K, C, M]`.
 pub(super) type Entries<T> = [[[T; 3]; 2]; 2];
@@ -67,15 +67,15 @@ impl Scaled {
     }
 
     /// The entries of K, C and M at a scaled speed.
-    pub(super) fn matrices(&self, speed: DoubleDouble) -> Entries<Sum> {
+    pub(super) fn matrices(&self, speed: DoubleDouble) -> Entries<Tracked> {
         self.entries(&self.coefficients, speed)
     }
 
     /// The derivative of the characteristic polynomial with respect to the speed.
     pub(super) fn by_speed(&self, speed: DoubleDouble) -> Quartic {
         let Coefficients { c1, k2, .. } = &self.coefficients;
-        let twice = Sum::from(speed + speed);
-        let entry = |i, j| [twice * k2[(i, j)].into(), c1[(i, j)].into(), Sum::ZERO];
+        let twice = Tracked::from(speed + speed);
+        let entry = |i, j| [twice * k2[(i, j)].into(), c1[(i, j)].into(), Tracked::ZERO];
         self.along(&[[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]], speed)
     }
 
@@ -84,18 +84,18 @@ impl Scaled {
         self.along(&self.entries(direction, speed), speed)
     }
 
-    fn along(&self, [[da, db], [dc, dd]]: &Entries<Sum>, speed: DoubleDouble) -> Quartic {
+    fn along(&self, [[da, db], [dc, dd]]: &Entries<Tracked>, speed: DoubleDouble) -> Quartic {
         let [[a, b], [c, d]] = self.matrices(speed);
         powers(|i, j| (da[i] * d[j] + a[i] * dd[j]) - (db[i] * c[j] + b[i] * dc[j]))
     }
 
-    fn entries(&self, coefficients: &Coefficients<f64, 2>, speed: DoubleDouble) -> Entries<Sum> {
+    fn entries(&self, coefficients: &Coefficients<f64, 2>, speed: DoubleDouble) -> Entries<Tracked> {
         let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
-        let speed = Sum::from(speed);
+        let speed = Tracked::from(speed);
         let entry = |i, j| {
-            let weight: Sum = DoubleDouble::product(self.gravity, k0[(i, j)]).into();
-            let stiffness = Sum::from(kc[(i, j)]) + weight + speed * speed * k2[(i, j)].into();
-            [stiffness, Sum::from(c0[(i, j)]) + speed * c1[(i, j)].into(), m[(i, j)].into()]
+            let weight: Tracked = DoubleDouble::product(self.gravity, k0[(i, j)]).into();
+            let stiffness = Tracked::from(kc[(i, j)]) + weight + speed * speed * k2[(i, j)].into();
+            [stiffness, Tracked::from(c0[(i, j)]) + speed * c1[(i, j)].into(), m[(i, j)].into()]
         };
         [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
     }
@@ -127,8 +127,8 @@ fn samples(speed: DoubleDouble) -> [DoubleDouble; 5] {
 }
 
 /// The coefficients of a sum of products of two polynomials of the second degree, given the terms of a pair of powers.
-fn powers(terms: impl Fn(usize, usize) -> Sum) -> Quartic {
-    let mut product = [Sum::ZERO; 5];
+fn powers(terms: impl Fn(usize, usize) -> Tracked) -> Quartic {
+    let mut product = [Tracked::ZERO; 5];
     for i in 0..3 {
         for j in 0..3 {
             product[i + j] = product[i + j] + terms(i, j);

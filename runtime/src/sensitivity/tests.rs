@@ -1,7 +1,10 @@
 //! Derivatives against those of solutions in closed form, and what has none.
 
+use nalgebra::Complex;
+
 use super::{CriticalDerivative, EigenvalueDerivative, NotDifferentiable, Sensitivity};
-use crate::{Coefficients, Complex, CriticalKind, Matrix, Stability, SystemError};
+use crate::stability::{CriticalKind, Stability};
+use crate::system::{Coefficients, Matrix, SystemError};
 
 type Rows = [[f64; 2]; 2];
 const ZERO: Rows = [[0.0; 2]; 2];

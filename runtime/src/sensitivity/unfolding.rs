@@ -10,8 +10,9 @@
 //!
 //! With a at the mean, the second is the derivative of the square of half the difference.
 
+use nalgebra::Complex;
+
 use super::pencil::{Pencil, Weights};
-use crate::Complex;
 
 /// The other eigenvalues, as one of them sees them.
 pub(super) struct Neighbours {

@@ -1,9 +1,11 @@
 //! The order in which eigenvalues keep their places as the speed grows.
 
+use nalgebra::Complex;
+
 use super::characteristic::Characteristic;
 use super::double_root;
 use crate::numeric::{DoubleDouble, Polynomial, positive_roots};
-use crate::{Complex, SystemError};
+use crate::system::SystemError;
 
 /// A stretch of speeds over which one order keeps every eigenvalue at its place.
 #[derive(Clone, Copy, Debug, PartialEq)]

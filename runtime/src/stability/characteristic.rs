@@ -1,9 +1,12 @@
 //! The characteristic polynomial of two coordinates as a polynomial in the eigenvalue and in the speed.
 
+use nalgebra::Complex;
+
 use crate::eigenvalues::Quartic;
-use crate::numeric::{DoubleDouble, Polynomial, Sum, equilibrate, exponent, ldexp};
+use crate::number::Scalar;
+use crate::numeric::{DoubleDouble, Polynomial, Tracked, equilibrate, exponent, ldexp};
 use crate::system::require_finite;
-use crate::{Coefficients, Complex, Matrix, Scalar, SystemError};
+use crate::system::{Coefficients, Matrix, SystemError};
 
 /// `det(M s^2 + (C0 + v C1) s + Kc + g K0 + v^2 K2)`, up to a factor, as `p_0(v) + p_1(v) s + ... + p_4 s^4`.
 ///
@@ -37,12 +40,12 @@ impl Characteristic {
             |matrix: &Matrix<f64, 2>, i: usize, j: usize, power: i32| ldexp(matrix[(i, j)], row[i] + column[j] + power);
         let entry = |i: usize, j: usize| {
             let weight = scaled(&k0, i, j, gravity_exponent - 2 * eigenvalue_unit);
-            let at_rest = Sum::from(scaled(&kc, i, j, -2 * eigenvalue_unit))
+            let at_rest = Tracked::from(scaled(&kc, i, j, -2 * eigenvalue_unit))
                 + DoubleDouble::product(gravity_fraction, weight).into();
             let linear = scaled(&c1, i, j, speed_unit - eigenvalue_unit);
             let square = scaled(&k2, i, j, 2 * (speed_unit - eigenvalue_unit));
             [
-                Polynomial::new([at_rest, Sum::ZERO, square.into()]),
+                Polynomial::new([at_rest, Tracked::ZERO, square.into()]),
                 Polynomial::new([scaled(&c0, i, j, -eigenvalue_unit).into(), linear.into()]),
                 Polynomial::constant(scaled(&m, i, j, 0)),
             ]
@@ -64,9 +67,11 @@ impl Characteristic {
     }
 
     /// All coefficients at a scaled speed.
-    pub(super) fn at(&self, speed: DoubleDouble) -> [Sum; 5] {
+    pub(super) fn at(&self, speed: DoubleDouble) -> [Tracked; 5] {
         let zeros = 5 - self.coefficients.len();
-        core::array::from_fn(|power| if power < zeros { Sum::ZERO } else { self.coefficients[power - zeros].at(speed) })
+        core::array::from_fn(
+            |power| if power < zeros { Tracked::ZERO } else { self.coefficients[power - zeros].at(speed) },
+        )
     }
 
     /// The scaled eigenvalues at a scaled speed, as the roots of two factors.

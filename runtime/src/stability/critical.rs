@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::Complex;
+use nalgebra::Complex;
 
 /// A speed above zero at which the kind of motion changes.
 ///

@@ -1,8 +1,10 @@
 //! The double eigenvalue at a root of the discriminant.
 
+use nalgebra::Complex;
+
 use super::characteristic::Characteristic;
-use crate::Complex;
-use crate::numeric::{DoubleDouble, Polynomial, Real, Root, Sum, candidates};
+use crate::number::real::Real;
+use crate::numeric::{DoubleDouble, Polynomial, Root, Tracked, candidates};
 
 /// How far polishing may move a speed, relative to it: more than the discriminant errs by, and less than the distance to
 /// another root that could be told from this one.
@@ -92,7 +94,7 @@ struct Point {
 impl Point {
     /// The characteristic polynomial p and its first two derivatives with respect to the eigenvalue, and the same of its
     /// derivative with respect to the speed.
-    fn derivatives(self, characteristic: &Characteristic) -> ([Sum; 3], [Sum; 3]) {
+    fn derivatives(self, characteristic: &Characteristic) -> ([Tracked; 3], [Tracked; 3]) {
         let at = |characteristic: &Characteristic| taylor(characteristic.at(self.speed), self.eigenvalue);
         (at(characteristic), at(&characteristic.speed_derivative()))
     }
@@ -123,9 +125,9 @@ impl Point {
 }
 
 /// A polynomial, by its coefficients, and its first two derivatives at x.
-fn taylor(coefficients: [Sum; 5], x: DoubleDouble) -> [Sum; 3] {
-    let x = Sum::from(x);
-    let [mut value, mut slope, mut half_curvature] = [Sum::ZERO; 3];
+fn taylor(coefficients: [Tracked; 5], x: DoubleDouble) -> [Tracked; 3] {
+    let x = Tracked::from(x);
+    let [mut value, mut slope, mut half_curvature] = [Tracked::ZERO; 3];
     for &coefficient in coefficients.iter().rev() {
         half_curvature = half_curvature * x + slope;
         slope = slope * x + value;

@@ -1,14 +1,15 @@
 //! The imaginary eigenvalues at a root of the Hurwitz determinant.
 
 use super::characteristic::Characteristic;
-use crate::numeric::{DoubleDouble, Real, Root, Sum};
+use crate::number::real::Real;
+use crate::numeric::{DoubleDouble, Root, Tracked};
 
 /// A pair of eigenvalues +-i omega, both scaled.
 pub(super) struct Pair {
     /// The square of omega.
     pub(super) square: DoubleDouble,
     /// The coefficients, ascending, of the polynomial of the other eigenvalues.
-    pub(super) rest: Vec<Sum>,
+    pub(super) rest: Vec<Tracked>,
     /// The sign of the real part of the pair just below and just above the speed.
     pub(super) side: (i8, i8),
 }
@@ -21,15 +22,15 @@ const BLUR: f64 = 1e-10;
 /// The determinant is, up to a positive factor, a product of sums of two eigenvalues each. Two of these have a sign that
 /// may change: the real part of the pair and, for a quartic, the sum `-p_3 / p_4` of the other two eigenvalues.
 pub(super) fn imaginary_pairs(characteristic: &Characteristic, root: Root) -> Vec<Pair> {
-    let p: Vec<Sum> = characteristic.coefficients().iter().map(|p| p.at(root.at)).collect();
-    let pair = |numerator: Sum, denominator: Sum, rest: Vec<Sum>, sign: i8| {
+    let p: Vec<Tracked> = characteristic.coefficients().iter().map(|p| p.at(root.at)).collect();
+    let pair = |numerator: Tracked, denominator: Tracked, rest: Vec<Tracked>, sign: i8| {
         let is_imaginary = numerator.sign() * denominator.sign() > 0;
         let square = numerator.value / denominator.value;
         is_imaginary.then(|| Pair { square, rest, side: (sign * root.before, sign * root.after) }).into_iter().collect()
     };
     // A root at which the determinant only touches zero is less sharp than one at which it changes sign.
     let is_touched = root.before == root.after;
-    let is_zero = |p: Sum| p.sign() == 0 || is_touched && p.value.abs().to_f64() <= BLUR * p.size;
+    let is_zero = |p: Tracked| p.sign() == 0 || is_touched && p.value.abs().to_f64() <= BLUR * p.size;
     match p[..] {
         [p0, p1, p2, p3, p4] if is_zero(p1) && is_zero(p3) => {
             let slopes = characteristic.speed_derivative().at(root.at);
@@ -46,16 +47,16 @@ pub(super) fn imaginary_pairs(characteristic: &Characteristic, root: Root) -> Ve
 ///
 /// Both pairs may cross the axis, so that the determinant keeps its sign. The real part of a pair changes by
 /// `-(p_1' - p_3' omega^2) / (2 (p_2 - 2 p_4 omega^2))`.
-fn two_pairs([p0, p2, p4]: [Sum; 3], [p1_slope, p3_slope]: [Sum; 2]) -> Vec<Pair> {
+fn two_pairs([p0, p2, p4]: [Tracked; 3], [p1_slope, p3_slope]: [Tracked; 2]) -> Vec<Pair> {
     let radicand = p2 * p2 * 0.25.into() - p0 * p4;
     if radicand.sign() < 0 {
         return Vec::new();
     }
-    let (half, root) = (p2.value * 0.5.into(), radicand.value.sqrt());
+    let (half, root) = (p2.value * 0.5.into(), radicand.value.sqrt_or_zero());
     let squares = [(half - root) / p4.value, (half + root) / p4.value];
     let pair = |square: DoubleDouble, other: DoubleDouble| {
         let change = (p1_slope - p3_slope * square.into()).sign() * (p2 - p4 * (square + square).into()).sign();
-        Pair { square, rest: vec![other.into(), Sum::ZERO, Sum::from(1.0)], side: (change, -change) }
+        Pair { square, rest: vec![other.into(), Tracked::ZERO, Tracked::from(1.0)], side: (change, -change) }
     };
     let pairs = [pair(squares[0], squares[1]), pair(squares[1], squares[0])];
     pairs.into_iter().filter(|pair| pair.square > DoubleDouble::ZERO).collect()

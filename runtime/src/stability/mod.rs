@@ -14,7 +14,8 @@ mod verdict;
 use characteristic::Characteristic;
 use ranges::Verdicts;
 
-use crate::{Coefficients, Scalar, SystemError};
+use crate::number::Scalar;
+use crate::system::{Coefficients, SystemError};
 
 pub use critical::{Change, CriticalKind, CriticalSpeed};
 pub use modes::{Mode, ModeValue, Modes};
@@ -116,7 +117,8 @@ fn require_speed(speed: f64) -> Result<(), SystemError> {
 #[cfg(test)]
 mod tests {
     use super::{Change, CriticalKind, Stability, StableRange, Verdict};
-    use crate::{Coefficients, Modes, SystemError};
+    use crate::stability::Modes;
+    use crate::system::{Coefficients, SystemError};
 
     type Rows = [[f64; 2]; 2];
     const ZERO: Rows = [[0.0; 2]; 2];

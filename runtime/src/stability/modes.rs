@@ -2,10 +2,13 @@
 
 use core::fmt;
 
+use nalgebra::Complex;
+
 use super::branches::{Stretch, stretches};
 use super::characteristic::Characteristic;
 use super::require_speed;
-use crate::{Coefficients, Complex, Scalar, SystemError};
+use crate::number::Scalar;
+use crate::system::{Coefficients, SystemError};
 
 /// A mode of the uncontrolled bicycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -5,7 +5,8 @@ use core::cmp::Ordering;
 use super::characteristic::Characteristic;
 use super::search::Found;
 use super::verdict::{Verdict, verdict};
-use crate::numeric::{DoubleDouble, NOISE, Real, positive_roots};
+use crate::number::real::Real;
+use crate::numeric::{DoubleDouble, NOISE, positive_roots};
 
 /// An open range of speeds in which every eigenvalue has a negative real part.
 ///

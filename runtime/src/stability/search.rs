@@ -2,6 +2,8 @@
 
 use core::cmp::Ordering;
 
+use nalgebra::Complex;
+
 use super::branches::count_pairs;
 use super::characteristic::Characteristic;
 use super::double_root::{self, DoubleRoot};
@@ -9,8 +11,9 @@ use super::imaginary::{Pair, imaginary_pairs};
 use super::ranges::is_same;
 use super::verdict::{Verdict, verdict};
 use super::{Change, CriticalKind, CriticalSpeed};
-use crate::numeric::{DoubleDouble, Real, Root, Sum, positive_roots};
-use crate::{Complex, SystemError};
+use crate::number::real::Real;
+use crate::numeric::{DoubleDouble, Root, Tracked, positive_roots};
+use crate::system::SystemError;
 
 /// A critical speed and what the search knows beyond it.
 #[derive(Clone, Copy, Debug)]
@@ -95,7 +98,7 @@ fn change(before: i8, after: i8) -> Change {
 
 /// Where the lowest coefficient is zero. Nearby the eigenvalue is about `-p_0 / p_1`.
 fn capsize(characteristic: &Characteristic, root: Root) -> Result<Found, SystemError> {
-    let p: Vec<Sum> = characteristic.coefficients().iter().map(|p| p.at(root.at)).collect();
+    let p: Vec<Tracked> = characteristic.coefficients().iter().map(|p| p.at(root.at)).collect();
     let slope = p.get(1).map_or(0, |p| p.sign());
     let change = change(-root.before * slope, -root.after * slope);
     let critical = critical_speed(characteristic, CriticalKind::Capsize, root, Complex::new(0.0, 0.0), change)?;

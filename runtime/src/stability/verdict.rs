@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::numeric::Sum;
+use crate::numeric::Tracked;
 
 /// Whether the motion is stable at one speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -28,7 +28,7 @@ impl fmt::Display for Verdict {
 }
 
 /// The verdict on a polynomial of degree up to four, by its coefficients, ascending, the last one positive.
-pub(super) fn verdict(coefficients: &[Sum]) -> Verdict {
+pub(super) fn verdict(coefficients: &[Tracked]) -> Verdict {
     let zeros = coefficients.iter().take_while(|p| p.sign() == 0).count();
     let without_zeros = &coefficients[zeros..];
     if without_zeros.iter().any(|p| p.sign() < 0) {
@@ -55,7 +55,7 @@ pub(super) fn verdict(coefficients: &[Sum]) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::{Verdict, verdict};
-    use crate::numeric::Sum;
+    use crate::numeric::Tracked;
 
     /// Ascending coefficients of the product of factors.
     fn of(factors: &[&[f64]]) -> Verdict {
@@ -69,7 +69,7 @@ mod tests {
             }
             product = next;
         }
-        verdict(&product.into_iter().map(Sum::from).collect::<Vec<_>>())
+        verdict(&product.into_iter().map(Tracked::from).collect::<Vec<_>>())
     }
 
     #[test]

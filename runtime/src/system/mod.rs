@@ -1,75 +1,13 @@
-//! The equations of motion at one speed and one gravity.
+//! The linearized equations of motion: their coefficients, and what they are at one speed and one gravity.
 
+mod at_speed;
+mod coefficients;
+mod error;
 mod state_space;
 
-use crate::{Coefficients, Matrix, Scalar, SystemError};
-
+pub use at_speed::System;
+#[cfg(feature = "std")]
+pub(crate) use at_speed::require_finite;
+pub use coefficients::{Coefficients, Matrix, MatrixName};
+pub use error::SystemError;
 pub use state_space::StateSpace;
-
-/// The linearized equations of motion at one speed: `M q'' + C q' + K q = f`, each matrix N x N.
-///
-/// Rows and columns follow the coordinates of the model. For coordinates that are angles in rad, f are torques in N m,
-/// M is in kg m^2, C in N m s and K in N m.
-///
-/// ```
-/// use carvallo::{Matrix, System};
-///
-/// // A pendulum of 2 kg on a massless rod of 0.5 m, hanging: 0.5 q'' + 9.81 q = f.
-/// let pendulum = System { m: Matrix::<f64, 1>::new(0.5), c: Matrix::<f64, 1>::new(0.0), k: Matrix::<f64, 1>::new(9.81) };
-/// let swing = pendulum.eigenvalues()?;
-/// assert!((swing[1].im - (9.81_f64 / 0.5).sqrt()).abs() < 1e-12);
-/// # Ok::<(), carvallo::SystemError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct System<const N: usize> {
-    /// Mass matrix M.
-    pub m: Matrix<f64, N>,
-    /// Damping matrix C = C0 + v C1.
-    pub c: Matrix<f64, N>,
-    /// Stiffness matrix K = Kc + g K0 + v^2 K2.
-    pub k: Matrix<f64, N>,
-}
-
-impl<T: Scalar, const N: usize> Coefficients<T, N> {
-    /// The equations of motion at a forward speed in m/s and a gravitational field strength in N/kg.
-    ///
-    /// A negative speed is running backwards.
-    ///
-    /// # Errors
-    /// If the speed, the gravity or an entry is not finite, or if C or K leaves the range of `f64`.
-    pub fn at(&self, speed: f64, gravity: f64) -> Result<System<N>, SystemError> {
-        let coefficients = self.finite()?;
-        require_finite("speed", speed)?;
-        require_finite("gravity", gravity)?;
-        let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
-        let c = c0 + c1 * speed;
-        // v (v K2): the square alone may overflow where the product does not.
-        let k = kc + k0 * gravity + k2 * speed * speed;
-        for (quantity, matrix) in [("C0 + v C1", c), ("Kc + g K0 + v^2 K2", k)] {
-            if matrix.iter().any(|entry| !entry.is_finite()) {
-                return Err(SystemError::OutOfRange { quantity });
-            }
-        }
-        Ok(System { m, c, k })
-    }
-
-    /// The coefficients as `f64`, every entry checked to be finite.
-    pub(crate) fn finite(&self) -> Result<Coefficients<f64, N>, SystemError> {
-        let wide = |quantity: &'static str, matrix: &Matrix<T, N>| {
-            let wide = matrix.map(Scalar::to_f64);
-            wide.iter().try_for_each(|&entry| require_finite(quantity, entry)).map(|()| wide)
-        };
-        Ok(Coefficients {
-            m: wide("M", &self.m)?,
-            c0: wide("C0", &self.c0)?,
-            c1: wide("C1", &self.c1)?,
-            kc: wide("Kc", &self.kc)?,
-            k0: wide("K0", &self.k0)?,
-            k2: wide("K2", &self.k2)?,
-        })
-    }
-}
-
-pub(crate) fn require_finite(quantity: &'static str, value: f64) -> Result<(), SystemError> {
-    if value.is_finite() { Ok(()) } else { Err(SystemError::NotFinite { quantity, value }) }
-}

@@ -2,7 +2,9 @@
 
 use nalgebra::{Matrix4, Matrix4x2};
 
-use crate::{Matrix, System, SystemError};
+use super::at_speed::System;
+use super::coefficients::Matrix;
+use super::error::SystemError;
 
 /// The state-space form `x' = A x + B f` with the state x = (q, q') and the generalized forces f as inputs.
 ///

@@ -135,7 +135,7 @@ fn functions_of_numbers_have_their_values() {
 
 #[test]
 fn the_documented_declarations_compile() {
-    let docs = include_str!("../../../runtime/src/declare.rs");
+    let docs = include_str!("../../../runtime/src/model/declare.rs");
     let blocks = docs.split("```text\n").skip(1).filter_map(|rest| rest.split("/// ```").next());
     let compiled = blocks.map(|block| {
         let text: Vec<&str> = block.lines().map(|line| line.strip_prefix("/// ").unwrap_or_default()).collect();

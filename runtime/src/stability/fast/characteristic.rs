@@ -1,8 +1,9 @@
 //! The characteristic polynomial and the conditions for critical speeds, by coefficients in fixed arrays.
 
-use crate::numeric::Sum;
+use crate::number::Scalar;
+use crate::numeric::Tracked;
 use crate::numeric::fixed::{add, padded, product, square, sub, times};
-use crate::{Coefficients, Matrix, Scalar};
+use crate::system::{Coefficients, Matrix};
 
 /// What polynomials along speed are in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,11 +18,11 @@ pub(super) struct Conditions<const P: usize, const H: usize, const D: usize> {
     pub(super) variable: Variable,
     /// `det(M s^2 + (C0 + v C1) s + Kc + g K0 + v^2 K2)`, up to a sign, by powers of s; for [`Variable::Square`] those of
     /// odd powers divided by v. The last one is positive.
-    pub(super) p: [[Sum; P]; 5],
+    pub(super) p: [[Tracked; P]; 5],
     /// The Hurwitz determinant; for [`Variable::Square`] divided by v^2.
-    pub(super) hurwitz: [Sum; H],
+    pub(super) hurwitz: [Tracked; H],
     /// The discriminant.
-    pub(super) discriminant: [Sum; D],
+    pub(super) discriminant: [Tracked; D],
 }
 
 pub(super) type OfSquare = Conditions<3, 3, 7>;
@@ -34,10 +35,10 @@ pub(super) struct Matrices {
     m: Rows<f64>,
     c0: Rows<f64>,
     c1: Rows<f64>,
-    k: Rows<Sum>,
+    k: Rows<Tracked>,
     k2: Rows<f64>,
     /// The determinant of the mass matrix.
-    mass: Sum,
+    mass: Tracked,
 }
 
 /// Products of 18 numbers within these limits stay in the range of `f64`: those of 12 entries, 6 times with gravity, that
@@ -61,7 +62,7 @@ impl Matrices {
         if !moderate || !is_moderate(gravity) || mass.value.to_f64().abs() <= REGULAR * mass.size {
             return None;
         }
-        let stiffness = |i: usize, j: usize| Sum::product(gravity, k0[i][j]) + kc[i][j].into();
+        let stiffness = |i: usize, j: usize| Tracked::product(gravity, k0[i][j]) + kc[i][j].into();
         let k = [[stiffness(0, 0), stiffness(0, 1)], [stiffness(1, 0), stiffness(1, 1)]];
         Some(Self { m, c0, c1, k, k2, mass })
     }
@@ -73,7 +74,7 @@ impl Matrices {
     /// The conditions in the square of the speed, without damping at rest.
     pub(super) fn of_square(&self) -> OfSquare {
         let Self { m, c1, k, k2, mass, .. } = *self;
-        let positive = |p: Sum| if mass.value.to_f64() < 0.0 { -p } else { p };
+        let positive = |p: Tracked| if mass.value.to_f64() < 0.0 { -p } else { p };
         let p0 = [determinant_of_sums(k), mixed_sums(k2, k), determinant(k2)].map(positive);
         let p1 = [mixed_sums(c1, k), mixed(c1, k2)].map(positive);
         let p2 = [mixed_sums(m, k), mixed(m, k2) + determinant(c1)].map(positive);
@@ -86,8 +87,8 @@ impl Matrices {
     /// The conditions in the speed.
     pub(super) fn of_speed(&self) -> OfSpeed {
         let Self { m, c0, c1, k, k2, mass } = *self;
-        let positive = |p: Sum| if mass.value.to_f64() < 0.0 { -p } else { p };
-        let p0 = [determinant_of_sums(k), Sum::ZERO, mixed_sums(k2, k), Sum::ZERO, determinant(k2)];
+        let positive = |p: Tracked| if mass.value.to_f64() < 0.0 { -p } else { p };
+        let p0 = [determinant_of_sums(k), Tracked::ZERO, mixed_sums(k2, k), Tracked::ZERO, determinant(k2)];
         let p1 = [mixed_sums(c0, k), mixed_sums(c1, k), mixed(c0, k2), mixed(c1, k2)];
         let p2 = [mixed_sums(m, k) + determinant(c0), mixed(c0, c1), mixed(m, k2) + determinant(c1)];
         let p3 = [mixed(m, c0), mixed(m, c1)];
@@ -101,7 +102,7 @@ impl Matrices {
 
 /// The coefficients of a quartic by their own: `p_0` to `p_4`, of which only the last one does not depend on the speed.
 type Powers<const P0: usize, const P1: usize, const P2: usize, const P3: usize> =
-    ([Sum; P0], [Sum; P1], [Sum; P2], [Sum; P3], Sum);
+    ([Tracked; P0], [Tracked; P1], [Tracked; P2], [Tracked; P3], Tracked);
 
 /// The Hurwitz determinant `p_1 p_2 p_3 - p_1^2 p_4 - p_0 p_3^2` and the discriminant `4 I^3 - J^2`, up to a factor, with
 /// the invariants I and J of the quartic; `x^odd p_1 p_3` is what the true product is. Products are shared.
@@ -120,28 +121,28 @@ fn conditions<
 >(
     (p0, p1, p2, p3, p4): Powers<P0, P1, P2, P3>,
     odd: usize,
-) -> ([Sum; H], [Sum; D]) {
-    let p13: [Sum; P13] = product(&p1, &p3);
-    let p33: [Sum; P33] = square(&p3);
-    let p11: [Sum; H] = square(&p1);
-    let first: [Sum; H] = product(&p13, &p2);
-    let rest: [Sum; H] = add(p11.map(|p11| p4 * p11), product(&p33, &p0));
+) -> ([Tracked; H], [Tracked; D]) {
+    let p13: [Tracked; P13] = product(&p1, &p3);
+    let p33: [Tracked; P33] = square(&p3);
+    let p11: [Tracked; H] = square(&p1);
+    let first: [Tracked; H] = product(&p13, &p2);
+    let rest: [Tracked; H] = add(p11.map(|p11| p4 * p11), product(&p33, &p0));
 
     let p04 = p0.map(|p0| p4 * p0);
-    let p22: [Sum; P0] = square(&p2);
+    let p22: [Tracked; P0] = square(&p2);
     // I = 12 p_0 p_4 - 3 p_1 p_3 + p_2^2.
     let mut i = add(times(p04, 12.0), p22);
     for power in 0..P13 {
         i[power + odd] = i[power + odd] - p13[power].times(3.0);
     }
     // J = p_2 (72 p_0 p_4 - 2 p_2^2) + 9 p_1 p_2 p_3 - 27 (p_1^2 p_4 + p_0 p_3^2).
-    let mut j: [Sum; J] = product(&p2, &sub(times(p04, 72.0), p22.map(Sum::doubled)));
+    let mut j: [Tracked; J] = product(&p2, &sub(times(p04, 72.0), p22.map(Tracked::doubled)));
     for power in 0..H {
         j[power + odd] = j[power + odd] + (first[power].times(9.0) - rest[power].times(27.0));
     }
-    let ii: [Sum; II] = square(&i);
-    let iii: [Sum; D] = product(&ii, &i);
-    let jj: [Sum; D] = square(&j);
+    let ii: [Tracked; II] = square(&i);
+    let iii: [Tracked; D] = product(&ii, &i);
+    let jj: [Tracked; D] = square(&j);
     (sub(first, rest), sub(iii.map(|iii| iii.doubled().doubled()), jj))
 }
 
@@ -151,24 +152,24 @@ fn rows<T: Scalar>(matrix: &Matrix<T, 2>) -> Rows<f64> {
 }
 
 #[inline]
-fn determinant(x: Rows<f64>) -> Sum {
-    Sum::product(x[0][0], x[1][1]) - Sum::product(x[0][1], x[1][0])
+fn determinant(x: Rows<f64>) -> Tracked {
+    Tracked::product(x[0][0], x[1][1]) - Tracked::product(x[0][1], x[1][0])
 }
 
 #[inline]
-fn determinant_of_sums(x: Rows<Sum>) -> Sum {
+fn determinant_of_sums(x: Rows<Tracked>) -> Tracked {
     x[0][0] * x[1][1] - x[0][1] * x[1][0]
 }
 
 /// `det(x + y) - det(x) - det(y)`.
 #[inline]
-fn mixed(x: Rows<f64>, y: Rows<f64>) -> Sum {
-    (Sum::product(x[0][0], y[1][1]) - Sum::product(x[0][1], y[1][0]))
-        + (Sum::product(y[0][0], x[1][1]) - Sum::product(y[0][1], x[1][0]))
+fn mixed(x: Rows<f64>, y: Rows<f64>) -> Tracked {
+    (Tracked::product(x[0][0], y[1][1]) - Tracked::product(x[0][1], y[1][0]))
+        + (Tracked::product(y[0][0], x[1][1]) - Tracked::product(y[0][1], x[1][0]))
 }
 
 /// The same.
 #[inline]
-fn mixed_sums(x: Rows<f64>, y: Rows<Sum>) -> Sum {
+fn mixed_sums(x: Rows<f64>, y: Rows<Tracked>) -> Tracked {
     (y[1][1].times(x[0][0]) - y[1][0].times(x[0][1])) + (y[0][0].times(x[1][1]) - y[0][1].times(x[1][0]))
 }

@@ -3,7 +3,7 @@
 use super::characteristic::Conditions;
 use super::root::Root;
 use crate::numeric::isolation::Bracket;
-use crate::numeric::{DoubleDouble, Sum};
+use crate::numeric::{DoubleDouble, Tracked};
 
 /// A speed with a real double eigenvalue.
 pub(super) struct DoubleRoot {
@@ -43,7 +43,7 @@ impl<const P: usize> DoubleRoots<P> {
         let (mut exact, mut value, mut size) = ([[DoubleDouble::ZERO; P]; 5], [[0.0; P]; 5], [[0.0; P]; 5]);
         for power in 0..5 {
             for i in 0..P {
-                let Sum { value: number, size: terms } = conditions.p[power][i];
+                let Tracked { value: number, size: terms } = conditions.p[power][i];
                 (exact[power][i], value[power][i], size[power][i]) = (number, number.to_f64(), terms);
             }
         }

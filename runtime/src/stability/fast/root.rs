@@ -1,11 +1,11 @@
 //! Roots of polynomials along speed in about twice the precision of `f64`.
 
 use super::characteristic::Variable;
-use crate::Number;
+use crate::number::Number;
 use crate::numeric::fixed::at;
 use crate::numeric::isolation::Bracket;
 use crate::numeric::rounded::Rounded;
-use crate::numeric::{DoubleDouble, Sum};
+use crate::numeric::{DoubleDouble, Tracked};
 
 /// A root, as the sum of two parts.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +37,7 @@ impl Root {
     /// The simple root in an interval: the one in `f64`, and a step of Newton's iteration in double-double.
     #[inline]
     pub(super) fn simple<const N: usize>(
-        polynomial: &[Sum; N],
+        polynomial: &[Tracked; N],
         rounded: &Rounded<N>,
         bracket: &Bracket,
     ) -> Option<Self> {

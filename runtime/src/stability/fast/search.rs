@@ -1,6 +1,7 @@
 //! The critical speeds, as roots of the conditions.
 
 use arrayvec::ArrayVec;
+use nalgebra::Complex;
 
 use super::super::verdict::Verdict;
 use super::super::{Change, CriticalKind, CriticalSpeed};
@@ -8,11 +9,10 @@ use super::characteristic::{Conditions, Variable};
 use super::double_root::DoubleRoots;
 use super::root::Root;
 use super::signs::Signs;
-use crate::Complex;
 use crate::numeric::fixed::at;
 use crate::numeric::isolation::Brackets;
 use crate::numeric::rounded::Rounded;
-use crate::numeric::{DoubleDouble, Sum};
+use crate::numeric::{DoubleDouble, Tracked};
 
 /// A critical speed and the verdict at it, `None` where no eigenvalue is on the imaginary axis.
 pub(super) struct Found {
@@ -81,7 +81,7 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
 
     /// The frequency of an imaginary pair: the square root of `p_1 / p_3`.
     fn frequency(&self, root: &Root) -> Option<f64> {
-        let coefficient = |p: &[Sum; P]| {
+        let coefficient = |p: &[Tracked; P]| {
             let sum = at(p, root.x);
             let slope = Rounded::new(p).taylor(root.x)[1];
             let is_sharp = sum.value.to_f64().abs() >= CANCELLED * sum.size;

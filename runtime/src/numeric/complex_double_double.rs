@@ -2,61 +2,62 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::Complex;
-use crate::numeric::DoubleDouble;
+use nalgebra::Complex;
+
+use super::double_double::DoubleDouble;
 
 /// A complex number of two double-doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Wide {
-    pub(super) re: DoubleDouble,
-    pub(super) im: DoubleDouble,
+pub(crate) struct ComplexDoubleDouble {
+    pub(crate) re: DoubleDouble,
+    pub(crate) im: DoubleDouble,
 }
 
-impl Wide {
-    pub(super) const ZERO: Self = Self { re: DoubleDouble::ZERO, im: DoubleDouble::ZERO };
+impl ComplexDoubleDouble {
+    pub(crate) const ZERO: Self = Self { re: DoubleDouble::ZERO, im: DoubleDouble::ZERO };
 
-    pub(super) fn real(re: DoubleDouble) -> Self {
+    pub(crate) fn real(re: DoubleDouble) -> Self {
         Self { re, im: DoubleDouble::ZERO }
     }
 
-    pub(super) fn to_f64(self) -> Complex<f64> {
+    pub(crate) fn to_f64(self) -> Complex<f64> {
         Complex::new(self.re.to_f64(), self.im.to_f64())
     }
 
-    pub(super) fn norm(self) -> f64 {
+    pub(crate) fn norm(self) -> f64 {
         self.re.to_f64().hypot(self.im.to_f64())
     }
 }
 
-impl Neg for Wide {
+impl Neg for ComplexDoubleDouble {
     type Output = Self;
     fn neg(self) -> Self {
         Self { re: -self.re, im: -self.im }
     }
 }
 
-impl Add for Wide {
+impl Add for ComplexDoubleDouble {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self { re: self.re + other.re, im: self.im + other.im }
     }
 }
 
-impl Sub for Wide {
+impl Sub for ComplexDoubleDouble {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul for Wide {
+impl Mul for ComplexDoubleDouble {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
     }
 }
 
-impl Div for Wide {
+impl Div for ComplexDoubleDouble {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let norm = other.re * other.re + other.im * other.im;

@@ -2,8 +2,8 @@
 
 use core::fmt::Display;
 
-use crate::Number;
-use crate::trigonometry::{sin_cos, sin_cos_single};
+use super::Number;
+use super::trigonometry::{sin_cos, sin_cos_single};
 
 /// A floating-point number: `f32` or `f64`.
 ///

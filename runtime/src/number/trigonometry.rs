@@ -4,7 +4,7 @@
 //! fdlibm (Sun Microsystems 1993, `k_sin.c`, `k_cos.c`, `e_rem_pio2.c`). No multiply-add is fused: not every processor
 //! has it, and results would depend on it.
 
-use crate::lane::Lane;
+use crate::number::lane::Lane;
 
 /// Up to this angle in rad the number of quarter turns times the first parts of pi/2 has no rounding error.
 const LIMIT: f64 = 1e5;

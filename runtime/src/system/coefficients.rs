@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use crate::Scalar;
+use crate::number::Scalar;
 
 /// A matrix of N x N numbers.
 pub type Matrix<T, const N: usize> = SMatrix<T, N, N>;
@@ -34,4 +34,21 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         let matrix = |rows: [[T; N]; N]| SMatrix::from_fn(|row, column| rows[row][column]);
         Self { m: matrix(m), c0: matrix(c0), c1: matrix(c1), kc: matrix(kc), k0: matrix(k0), k2: matrix(k2) }
     }
+}
+
+/// One of the coefficient matrices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MatrixName {
+    /// Mass matrix M.
+    M,
+    /// Damping C0.
+    C0,
+    /// Damping C1, a coefficient of v.
+    C1,
+    /// Stiffness Kc.
+    Kc,
+    /// Stiffness K0, a coefficient of g.
+    K0,
+    /// Stiffness K2, a coefficient of v^2.
+    K2,
 }

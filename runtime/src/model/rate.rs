@@ -1,6 +1,6 @@
 //! Rates that follow from the coordinates of a mechanism.
 
-use crate::Scalar;
+use crate::number::Scalar;
 
 /// The rate of something that rolls, such as the yaw rate of a bicycle or the spin of a wheel, to first order:
 ///

@@ -1,6 +1,8 @@
 //! The trait of models that were compiled with their derivatives.
 
-use crate::{Coefficients, Model, Number, Scalar};
+use super::traits::Model;
+use crate::number::{Number, Scalar};
+use crate::system::{Coefficients, MatrixName};
 
 /// A model whose declaration says `derivatives;`: the exact derivatives of its matrices with respect to its parameters.
 ///
@@ -35,23 +37,6 @@ pub struct Partial {
     pub value: usize,
     /// Whether it is the negative of that value.
     pub negative: bool,
-}
-
-/// One of the coefficient matrices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MatrixName {
-    /// Mass matrix M.
-    M,
-    /// Damping C0.
-    C0,
-    /// Damping C1, a coefficient of v.
-    C1,
-    /// Stiffness Kc.
-    Kc,
-    /// Stiffness K0, a coefficient of g.
-    K0,
-    /// Stiffness K2, a coefficient of v^2.
-    K2,
 }
 
 impl Partial {

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use super::DoubleDouble;
+use super::double_double::DoubleDouble;
 
 /// What is left of a sum, relative to the terms that went into it, when only rounding is left.
 ///
@@ -12,12 +12,12 @@ pub(crate) const NOISE: f64 = 1.0 / (1u128 << 94) as f64;
 
 /// A number together with the sum of the magnitudes of the terms that it was computed from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Sum {
+pub(crate) struct Tracked {
     pub(crate) value: DoubleDouble,
     pub(crate) size: f64,
 }
 
-impl Sum {
+impl Tracked {
     pub(crate) const ZERO: Self = Self { value: DoubleDouble::ZERO, size: 0.0 };
 
     /// `a b`.
@@ -51,21 +51,21 @@ impl Sum {
     }
 }
 
-impl From<DoubleDouble> for Sum {
+impl From<DoubleDouble> for Tracked {
     #[inline]
     fn from(value: DoubleDouble) -> Self {
         Self { value, size: value.to_f64().abs() }
     }
 }
 
-impl From<f64> for Sum {
+impl From<f64> for Tracked {
     #[inline]
     fn from(value: f64) -> Self {
         DoubleDouble::from(value).into()
     }
 }
 
-impl Neg for Sum {
+impl Neg for Tracked {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -73,7 +73,7 @@ impl Neg for Sum {
     }
 }
 
-impl Add for Sum {
+impl Add for Tracked {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -81,7 +81,7 @@ impl Add for Sum {
     }
 }
 
-impl Sub for Sum {
+impl Sub for Tracked {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -89,7 +89,7 @@ impl Sub for Sum {
     }
 }
 
-impl Mul for Sum {
+impl Mul for Tracked {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {

@@ -1,0 +1,17 @@
+//! What a compiled model is: its traits, what it tells about itself, and what can be wrong with its parameters.
+
+#[cfg(feature = "derive")]
+mod declare;
+mod derivatives;
+mod domain;
+mod error;
+mod info;
+mod rate;
+mod traits;
+
+pub use derivatives::{Differentiable, Partial};
+pub use domain::{Bound, Domain};
+pub use error::{LengthError, ParameterError};
+pub use info::{CoordinateInfo, EntryInfo, ModelInfo, ParameterInfo, SetInfo};
+pub use rate::Rate;
+pub use traits::{Evaluator, Model};

@@ -1,0 +1,73 @@
+//! What every compiled model implements.
+
+use super::error::{LengthError, ParameterError};
+use super::info::ModelInfo;
+use crate::number::{Number, Scalar};
+use crate::system::Coefficients;
+
+/// A model with N coordinates: its parameters are the fields of the type.
+///
+/// The macro `model!` and the models compiled ahead of time implement it; nothing else needs to.
+pub trait Model<const N: usize>: Copy {
+    /// The number type of the parameters and of the matrices.
+    type Scalar: Scalar;
+
+    /// An array with an element for each parameter.
+    type Array<U: Copy>: Copy + AsRef<[U]> + AsMut<[U]>;
+
+    /// The same model over another kind of number.
+    type Over<T: Number>: Evaluator<T, N>;
+
+    /// Names, units, documentation and domains.
+    const INFO: &'static ModelInfo;
+
+    /// The parameters from a slice in declared order.
+    ///
+    /// # Errors
+    /// If the slice has another length than there are parameters.
+    fn from_slice(values: &[Self::Scalar]) -> Result<Self, LengthError>;
+
+    /// Writes the parameters to a slice in declared order.
+    ///
+    /// # Errors
+    /// If the slice has another length than there are parameters.
+    fn write_to(&self, values: &mut [Self::Scalar]) -> Result<(), LengthError>;
+
+    /// An array whose elements follow from the positions of the parameters in declared order.
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U>;
+
+    /// The parameters in declared order.
+    fn parameters(&self) -> Self::Array<Self::Scalar>;
+
+    /// Whether every parameter lies in its domain and every requirement of the declaration holds.
+    ///
+    /// # Errors
+    /// The first parameter or requirement that fails.
+    fn validate(&self) -> Result<(), ParameterError>;
+
+    /// The coefficient matrices, each N x N; matrices that the declaration omits are zero.
+    ///
+    /// The parameters are not validated.
+    fn coefficients(&self) -> Coefficients<Self::Scalar, N>;
+
+    /// The gravitational field strength g in N/kg, if it is a parameter of the model.
+    fn gravity(&self) -> Option<Self::Scalar>;
+}
+
+/// The parameters of a model over one kind of number, and the program that makes its matrices of them.
+///
+/// The macro `model!` implements it beside [`Model`], for all kinds of numbers at once; functions over many
+/// designs run it in lanes.
+pub trait Evaluator<T: Number, const N: usize>: Copy {
+    /// An array of T.
+    type Entries: Copy + AsRef<[T]>;
+
+    /// The parameters, each by its position in declared order.
+    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self;
+
+    /// The entries of the matrices that differ, in the order of [`ModelInfo::entries`](crate::ModelInfo::entries).
+    fn entries(&self) -> Self::Entries;
+
+    /// The rows of M, C0, C1, Kc, K0 and K2.
+    fn rows(&self) -> [[[T; N]; N]; 6];
+}
