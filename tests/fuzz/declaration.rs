@@ -7,7 +7,7 @@
 //! ```sh
 //! mkdir -p ../../target/fuzz/corpus/declaration
 //! RUSTC_BOOTSTRAP=1 cargo run --bin declaration -- ../../target/fuzz/corpus/declaration ../../generated/models \
-//!     ../tests/ui ../tests/pass -timeout=60 -max_len=8192 -max_total_time=3600 -print_final_stats=1
+//!     ../ui ../tests/pass -timeout=60 -max_len=8192 -max_total_time=3600 -print_final_stats=1
 //! ```
 
 #![no_main]

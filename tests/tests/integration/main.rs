@@ -32,5 +32,3 @@ mod stability;
 mod state_space;
 mod textbook;
 mod trigonometry;
-#[cfg(feature = "compiler")]
-mod ui;
