@@ -326,22 +326,29 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for DoublePendulum<T> {
                 unit: "rad",
             },
         ],
-        matrices: &["M", "K0"],
+        matrices: &[::carvallo::MatrixName::M, ::carvallo::MatrixName::K0],
         entries: &[
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 0)],
+                places: &[(::carvallo::MatrixName::M, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 1), ("M", 1, 0)],
+                places: &[
+                    (::carvallo::MatrixName::M, 0, 1),
+                    (::carvallo::MatrixName::M, 1, 0),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 1, 1)],
+                places: &[(::carvallo::MatrixName::M, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 0)],
+                places: &[(::carvallo::MatrixName::K0, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 1), ("K0", 1, 0), ("K0", 1, 1)],
+                places: &[
+                    (::carvallo::MatrixName::K0, 0, 1),
+                    (::carvallo::MatrixName::K0, 1, 0),
+                    (::carvallo::MatrixName::K0, 1, 1),
+                ],
             },
         ],
         sets: &[

@@ -190,16 +190,20 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Pendulum<T> {
                 unit: "rad",
             },
         ],
-        matrices: &["M", "C0", "K0"],
+        matrices: &[
+            ::carvallo::MatrixName::M,
+            ::carvallo::MatrixName::C0,
+            ::carvallo::MatrixName::K0,
+        ],
         entries: &[
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 0)],
+                places: &[(::carvallo::MatrixName::M, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C0", 0, 0)],
+                places: &[(::carvallo::MatrixName::C0, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 0)],
+                places: &[(::carvallo::MatrixName::K0, 0, 0)],
             },
         ],
         sets: &[

@@ -300,22 +300,26 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RollingDisc<T> {
                 unit: "rad",
             },
         ],
-        matrices: &["M", "C1", "K0"],
+        matrices: &[
+            ::carvallo::MatrixName::M,
+            ::carvallo::MatrixName::C1,
+            ::carvallo::MatrixName::K0,
+        ],
         entries: &[
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 0)],
+                places: &[(::carvallo::MatrixName::M, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 1, 1)],
+                places: &[(::carvallo::MatrixName::M, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 0, 1)],
+                places: &[(::carvallo::MatrixName::C1, 0, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 1, 0)],
+                places: &[(::carvallo::MatrixName::C1, 1, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 0)],
+                places: &[(::carvallo::MatrixName::K0, 0, 0)],
             },
         ],
         sets: &[

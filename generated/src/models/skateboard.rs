@@ -551,22 +551,28 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<1> for Skateboard<T> {
                 unit: "rad",
             },
         ],
-        matrices: &["M", "C1", "Kc", "K0", "K2"],
+        matrices: &[
+            ::carvallo::MatrixName::M,
+            ::carvallo::MatrixName::C1,
+            ::carvallo::MatrixName::Kc,
+            ::carvallo::MatrixName::K0,
+            ::carvallo::MatrixName::K2,
+        ],
         entries: &[
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 0)],
+                places: &[(::carvallo::MatrixName::M, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 0, 0)],
+                places: &[(::carvallo::MatrixName::C1, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("Kc", 0, 0)],
+                places: &[(::carvallo::MatrixName::Kc, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 0)],
+                places: &[(::carvallo::MatrixName::K0, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K2", 0, 0)],
+                places: &[(::carvallo::MatrixName::K2, 0, 0)],
             },
         ],
         sets: &[

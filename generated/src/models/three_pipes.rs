@@ -327,61 +327,106 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for ThreePipes<T> {
                 unit: "rad",
             },
         ],
-        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        matrices: &[
+            ::carvallo::MatrixName::M,
+            ::carvallo::MatrixName::C0,
+            ::carvallo::MatrixName::C1,
+            ::carvallo::MatrixName::Kc,
+            ::carvallo::MatrixName::K0,
+            ::carvallo::MatrixName::K2,
+        ],
         entries: &[
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 0)],
+                places: &[(::carvallo::MatrixName::M, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 1), ("M", 1, 0)],
+                places: &[
+                    (::carvallo::MatrixName::M, 0, 1),
+                    (::carvallo::MatrixName::M, 1, 0),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 2), ("M", 1, 2), ("M", 2, 0), ("M", 2, 1)],
+                places: &[
+                    (::carvallo::MatrixName::M, 0, 2),
+                    (::carvallo::MatrixName::M, 1, 2),
+                    (::carvallo::MatrixName::M, 2, 0),
+                    (::carvallo::MatrixName::M, 2, 1),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 1, 1)],
+                places: &[(::carvallo::MatrixName::M, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 2, 2)],
+                places: &[(::carvallo::MatrixName::M, 2, 2)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C0", 0, 0), ("C0", 1, 1)],
+                places: &[
+                    (::carvallo::MatrixName::C0, 0, 0),
+                    (::carvallo::MatrixName::C0, 1, 1),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("C0", 0, 1), ("C0", 1, 0), ("C0", 1, 2), ("C0", 2, 1)],
+                places: &[
+                    (::carvallo::MatrixName::C0, 0, 1),
+                    (::carvallo::MatrixName::C0, 1, 0),
+                    (::carvallo::MatrixName::C0, 1, 2),
+                    (::carvallo::MatrixName::C0, 2, 1),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("C0", 2, 2)],
+                places: &[(::carvallo::MatrixName::C0, 2, 2)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 0, 0), ("C1", 1, 1), ("C1", 2, 2)],
+                places: &[
+                    (::carvallo::MatrixName::C1, 0, 0),
+                    (::carvallo::MatrixName::C1, 1, 1),
+                    (::carvallo::MatrixName::C1, 2, 2),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 0, 1), ("C1", 0, 2), ("C1", 1, 2)],
+                places: &[
+                    (::carvallo::MatrixName::C1, 0, 1),
+                    (::carvallo::MatrixName::C1, 0, 2),
+                    (::carvallo::MatrixName::C1, 1, 2),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("Kc", 0, 0), ("Kc", 1, 1)],
+                places: &[
+                    (::carvallo::MatrixName::Kc, 0, 0),
+                    (::carvallo::MatrixName::Kc, 1, 1),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("Kc", 0, 1), ("Kc", 1, 0), ("Kc", 1, 2), ("Kc", 2, 1)],
+                places: &[
+                    (::carvallo::MatrixName::Kc, 0, 1),
+                    (::carvallo::MatrixName::Kc, 1, 0),
+                    (::carvallo::MatrixName::Kc, 1, 2),
+                    (::carvallo::MatrixName::Kc, 2, 1),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("Kc", 2, 2)],
+                places: &[(::carvallo::MatrixName::Kc, 2, 2)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 0)],
+                places: &[(::carvallo::MatrixName::K0, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 1, 1)],
+                places: &[(::carvallo::MatrixName::K0, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 2, 2)],
+                places: &[(::carvallo::MatrixName::K0, 2, 2)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K2", 0, 0), ("K2", 1, 1)],
+                places: &[
+                    (::carvallo::MatrixName::K2, 0, 0),
+                    (::carvallo::MatrixName::K2, 1, 1),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("K2", 0, 2), ("K2", 1, 2)],
+                places: &[
+                    (::carvallo::MatrixName::K2, 0, 2),
+                    (::carvallo::MatrixName::K2, 1, 2),
+                ],
             },
         ],
         sets: &[

@@ -287,52 +287,71 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for TwoPipes<T> {
                 unit: "rad",
             },
         ],
-        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        matrices: &[
+            ::carvallo::MatrixName::M,
+            ::carvallo::MatrixName::C0,
+            ::carvallo::MatrixName::C1,
+            ::carvallo::MatrixName::Kc,
+            ::carvallo::MatrixName::K0,
+            ::carvallo::MatrixName::K2,
+        ],
         entries: &[
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 0)],
+                places: &[(::carvallo::MatrixName::M, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 1), ("M", 1, 0)],
+                places: &[
+                    (::carvallo::MatrixName::M, 0, 1),
+                    (::carvallo::MatrixName::M, 1, 0),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 1, 1)],
+                places: &[(::carvallo::MatrixName::M, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C0", 0, 0)],
+                places: &[(::carvallo::MatrixName::C0, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C0", 0, 1), ("C0", 1, 0)],
+                places: &[
+                    (::carvallo::MatrixName::C0, 0, 1),
+                    (::carvallo::MatrixName::C0, 1, 0),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("C0", 1, 1)],
+                places: &[(::carvallo::MatrixName::C0, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 0, 0), ("C1", 1, 1)],
+                places: &[
+                    (::carvallo::MatrixName::C1, 0, 0),
+                    (::carvallo::MatrixName::C1, 1, 1),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 0, 1)],
+                places: &[(::carvallo::MatrixName::C1, 0, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("Kc", 0, 0)],
+                places: &[(::carvallo::MatrixName::Kc, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("Kc", 0, 1), ("Kc", 1, 0)],
+                places: &[
+                    (::carvallo::MatrixName::Kc, 0, 1),
+                    (::carvallo::MatrixName::Kc, 1, 0),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("Kc", 1, 1)],
+                places: &[(::carvallo::MatrixName::Kc, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 0)],
+                places: &[(::carvallo::MatrixName::K0, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 1, 1)],
+                places: &[(::carvallo::MatrixName::K0, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K2", 0, 0)],
+                places: &[(::carvallo::MatrixName::K2, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K2", 0, 1)],
+                places: &[(::carvallo::MatrixName::K2, 0, 1)],
             },
         ],
         sets: &[

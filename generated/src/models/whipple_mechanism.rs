@@ -868,40 +868,51 @@ impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleMechanism<T> {
                 unit: "rad",
             },
         ],
-        matrices: &["M", "C1", "K0", "K2"],
+        matrices: &[
+            ::carvallo::MatrixName::M,
+            ::carvallo::MatrixName::C1,
+            ::carvallo::MatrixName::K0,
+            ::carvallo::MatrixName::K2,
+        ],
         entries: &[
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 0)],
+                places: &[(::carvallo::MatrixName::M, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 0, 1), ("M", 1, 0)],
+                places: &[
+                    (::carvallo::MatrixName::M, 0, 1),
+                    (::carvallo::MatrixName::M, 1, 0),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("M", 1, 1)],
+                places: &[(::carvallo::MatrixName::M, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 0, 1)],
+                places: &[(::carvallo::MatrixName::C1, 0, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 1, 0)],
+                places: &[(::carvallo::MatrixName::C1, 1, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("C1", 1, 1)],
+                places: &[(::carvallo::MatrixName::C1, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 0)],
+                places: &[(::carvallo::MatrixName::K0, 0, 0)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 0, 1), ("K0", 1, 0)],
+                places: &[
+                    (::carvallo::MatrixName::K0, 0, 1),
+                    (::carvallo::MatrixName::K0, 1, 0),
+                ],
             },
             ::carvallo::EntryInfo {
-                places: &[("K0", 1, 1)],
+                places: &[(::carvallo::MatrixName::K0, 1, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K2", 0, 1)],
+                places: &[(::carvallo::MatrixName::K2, 0, 1)],
             },
             ::carvallo::EntryInfo {
-                places: &[("K2", 1, 1)],
+                places: &[(::carvallo::MatrixName::K2, 1, 1)],
             },
         ],
         sets: &[

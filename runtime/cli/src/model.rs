@@ -5,7 +5,7 @@ use std::any::Any;
 use std::fmt::Debug;
 
 use carvallo::{
-    Coefficients, Complex, Differentiable, LengthError, Matrix, Model, ModelInfo, Sensitivity, SystemError,
+    Coefficients, Complex, Differentiable, LengthError, Matrix, MatrixName, Model, ModelInfo, Sensitivity, SystemError,
 };
 use carvallo_models::Whipple;
 
@@ -81,7 +81,7 @@ impl Shipped {
 
     /// Whether the equations of motion depend on the speed.
     pub fn depends_on_speed(&self) -> bool {
-        self.info.matrices.iter().any(|matrix| ["C1", "K2"].contains(matrix))
+        self.info.depends_on_speed()
     }
 }
 
@@ -104,8 +104,8 @@ fn differentiate<const N: usize, M: Differentiable<N, Scalar = f64>>(
 
 /// The linearized equations of motion for any number of coordinates.
 pub trait Equations: Debug {
-    /// The names and rows of all six matrices.
-    fn matrices(&self) -> [(&'static str, Vec<Vec<f64>>); 6];
+    /// All six matrices, with their rows.
+    fn matrices(&self) -> [(MatrixName, Vec<Vec<f64>>); 6];
 
     /// The eigenvalues in 1/s at a speed in m/s and a gravitational field strength in N/kg, sorted by real part, then by
     /// imaginary part.
@@ -119,11 +119,9 @@ pub trait Equations: Debug {
 }
 
 impl<const N: usize> Equations for Coefficients<f64, N> {
-    fn matrices(&self) -> [(&'static str, Vec<Vec<f64>>); 6] {
-        let Self { m, c0, c1, kc, k0, k2 } = self;
+    fn matrices(&self) -> [(MatrixName, Vec<Vec<f64>>); 6] {
         let rows = |matrix: &Matrix<f64, N>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
-        [("M", m), ("C0", c0), ("C1", c1), ("Kc", kc), ("K0", k0), ("K2", k2)]
-            .map(|(name, matrix)| (name, rows(matrix)))
+        MatrixName::ALL.map(|name| (name, rows(self.matrix(name))))
     }
 
     fn eigenvalues(&self, speed: f64, gravity: f64) -> Result<Vec<Complex<f64>>, SystemError> {

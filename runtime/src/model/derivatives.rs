@@ -67,15 +67,7 @@ impl Partial {
     /// If there is no such parameter, row or column.
     #[inline]
     pub fn write<T: Scalar, const N: usize>(&self, values: &[T], derivatives: &mut [Coefficients<T, N>]) {
-        let coefficients = &mut derivatives[self.parameter];
-        let matrix = match self.matrix {
-            MatrixName::M => &mut coefficients.m,
-            MatrixName::C0 => &mut coefficients.c0,
-            MatrixName::C1 => &mut coefficients.c1,
-            MatrixName::Kc => &mut coefficients.kc,
-            MatrixName::K0 => &mut coefficients.k0,
-            MatrixName::K2 => &mut coefficients.k2,
-        };
+        let matrix = derivatives[self.parameter].matrix_mut(self.matrix);
         matrix[(self.row, self.column)] = self.of(values);
     }
 }

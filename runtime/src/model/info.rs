@@ -4,6 +4,7 @@ use core::fmt;
 
 use super::domain::Domain;
 use super::error::ParameterError;
+use crate::system::MatrixName;
 
 /// A model's own description, for tables, files and messages.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,8 +19,8 @@ pub struct ModelInfo {
     pub parameters: &'static [ParameterInfo],
     /// The coordinates q, in the order of the rows of the matrices.
     pub coordinates: &'static [CoordinateInfo],
-    /// The matrices that the model has, in the order `M`, `C0`, `C1`, `Kc`, `K0`, `K2`; the others are zero.
-    pub matrices: &'static [&'static str],
+    /// The matrices that the model has, in the order of [`MatrixName::ALL`]; the others are zero.
+    pub matrices: &'static [MatrixName],
     /// The entries of the matrices that differ from each other and are not zero at all parameters: the columns of what
     /// is computed for many designs at once.
     pub entries: &'static [EntryInfo],
@@ -33,6 +34,11 @@ impl ModelInfo {
     /// The position of the parameter called `name`.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.parameters.iter().position(|p| p.name == name)
+    }
+
+    /// Whether the model has a matrix that the speed is a factor of: C1 or K2.
+    pub fn depends_on_speed(&self) -> bool {
+        self.matrices.iter().any(|matrix| matches!(matrix, MatrixName::C1 | MatrixName::K2))
     }
 
     /// Whether each of `values`, in declared order, lies in the domain of its parameter.
@@ -68,8 +74,8 @@ impl ModelInfo {
 /// One entry of the matrices of a model, or several that are always equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EntryInfo {
-    /// Where it is: the name of a matrix, a row and a column, both from zero. The first place names it.
-    pub places: &'static [(&'static str, usize, usize)],
+    /// Where it is: a matrix, a row and a column, both from zero. The first place names it.
+    pub places: &'static [(MatrixName, usize, usize)],
 }
 
 /// Reads `M[0][1]`.

@@ -1,5 +1,7 @@
 //! The coefficient matrices of the linearized equations of motion.
 
+use core::fmt;
+
 use nalgebra::SMatrix;
 
 use crate::number::Scalar;
@@ -34,10 +36,36 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         let matrix = |rows: [[T; N]; N]| SMatrix::from_fn(|row, column| rows[row][column]);
         Self { m: matrix(m), c0: matrix(c0), c1: matrix(c1), kc: matrix(kc), k0: matrix(k0), k2: matrix(k2) }
     }
+
+    /// One of the matrices.
+    pub fn matrix(&self, name: MatrixName) -> &Matrix<T, N> {
+        let Self { m, c0, c1, kc, k0, k2 } = self;
+        match name {
+            MatrixName::M => m,
+            MatrixName::C0 => c0,
+            MatrixName::C1 => c1,
+            MatrixName::Kc => kc,
+            MatrixName::K0 => k0,
+            MatrixName::K2 => k2,
+        }
+    }
+
+    /// One of the matrices, to be changed.
+    pub fn matrix_mut(&mut self, name: MatrixName) -> &mut Matrix<T, N> {
+        let Self { m, c0, c1, kc, k0, k2 } = self;
+        match name {
+            MatrixName::M => m,
+            MatrixName::C0 => c0,
+            MatrixName::C1 => c1,
+            MatrixName::Kc => kc,
+            MatrixName::K0 => k0,
+            MatrixName::K2 => k2,
+        }
+    }
 }
 
 /// One of the coefficient matrices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MatrixName {
     /// Mass matrix M.
     M,
@@ -51,4 +79,28 @@ pub enum MatrixName {
     K0,
     /// Stiffness K2, a coefficient of v^2.
     K2,
+}
+
+impl MatrixName {
+    /// All of them, in the order in which a model lists them.
+    pub const ALL: [Self; 6] = [Self::M, Self::C0, Self::C1, Self::Kc, Self::K0, Self::K2];
+
+    /// The name as declarations write it, such as `C1`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::M => "M",
+            Self::C0 => "C0",
+            Self::C1 => "C1",
+            Self::Kc => "Kc",
+            Self::K0 => "K0",
+            Self::K2 => "K2",
+        }
+    }
+}
+
+/// Reads `M`, `C0`, `C1`, `Kc`, `K0`, `K2`.
+impl fmt::Display for MatrixName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
 }

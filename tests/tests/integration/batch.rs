@@ -2,7 +2,7 @@
 //! bit.
 
 use carvallo::batch::{Batch, BatchError, Blocks};
-use carvallo::{Coefficients, Matrix, Model};
+use carvallo::{MatrixName, Model};
 use carvallo_models::{Pendulum, Whipple, each_model};
 use carvallo_tests::designs;
 
@@ -23,19 +23,13 @@ fn some<const N: usize, M: Model<N, Scalar = f64>>() -> Vec<M> {
 /// The entries of a design's matrices, one by one, in the order of the model's description.
 fn entries<const N: usize, M: Model<N, Scalar = f64>>(design: &M) -> Vec<f64> {
     let coefficients = design.coefficients();
-    let value = |&(matrix, row, column): &(&str, usize, usize)| matrix_called(matrix, &coefficients)[(row, column)];
+    let value = |&(matrix, row, column): &(MatrixName, usize, usize)| coefficients.matrix(matrix)[(row, column)];
     let entry = |entry: &carvallo::EntryInfo| {
         let values: Vec<f64> = entry.places.iter().map(value).collect();
         assert!(values.iter().all(|x| x.to_bits() == values[0].to_bits()), "{entry}: {values:?}");
         values[0]
     };
     M::INFO.entries.iter().map(entry).collect()
-}
-
-fn matrix_called<'a, const N: usize>(name: &str, coefficients: &'a Coefficients<f64, N>) -> &'a Matrix<f64, N> {
-    let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
-    let named = [("M", m), ("C0", c0), ("C1", c1), ("Kc", kc), ("K0", k0), ("K2", k2)];
-    named.into_iter().find(|(known, _)| *known == name).expect("a matrix").1
 }
 
 fn same(x: &[f64], y: &[f64]) -> bool {
@@ -70,8 +64,8 @@ fn check<const N: usize, M: Model<N, Scalar = f64>>(designs: &[M]) {
                     "{name}, {batch}, {i} of {count}: {from_columns:?} {expected:?}"
                 );
                 let alone = designs[i].coefficients();
-                for matrix in ["M", "C0", "C1", "Kc", "K0", "K2"] {
-                    let [x, y] = [&coefficients[i], &alone].map(|all| matrix_called(matrix, all).as_slice());
+                for matrix in MatrixName::ALL {
+                    let [x, y] = [&coefficients[i], &alone].map(|all| all.matrix(matrix).as_slice());
                     assert!(same(x, y), "{name}, {batch}, {i} of {count}: {matrix} {x:?} {y:?}");
                 }
             }
@@ -128,7 +122,7 @@ fn entries_name_their_places() {
         "K2[0][1]", "K2[1][1]",
     ];
     assert_eq!(names, expected);
-    assert_eq!(Whipple::<f64>::INFO.entries[1].places, [("M", 0, 1), ("M", 1, 0)]);
+    assert_eq!(Whipple::<f64>::INFO.entries[1].places, [(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]);
 }
 
 #[test]

@@ -1,13 +1,14 @@
 //! The model's description as a constant expression.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::evaluator::entries;
 use super::names::Names;
 use super::number;
 use crate::model::{Bound, Domain, Model};
 use crate::program::Program;
+use crate::syntax::MatrixName;
 
 pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenStream {
     let runtime = &names.runtime;
@@ -33,11 +34,15 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenSt
         let values = set.values.iter().map(|value| number(*value));
         quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: &[#(#values),*] } }
     });
-    let names_of_matrices = model.matrices.iter().map(|(matrix, _)| matrix.name());
+    let matrix_name = |matrix: MatrixName| {
+        let matrix = format_ident!("{}", matrix.name());
+        quote!(#runtime::MatrixName::#matrix)
+    };
+    let names_of_matrices = model.matrices.iter().map(|(matrix, _)| matrix_name(*matrix));
     let n = model.coordinates.len();
     let entries = matrices.map(entries).unwrap_or_default().into_iter().map(|(_, places)| {
         let places = places.into_iter().map(|place| {
-            let matrix = model.matrices[place / (n * n)].0.name();
+            let matrix = matrix_name(model.matrices[place / (n * n)].0);
             let [row, column] = [place / n % n, place % n].map(Literal::usize_unsuffixed);
             quote!((#matrix, #row, #column))
         });

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{CoordinateInfo, ModelInfo};
+use carvallo::{CoordinateInfo, MatrixName, ModelInfo};
 
 use super::HEADING;
 use super::table::{LINE, width};
@@ -20,7 +20,7 @@ pub struct Matrix {
 pub fn matrices(design: &Design) -> Vec<Matrix> {
     let info = design.info();
     let all = design.equations.matrices().into_iter().filter(|(name, _)| info.matrices.contains(name));
-    all.map(|(name, rows)| Matrix { name, unit: unit(name, info.coordinates), rows }).collect()
+    all.map(|(name, rows)| Matrix { name: name.name(), unit: unit(name.name(), info.coordinates), rows }).collect()
 }
 
 /// The equations with their matrices, for people. Writing to a string cannot fail, so that the results of `write!` are
@@ -62,7 +62,7 @@ fn matrix_lines(matrices: &[Matrix], number: impl Fn(f64) -> String) -> Vec<Stri
 
 /// `M q'' + (C0 + v C1) q' + (Kc + g K0 + v² K2) q = f` with the terms that the model has.
 fn equation(info: &ModelInfo) -> String {
-    let sum = |terms: &[(&str, &'static str)], factor: &str| {
+    let sum = |terms: &[(MatrixName, &'static str)], factor: &str| {
         let terms = terms.iter().filter(|(matrix, _)| info.matrices.contains(matrix));
         match terms.map(|(_, term)| *term).collect::<Vec<_>>()[..] {
             [] => String::new(),
@@ -70,8 +70,8 @@ fn equation(info: &ModelInfo) -> String {
             ref terms => format!(" + ({}) {factor}", terms.join(" + ")),
         }
     };
-    let damping = sum(&[("C0", "C0"), ("C1", "v C1")], "q'");
-    let stiffness = sum(&[("Kc", "Kc"), ("K0", "g K0"), ("K2", "v² K2")], "q");
+    let damping = sum(&[(MatrixName::C0, "C0"), (MatrixName::C1, "v C1")], "q'");
+    let stiffness = sum(&[(MatrixName::Kc, "Kc"), (MatrixName::K0, "g K0"), (MatrixName::K2, "v² K2")], "q");
     format!("M q''{damping}{stiffness} = f")
 }
 

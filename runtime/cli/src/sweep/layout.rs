@@ -1,6 +1,6 @@
 //! The columns of the results: as many for every design.
 
-use carvallo::ModelInfo;
+use carvallo::{MatrixName, ModelInfo};
 
 use super::columns::Heading;
 use crate::number::shortest;
@@ -34,7 +34,7 @@ pub struct Most {
 
 impl Most {
     fn of(info: &ModelInfo) -> Self {
-        let divisor = if info.matrices.contains(&"C0") { 1 } else { 2 };
+        let divisor = if info.matrices.contains(&MatrixName::C0) { 1 } else { 2 };
         let [weave, capsize, double_root] = [6, 4, 12].map(|degree| degree / divisor);
         Self { weave, capsize, double_root, stable: weave + capsize + 1 }
     }

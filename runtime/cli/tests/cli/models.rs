@@ -14,10 +14,6 @@ const fn info<const N: usize, M: Model<N, Scalar = f64>>() -> &'static ModelInfo
 
 const MODELS: &[&ModelInfo] = &carvallo_models::each_model!(info);
 
-fn depends_on_speed(info: &ModelInfo) -> bool {
-    info.matrices.contains(&"C1") || info.matrices.contains(&"K2")
-}
-
 #[track_caller]
 fn assert_near(value: &Value, expected: f64, tolerance: f64) {
     let value = value.as_f64().expect("a number");
@@ -206,7 +202,7 @@ fn every_model_goes_through_every_format() {
             assert!(info.coordinates.len() > 8 || longest <= 124, "{table}");
             assert!(!table.contains("NaN") && !table.contains("inf"), "{table}");
             run(&["analyze", "--format", "csv"]);
-            if depends_on_speed(info) {
+            if info.depends_on_speed() {
                 let plot = directory.run(&[&["analyze", "--plot", "picture.svg"], &arguments[..]].concat());
                 assert_eq!((plot.code, plot.stderr.as_str()), (Some(0), "wrote: picture.svg\n"));
             }

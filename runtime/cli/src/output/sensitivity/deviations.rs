@@ -50,7 +50,7 @@ fn matrices(changes: &Changes, text: &mut String) {
     let rows: Vec<Vec<Vec<String>>> = matrices
         .iter()
         .map(|matrix| {
-            let deviations = found.clone().find(|(name, _)| *name == matrix.name).map(|(_, rows)| rows);
+            let deviations = found.clone().find(|(name, _)| name.name() == matrix.name).map(|(_, rows)| rows);
             let entry = |i: usize, j: usize| {
                 with_deviation(matrix.rows[i][j], deviations.as_ref().map_or(0.0, |rows| rows[i][j]))
             };

@@ -17,7 +17,7 @@ pub fn json(changes: &Changes) -> String {
         matrices.map(|Matrix { name, rows: entries, .. }| format!("    {}: {}", quoted(name), rows(&entries)));
     let matrix_deviations = changes.matrix_deviations.as_ref().map(|known| {
         let known = known.matrices().into_iter().filter(|(name, _)| info.matrices.contains(name));
-        lines('{', known.map(|(name, entries)| format!("    {}: {}", quoted(name), rows(&entries))), '}')
+        lines('{', known.map(|(name, entries)| format!("    {}: {}", quoted(name.name()), rows(&entries))), '}')
     });
     let parameters = design.parameters.iter().zip(&changes.steps).map(|(given, step)| {
         let deviation = given.deviation.as_ref().map_or(0.0, |deviation| deviation.value);
