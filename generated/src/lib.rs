@@ -1,4 +1,38 @@
 //! Models compiled ahead of time by Carvallo, and the bicycles that were measured for them.
+//!
+//! A model is a struct with its parameters as fields and its parameter sets as constants. Its code is checked in: nothing is
+//! compiled but plain Rust without the standard library, and no computer algebra.
+//!
+//! ```
+//! use carvallo_models::Whipple;
+//!
+//! let bicycle = Whipple { mB: 90.0, ..Whipple::BENCHMARK };
+//! let matrices = bicycle.matrices();
+//! // Appendix A: the height of the centre of mass times the total mass, negative since z points down.
+//! let moment = -(0.3 * 2.0 + 0.9 * 90.0 + 0.7 * 4.0 + 0.35 * 3.0);
+//! assert!((matrices.k0[0][0] - moment).abs() < 1e-12);
+//! ```
+//!
+//! Each model is held against a source outside its derivation, and the mechanisms [`WhippleMechanism`], [`WhippleSprung`],
+//! [`WhippleTyres`] and [`WhippleLeaning`] also against nonlinear multibody dynamics:
+//!
+//! | model | checked against |
+//! | --- | --- |
+//! | [`Whipple`], from the formulas of Appendix A | the published digits of Meijaard, Papadopoulos, Ruina & Schwab (2007) and of 2005, two other implementations, and the nonlinear dynamics |
+//! | [`WhippleMechanism`]: four bodies | Appendix A, proved entry by entry, and in exact fractions at 100 random designs; the published digits; the published 2.8 m/s of the two-mass skate |
+//! | [`WhippleSprung`]: with a steering spring and damper | Appendix A and one term each |
+//! | [`WhippleTyres`]: on tyres with a circular cross-section | the extended model in closed form; without a radius Appendix A |
+//! | [`WhippleLeaning`]: a rider's upper body on a sprung, damped hip, 3 freedoms | Moore (2012); with a locked hip Appendix A |
+//! | [`RearSteered`]: also a bicycle run backwards | Appendix A with the geometry mirrored |
+//! | [`RollingDisc`]: lean and yaw | textbooks: stable from v² = g r/3 (uniform) and g r/4 (hoop) on |
+//! | [`Skateboard`]: four wheels on two trucks | the model of Hubbard (1979) and of Kremnev & Kuleshov |
+//! | [`DoublePendulum`], and chains of up to 8 links in the tests | textbooks |
+//!
+//! [`Pendulum`], [`TwoPipes`] and [`ThreePipes`] are written as formulas, from the sources that they name.
+//!
+//! [`BICYCLES`] are parameter sets for [`Whipple`] as text, with their sources and the standard deviations of what was
+//! measured, and [`each_model!`] calls a function for every model. The example `embedding` simulates a bicycle without
+//! allocating.
 
 #![no_std]
 

@@ -1,4 +1,5 @@
-//! The runtime of Carvallo: what models compiled by `model!` need, and what is done with them.
+//! Models of linearized mechanics, and what is done with them: matrices, eigenvalues, and the speeds at which a machine is
+//! stable.
 //!
 //! A model gives the coefficient matrices of the linearized equations of motion about straight running,
 //!
@@ -7,9 +8,23 @@
 //! ```
 //!
 //! with the forward speed v in m/s and the gravitational field strength g in N/kg taken out (Meijaard, Papadopoulos,
-//! Ruina & Schwab 2007, eq. 5.3). This crate holds the trait that every model implements ([`Model`]), the matrices
-//! ([`Coefficients`]), and the names, units and domains that a model carries with it ([`ModelInfo`]). A model that was
-//! compiled with its derivatives gives those as well ([`Differentiable`]).
+//! Ruina & Schwab 2007, eq. 5.3).
+//!
+//! # Where to begin
+//!
+//! - The [guide] explains page by page, with examples that run: models [from formulas](guide::formulas) and
+//!   [from bodies, joints and wheels](guide::mechanisms), how the compiler [looks for mistakes](guide::safeguards),
+//!   [stability](guide::stability), [batches](guide::batches), [sensitivities](guide::sensitivities), and the
+//!   [generated code](guide::generated_code) without a compiler.
+//! - [`model!`] documents the syntax of a declaration.
+//! - The crate `carvallo-models` has finished models with their code, the Whipple-Carvallo bicycle and others, and the
+//!   parameters of measured bicycles; `carvallo-cli` is the command line.
+//!
+//! # What is in this crate
+//!
+//! The trait that every model implements ([`Model`]), the matrices ([`Coefficients`]), and the names, units and domains that
+//! a model carries with it ([`ModelInfo`]). A model that was compiled with its derivatives gives those as well
+//! ([`Differentiable`]).
 //!
 //! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
 //! Many designs at once run in the lanes of the processor ([`batch`]).
@@ -21,13 +36,16 @@
 //! your own, and what measured standard deviations make of them, tells [`Sensitivity`].
 //!
 //! Without feature `std` there is all of this that does not allocate: the matrices, the state-space form and the
-//! [four eigenvalues](System::quartic_eigenvalues) of two coordinates.
+//! [four eigenvalues](System::quartic_eigenvalues) of two coordinates. The guide, and this page with all its links, are
+//! documented with the features `derive`, `std` and `batch`.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
 #[cfg(feature = "batch")]
 pub mod batch;
 mod eigenvalues;
+#[cfg(all(any(doc, doctest), feature = "derive", feature = "std", feature = "batch"))]
+pub mod guide;
 mod model;
 mod number;
 mod numeric;
