@@ -4,9 +4,7 @@
 use std::any::Any;
 use std::fmt::Debug;
 
-use carvallo::{
-    Coefficients, Complex, Differentiable, LengthError, Matrix, MatrixName, Model, ModelInfo, Sensitivity, SystemError,
-};
+use carvallo::{Coefficients, Complex, Differentiable, Matrix, MatrixName, Model, ModelInfo, Sensitivity, SystemError};
 use carvallo_models::Whipple;
 
 use crate::number::with_unit;
@@ -16,12 +14,10 @@ use crate::number::with_unit;
 pub struct Shipped {
     /// What the model tells about itself.
     pub info: &'static ModelInfo,
-    equations: Constructor,
+    equations: Construct,
+    visit: Visit,
     differentiate: Differentiate,
 }
-
-/// Makes the equations of motion from parameters in declared order, or says which of them cannot be.
-type Constructor = fn(&[f64]) -> Result<Box<dyn Equations>, String>;
 
 /// All of them.
 pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
@@ -29,13 +25,21 @@ pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 /// The model that is meant unless another one is named: that of the shipped bicycles.
 pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
 
-/// Differentiates the equations of motion at parameters in declared order, which are valid; `None` for other than two
-/// coordinates.
-type Differentiate = fn(&[f64]) -> Result<Option<Sensitivity<2>>, SystemError>;
+/// Makes the equations of motion from parameters in declared order, or says which of them cannot be.
+type Construct = fn(&[f64]) -> Result<Box<dyn Equations>, String>;
+
+/// Hands the equations of motion to a visitor, where they need no place of their own in memory.
+type Visit = fn(&[f64], Visitor) -> Result<(), String>;
+
+/// What looks at equations of motion, and may say what is wrong with them.
+type Visitor<'a> = &'a mut dyn FnMut(&dyn Equations) -> Result<(), String>;
+
+/// Differentiates the equations of motion; `None` for other than two coordinates.
+type Differentiate = fn(&[f64]) -> Result<Option<Sensitivity<2>>, String>;
 
 impl Shipped {
     const fn of<const N: usize, M: Differentiable<N, Scalar = f64>>() -> Self {
-        Self { info: M::INFO, equations: equations::<N, M>, differentiate: differentiate::<N, M> }
+        Self { info: M::INFO, equations: equations::<N, M>, visit: visit::<N, M>, differentiate: differentiate::<N, M> }
     }
 
     /// The model called so, in letters of either case.
@@ -70,12 +74,21 @@ impl Shipped {
         (self.equations)(parameters)
     }
 
-    /// How the equations of motion of two coordinates change with valid parameters in declared order; `None` for any other
+    /// Hands the equations of motion for parameters in declared order to a visitor: the way for many designs, since it
+    /// allocates nothing.
+    ///
+    /// # Errors
+    /// The first of them, or of the model's requirements, that does not hold; or what the visitor says.
+    pub fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String> {
+        (self.visit)(parameters, visitor)
+    }
+
+    /// How the equations of motion of two coordinates change with parameters in declared order; `None` for any other
     /// number of coordinates.
     ///
     /// # Errors
-    /// If a derivative is not finite.
-    pub fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, SystemError> {
+    /// The first of them, or of the model's requirements, that does not hold; or that a derivative is not finite.
+    pub fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, String> {
         (self.differentiate)(parameters)
     }
 
@@ -86,20 +99,35 @@ impl Shipped {
 }
 
 fn equations<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
+    Ok(Box::new(valid::<N, M>(parameters)?.coefficients()))
+}
+
+fn visit<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64], visitor: Visitor) -> Result<(), String> {
+    visitor(&valid::<N, M>(parameters)?.coefficients())
+}
+
+fn differentiate<const N: usize, M: Differentiable<N, Scalar = f64>>(
+    parameters: &[f64],
+) -> Result<Option<Sensitivity<2>>, String> {
+    let sensitivity = Sensitivity::<N>::of(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
+    Ok(as_of_two(&sensitivity).cloned())
+}
+
+/// The model with parameters in declared order.
+fn valid<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64]) -> Result<M, String> {
     let model = M::from_slice(parameters).map_err(|error| error.to_string())?;
     model.validate().map_err(|error| {
         let value = with_unit(error.value, error.unit);
         format!("`{}` is {value}; it must be {}", error.subject, error.required)
     })?;
-    Ok(Box::new(model.coefficients()))
+    Ok(model)
 }
 
-fn differentiate<const N: usize, M: Differentiable<N, Scalar = f64>>(
-    parameters: &[f64],
-) -> Result<Option<Sensitivity<2>>, SystemError> {
-    let too_few = |LengthError { expected, found, .. }| SystemError::TooFew { quantity: "parameters", expected, found };
-    let sensitivity = Sensitivity::<N>::of(&M::from_slice(parameters).map_err(too_few)?)?;
-    Ok((&sensitivity as &dyn Any).downcast_ref().cloned())
+/// What is of any number of coordinates, as what is of two, for which there is more to be had; `None` if it is of another
+/// number. The types differ with the number, and only their identity tells whether it is two; it is known when the program
+/// is compiled, so that nothing is left of the question.
+fn as_of_two<T: Any, Two: Any>(value: &T) -> Option<&Two> {
+    (value as &dyn Any).downcast_ref()
 }
 
 /// The linearized equations of motion for any number of coordinates.
@@ -129,6 +157,6 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
     }
 
     fn of_two(&self) -> Option<&Coefficients<f64, 2>> {
-        (self as &dyn Any).downcast_ref()
+        as_of_two(self)
     }
 }

@@ -72,10 +72,11 @@ impl Changes {
     /// # Errors
     /// If the model has other than two coordinates, or the equations of motion have no answer.
     pub fn new(design: Design) -> Result<Self, Failure> {
-        let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
+        let run = |error: String| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
+        let fail = |error: SystemError| run(error.to_string());
         let Some(coefficients) = design.equations.of_two() else { return Err(not_two(&design)) };
         let stability = Stability::new(coefficients, design.gravity().unwrap_or(0.0)).map_err(fail)?;
-        let sensitivity = design.model.sensitivity(&design.values()).map_err(fail)?;
+        let sensitivity = design.model.sensitivity(&design.values()).map_err(run)?;
         let sensitivity = sensitivity.ok_or_else(|| not_two(&design))?;
         let deviations: Vec<f64> = design
             .parameters

@@ -2,35 +2,27 @@
 
 use carvallo::{ParameterInfo, StableRange};
 
-use super::evaluate::Results;
-use super::plan::{Plan, Source};
+use super::plan::Plan;
+use super::source::Source;
+use super::table::Results;
 use crate::input::Design;
 use crate::plot::{self, MapAxis, MapCell, Scene};
 
-/// More designs than this show nothing that fewer would not.
-pub const MAX_CELLS: usize = 1_000_000;
-
 /// What a map shows of each design, in their order.
+#[derive(Default)]
 pub struct Map {
     cells: Vec<MapCell>,
-    /// Where the first stable range stands among the columns of the results.
-    range: usize,
 }
 
 impl Map {
-    pub fn new(plan: &Plan) -> Self {
-        Self { cells: Vec::new(), range: plan.task.layout.first_range().unwrap_or_default() }
-    }
-
     /// Adds the next designs.
     pub fn add(&mut self, results: &Results) {
-        let [from, to] = [self.range, self.range + 1].map(|index| &results.columns[index]);
-        let cell = |(row, error): (usize, &Option<String>)| match (error, from.number(row)) {
+        let cell = |(error, stable): (&Option<String>, &Option<StableRange>)| match (error, stable) {
             (Some(_), _) => MapCell::Error,
             (None, None) => MapCell::Unstable,
-            (None, Some(from)) => MapCell::Stable(StableRange { from, to: to.number(row) }),
+            (None, Some(range)) => MapCell::Stable(*range),
         };
-        self.cells.extend(results.errors.iter().enumerate().map(cell));
+        self.cells.extend(results.errors.iter().zip(&results.stable).map(cell));
     }
 
     /// The map, with the design that was varied where it belongs.

@@ -6,8 +6,6 @@ use std::time::Duration;
 
 use indicatif::{HumanCount, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
-use super::target::Target;
-
 /// A bar on the standard error, if that is a terminal and shows nothing else; and the time that was computed.
 pub struct Progress {
     bar: ProgressBar,
@@ -16,9 +14,9 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// The number of designs is not always known.
-    pub fn new(total: Option<u64>, target: &Target) -> Self {
-        let is_shared = target.is_stdout() && std::io::stdout().is_terminal();
+    /// The number of designs is not always known; results may be printed beside it.
+    pub fn new(total: Option<u64>, prints: bool) -> Self {
+        let is_shared = prints && std::io::stdout().is_terminal();
         let (target, template) = match (is_shared, total) {
             (true, _) => (ProgressDrawTarget::hidden(), ""),
             (false, Some(_)) => {

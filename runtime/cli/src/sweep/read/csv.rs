@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use csv::{ByteRecord, Reader, ReaderBuilder, Trim};
 
 use super::lines::{BadLine, Lines};
-use super::{Cell, Rows};
+use super::rows::{Cell, Rows};
 use crate::failure::{Failure, Place, Problem};
 
 /// The rows of a file.
@@ -75,12 +75,12 @@ impl Records {
     ///
     /// # Errors
     /// If the file cannot be read.
-    pub(super) fn next(&mut self, rows: &mut Rows) -> Result<bool, Failure> {
+    pub fn next(&mut self, rows: &mut Rows) -> Result<bool, Failure> {
         let is_there = self.reader.read_byte_record(&mut self.record).map_err(|error| fail(&self.path, error))?;
         if is_there && self.record.len() != self.columns {
             let (found, expected) = (self.record.len(), self.columns);
             let fields = if found == 1 { "field" } else { "fields" };
-            rows.add_fault(format!("the row has {found} {fields}; the header has {expected}"));
+            rows.add_error(format!("the row has {found} {fields}; the header has {expected}"));
         } else if is_there {
             rows.add(self.record.iter().map(|field| match std::str::from_utf8(field) {
                 Ok("") => Cell::Empty,

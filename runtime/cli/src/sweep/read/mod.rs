@@ -3,18 +3,18 @@
 mod csv;
 mod lines;
 mod parquet;
+mod rows;
 
 use std::path::{Path, PathBuf};
 
-use carvallo::{ModelInfo, ParameterInfo};
+use carvallo::ModelInfo;
 
-use super::axis::position;
-use super::columns::{Column, Kind};
-use super::evaluate::Designs;
-use super::write::Format;
+pub use self::rows::Named;
+
+use self::rows::Rows;
+use super::parameter::find;
+use super::table::{Designs, Format};
 use crate::failure::{Failure, Place, Problem};
-use crate::input::evaluated;
-use crate::number::shortest;
 
 /// Columns that are no parameters; they are copied to the result.
 const COPIED: [&str; 2] = ["name", "id"];
@@ -24,25 +24,13 @@ pub struct File {
     pub path: PathBuf,
     format: Format,
     info: &'static ModelInfo,
-    /// Their names, and where their parameters are among those of the model.
-    pub columns: Vec<(String, Option<usize>)>,
+    pub columns: Vec<Named>,
 }
 
 /// The rows of a file, one after the other.
 pub enum Records {
     Csv(csv::Records),
     Parquet(parquet::Records),
-}
-
-/// A value of a file.
-enum Cell<'a> {
-    Number(f64),
-    /// Wide enough for every integer of a file.
-    Integer(i128),
-    Text(&'a str),
-    Empty,
-    /// Bytes that are not UTF-8.
-    NotText,
 }
 
 impl File {
@@ -61,12 +49,12 @@ impl File {
         };
         let mut problems = Vec::new();
         let mut problem = |message| problems.push(Problem { place: Place::File(label.clone()), message });
-        let mut columns: Vec<(String, Option<usize>)> = Vec::new();
+        let mut columns: Vec<Named> = Vec::new();
         for name in names {
-            if columns.iter().any(|(other, _)| *other == name) {
+            if columns.iter().any(|other| other.name == name) {
                 problem(format!("there are two columns `{name}`"));
             }
-            let position = match position(&name, info) {
+            let position = match find(&name, info) {
                 Ok(position) => Some(position),
                 Err(_) if COPIED.contains(&name.as_str()) => None,
                 Err(message) => {
@@ -74,9 +62,9 @@ impl File {
                     None
                 }
             };
-            columns.push((name, position));
+            columns.push(Named { name, position });
         }
-        if columns.iter().all(|(_, position)| position.is_none()) && problems.is_empty() {
+        if columns.iter().all(|column| column.position.is_none()) && problems.is_empty() {
             problems
                 .push(Problem { place: Place::File(label.clone()), message: "no column is a parameter".to_owned() });
         }
@@ -109,12 +97,7 @@ impl File {
     /// # Errors
     /// If the file cannot be read.
     pub fn designs(&self, records: &mut Records, most: usize) -> Result<Designs, Failure> {
-        let column = |(_, position): &(String, Option<usize>)| match position {
-            Some(_) => Column::new(Kind::Number, most),
-            None => Column::new(Kind::Text, most),
-        };
-        let columns = self.columns.iter().map(column).collect();
-        let mut rows = Rows { file: self, designs: Designs { rows: 0, columns, faults: Vec::with_capacity(most) } };
+        let mut rows = Rows::new(&self.columns, self.info, most);
         while rows.designs.rows < most {
             let is_there = match records {
                 Records::Csv(records) => records.next(&mut rows)?,
@@ -127,68 +110,4 @@ impl File {
         }
         Ok(rows.designs)
     }
-}
-
-/// Designs to which rows are added.
-struct Rows<'a> {
-    file: &'a File,
-    designs: Designs,
-}
-
-impl Rows<'_> {
-    /// A row that has the cells of the columns.
-    fn add<'c>(&mut self, cells: impl Iterator<Item = Cell<'c>>) {
-        let mut fault = None;
-        for ((cell, column), (name, position)) in cells.zip(&mut self.designs.columns).zip(&self.file.columns) {
-            match column {
-                Column::Numbers(values) => {
-                    let parameter = position.map(|position| &self.file.info.parameters[position]);
-                    match parameter.map_or(Ok(None), |parameter| number(cell, parameter).map(Some)) {
-                        Ok(value) => values.push(value),
-                        Err(message) => {
-                            fault.get_or_insert(message);
-                            values.push(None);
-                        }
-                    }
-                }
-                Column::Texts(values) => values.push(match cell {
-                    Cell::Text(text) => Some(text.to_owned().into()),
-                    Cell::Integer(integer) => Some(integer.to_string().into()),
-                    Cell::Number(number) => Some(shortest(number).into()),
-                    Cell::Empty => None,
-                    Cell::NotText => {
-                        fault.get_or_insert_with(|| format!("`{name}` is not UTF-8 text"));
-                        None
-                    }
-                }),
-                Column::Counts(values) => values.push(None),
-            }
-        }
-        self.designs.faults.push(fault);
-    }
-
-    /// A row that cannot be read.
-    fn add_fault(&mut self, fault: String) {
-        self.designs.columns.iter_mut().for_each(Column::push_none);
-        self.designs.faults.push(Some(fault));
-    }
-}
-
-fn number(cell: Cell, info: &ParameterInfo) -> Result<f64, String> {
-    let found = match cell {
-        Cell::Number(value) if value.is_finite() => return Ok(value),
-        Cell::Number(value) => format!("`{value}`; expected a finite number"),
-        Cell::Integer(value) => return Ok(value as f64),
-        // Zero may be what is left of a number that is too small.
-        Cell::Text(text) => match text.parse::<f64>() {
-            Ok(value) if value.is_finite() && value != 0.0 => return Ok(value),
-            _ => match evaluated(text, info) {
-                Ok(value) => return Ok(value),
-                Err(found) => found,
-            },
-        },
-        Cell::Empty => "empty; expected a number".to_owned(),
-        Cell::NotText => "not UTF-8 text; expected a number".to_owned(),
-    };
-    Err(format!("`{}` is {found}", info.name))
 }

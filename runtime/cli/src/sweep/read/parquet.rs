@@ -9,9 +9,9 @@ use parquet::record::Field;
 use parquet::record::reader::RowIter;
 use parquet::schema::types::Type;
 
-use super::{Cell, Rows};
+use super::rows::{Cell, Named, Rows};
 use crate::failure::{Failure, Place, Problem};
-use crate::sweep::write::parquet::message;
+use crate::sweep::table::parquet_message;
 
 /// The rows of a file.
 pub struct Records {
@@ -25,7 +25,7 @@ fn open(path: &Path) -> Result<SerializedFileReader<std::fs::File>, Failure> {
 }
 
 fn fail(path: &Path, error: ParquetError) -> Failure {
-    Failure::Run(format!("cannot read {}: {}", path.display(), message(error)))
+    Failure::Run(format!("cannot read {}: {}", path.display(), parquet_message(error)))
 }
 
 /// The names of the columns.
@@ -49,7 +49,7 @@ impl Records {
     ///
     /// # Errors
     /// If the file cannot be read.
-    pub(super) fn next(&mut self, rows: &mut Rows) -> Result<bool, Failure> {
+    pub fn next(&mut self, rows: &mut Rows) -> Result<bool, Failure> {
         let Some(row) = self.rows.next() else { return Ok(false) };
         let row = row.map_err(|error| fail(&self.path, error))?;
         rows.add(row.get_column_iter().map(|(_, field)| cell(field)));
@@ -61,7 +61,7 @@ impl Records {
 ///
 /// # Errors
 /// If the file cannot be read, or a column is of a kind or compressed in a way that is not read.
-pub fn check(path: &Path, columns: &[(String, Option<usize>)]) -> Result<(), Failure> {
+pub fn check(path: &Path, columns: &[Named]) -> Result<(), Failure> {
     let reader = open(path)?;
     let mut problems = Vec::new();
     let mut problem = |message| {
@@ -69,7 +69,7 @@ pub fn check(path: &Path, columns: &[(String, Option<usize>)]) -> Result<(), Fai
         problems.push(Problem { place, message });
     };
     let fields = reader.metadata().file_metadata().schema().get_fields();
-    for ((name, position), field) in columns.iter().zip(fields) {
+    for (Named { name, position }, field) in columns.iter().zip(fields) {
         let is_copied = position.is_none();
         if !is_readable(field, is_copied) {
             let expected = if is_copied { "integers or text" } else { "numbers or text" };

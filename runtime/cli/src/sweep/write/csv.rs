@@ -2,7 +2,7 @@
 
 use std::io::Write as _;
 
-use crate::sweep::columns::{Column, Heading};
+use crate::sweep::table::{Column, Heading};
 
 /// The first line.
 pub fn header(headings: &[Heading]) -> Vec<u8> {
@@ -65,7 +65,7 @@ fn push(field: &str, text: &mut Vec<u8>) {
 #[cfg(test)]
 mod tests {
     use super::{header, rows};
-    use crate::sweep::columns::{Column, Heading};
+    use crate::sweep::table::{Column, Heading};
 
     #[test]
     fn fields_are_quoted_where_they_must_be() {

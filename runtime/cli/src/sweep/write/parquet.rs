@@ -18,7 +18,7 @@ use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{Type, TypePtr};
 
 use crate::number;
-use crate::sweep::columns::{Column, Heading, Kind};
+use crate::sweep::table::{Column, Heading, Kind};
 
 /// One row group, as a file of its own. The parts of a column come one after the other.
 ///
@@ -82,14 +82,6 @@ fn properties(headings: &[Heading]) -> WriterProperties {
         .set_created_by(format!("carvallo {}", env!("CARGO_PKG_VERSION")))
         .set_key_value_metadata(Some(units.collect()))
         .build()
-}
-
-/// What a failure says, without the name of its kind where it comes from the system.
-pub fn message(error: ParquetError) -> String {
-    match error {
-        ParquetError::External(error) => error.to_string(),
-        error => error.to_string(),
-    }
 }
 
 /// One file of the parts that stand one after the other in another, each as long as it is said.

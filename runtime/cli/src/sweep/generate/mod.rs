@@ -1,9 +1,13 @@
 //! Designs from values and distributions: each by its number.
 
-use super::axis::Axis;
-use super::columns::Column;
-use super::evaluate::Designs;
-use super::random::{Draws, Random};
+mod axis;
+mod random;
+
+pub use self::axis::Axis;
+pub use self::random::{Distribution, Random};
+
+use self::random::Draws;
+use super::table::{Column, Designs};
 
 /// Every combination of the values, each with every sample.
 pub struct Generator {
@@ -44,6 +48,6 @@ impl Generator {
             let sample = |number: u64| Some(draws.sample(number % self.samples));
             columns.push(Column::Numbers(numbers().map(sample).collect()));
         }
-        Designs { rows, columns, faults: vec![None; rows] }
+        Designs { rows, columns, errors: vec![None; rows] }
     }
 }

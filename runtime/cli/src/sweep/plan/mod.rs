@@ -1,14 +1,18 @@
-//! What a sweep does: the request, judged as a whole.
+//! What a sweep does: the request, validated as a whole.
 
+mod fingerprint;
+mod validate;
+
+pub use self::validate::validate;
+
+use self::fingerprint::fingerprint;
+use self::validate::Validated;
 use super::args::Request;
-use super::columns::Heading;
-use super::definition::definition;
-use super::evaluate::{self, Task};
+use super::evaluate::Task;
 use super::generate::Generator;
-use super::judge::{Judged, judge};
-use super::layout::Layout;
 use super::read::File;
-use super::write::Format;
+use super::source::Source;
+use super::table::{Format, Heading, Layout};
 use crate::failure::{Failure, Place, Problem};
 use crate::input::Design;
 
@@ -28,13 +32,7 @@ pub struct Plan {
     /// The number of designs that are computed and written at once.
     pub batch: usize,
     /// Differs for sweeps with different results.
-    pub definition: u64,
-}
-
-/// Where the designs come from.
-pub enum Source {
-    Generated(Generator),
-    File(File),
+    pub fingerprint: u64,
 }
 
 impl Plan {
@@ -42,7 +40,7 @@ impl Plan {
     /// Everything that is wrong with the request.
     pub fn new(design: &Design, request: &Request) -> Result<Self, Failure> {
         let info = design.info();
-        let Judged { vary, random, speeds, format, file } = judge(request, info)?;
+        let Validated { vary, random, speeds, format, file } = validate(request, info)?;
         let source = match file {
             Some((path, format)) => {
                 let file = File::open(&path, format, info)?;
@@ -66,20 +64,19 @@ impl Plan {
                 }
             },
         };
-        let evaluate = evaluate::of(design.model)
-            .ok_or_else(|| Failure::usage(format!("the model {} cannot be swept", info.name)))?;
         let (mut headings, positions) = source.headings(design);
-        let task = Task { base: design.values(), positions, layout: Layout::new(info, speeds), evaluate };
+        let layout = Layout::new(info, speeds);
+        let task = Task { model: design.model, base: design.values(), positions, layout };
         headings.extend(task.layout.headings());
         headings.push(Heading::text("error"));
-        let definition = definition(design, &source, &headings, format)?;
-        Ok(Self { task, source, headings, format, batch: batch as usize, definition })
+        let fingerprint = fingerprint(design, &source, &headings, format)?;
+        Ok(Self { task, source, headings, format, batch: batch as usize, fingerprint })
     }
 }
 
 /// Whether each parameter has its value from one place.
 fn once(request: &Request, file: &File) -> Result<(), Failure> {
-    let is_twice = |name: &str| file.columns.iter().any(|(column, _)| column == name);
+    let is_twice = |name: &str| file.columns.iter().any(|column| column.name == name);
     let twice = request.base.overrides.iter().filter(|(_, name, _)| is_twice(name));
     let problem = |(option, name, _): &(String, String, String)| {
         let message = format!("`{name}` is given twice; also by a column of {}", file.path.display());
@@ -87,24 +84,4 @@ fn once(request: &Request, file: &File) -> Result<(), Failure> {
     };
     let problems: Vec<Problem> = twice.map(problem).collect();
     if problems.is_empty() { Ok(()) } else { Err(Failure::Input(problems)) }
-}
-
-impl Source {
-    /// The columns of the designs, and for each the position of its parameter, if it is one.
-    fn headings(&self, design: &Design) -> (Vec<Heading>, Vec<Option<usize>>) {
-        let parameter = |position: usize| {
-            let parameter = &design.info().parameters[position];
-            Heading::number(parameter.name, parameter.unit)
-        };
-        match self {
-            Self::Generated(generator) => generator.positions().map(|at| (parameter(at), Some(at))).unzip(),
-            Self::File(file) => {
-                let heading = |(name, position): &(String, Option<usize>)| match position {
-                    Some(position) => (parameter(*position), Some(*position)),
-                    None => (Heading::text(name.clone()), None),
-                };
-                file.columns.iter().map(heading).unzip()
-            }
-        }
-    }
 }

@@ -1,6 +1,6 @@
 //! The columns of the results: as many for every design.
 
-use carvallo::{MatrixName, ModelInfo};
+use carvallo::{CriticalKind, MatrixName, ModelInfo, Stability};
 
 use super::columns::Heading;
 use crate::number::shortest;
@@ -12,7 +12,7 @@ const RATE: &str = "1/s";
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
     /// For models with two coordinates.
-    pub critical: Option<Most>,
+    pub critical: Option<Capacity>,
     /// The speeds of the eigenvalues.
     pub speeds: Vec<f64>,
     /// The number of eigenvalues at each of them.
@@ -25,30 +25,49 @@ pub struct Layout {
 /// [`carvallo::Stability`]). Without a matrix C0 these are even in the speed, or odd, so that at most half of their roots
 /// are positive. A stable range ends at weave and capsize speeds only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Most {
+pub struct Capacity {
     pub weave: usize,
     pub capsize: usize,
     pub double_root: usize,
     pub stable: usize,
 }
 
-impl Most {
+impl Capacity {
     fn of(info: &ModelInfo) -> Self {
         let divisor = if info.matrices.contains(&MatrixName::C0) { 1 } else { 2 };
         let [weave, capsize, double_root] = [6, 4, 12].map(|degree| degree / divisor);
         Self { weave, capsize, double_root, stable: weave + capsize + 1 }
+    }
+
+    /// Nothing is left out unseen.
+    ///
+    /// # Errors
+    /// If a design has more than there are columns for.
+    pub fn require_room(&self, stability: &Stability) -> Result<(), String> {
+        let count = |kind| of_kind(stability, kind).count();
+        for (found, most, what) in [
+            (count(CriticalKind::Weave), self.weave, "weave speeds"),
+            (count(CriticalKind::Capsize), self.capsize, "capsize speeds"),
+            (count(CriticalKind::DoubleRoot), self.double_root, "double-root speeds"),
+            (stability.stable_ranges.len(), self.stable, "stable ranges"),
+        ] {
+            if found > most {
+                return Err(format!("it has {found} {what}; there are columns for {most}"));
+            }
+        }
+        Ok(())
     }
 }
 
 impl Layout {
     pub fn new(info: &ModelInfo, speeds: Vec<f64>) -> Self {
         let coordinates = info.coordinates.len();
-        Self { critical: (coordinates == 2).then(|| Most::of(info)), speeds, eigenvalues: 2 * coordinates }
+        Self { critical: (coordinates == 2).then(|| Capacity::of(info)), speeds, eigenvalues: 2 * coordinates }
     }
 
     pub fn headings(&self) -> Vec<Heading> {
         let mut headings = Vec::new();
-        if let Some(Most { weave, capsize, double_root, stable }) = self.critical {
+        if let Some(Capacity { weave, capsize, double_root, stable }) = self.critical {
             for (kind, most) in [("weave", weave), ("capsize", capsize), ("double_root", double_root)] {
                 headings.push(Heading::count(&format!("{kind}_count")));
                 headings.extend((1..=most).map(|index| Heading::number(format!("{kind}_{index}"), SPEED)));
@@ -65,9 +84,10 @@ impl Layout {
         }
         headings
     }
+}
 
-    /// Where the first stable range stands among the columns.
-    pub fn first_range(&self) -> Option<usize> {
-        self.critical.map(|most| 4 + most.weave + most.capsize + most.double_root)
-    }
+/// The critical speeds of a kind, ascending.
+pub fn of_kind(stability: &Stability, kind: CriticalKind) -> impl Iterator<Item = f64> {
+    let speeds = stability.critical_speeds.iter().filter(move |critical| critical.kind == kind);
+    speeds.map(|critical| critical.speed)
 }

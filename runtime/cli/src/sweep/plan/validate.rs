@@ -4,21 +4,22 @@ use std::path::{Path, PathBuf};
 
 use carvallo::ModelInfo;
 
-use super::args::Request;
-use super::axis::Axis;
-use super::map::MAX_CELLS;
-use super::random::Random;
-use super::write::Format;
 use crate::failure::{Failure, Place, Problem};
 use crate::input::is_same_file;
 use crate::number::shortest;
 use crate::speeds;
+use crate::sweep::args::Request;
+use crate::sweep::generate::{Axis, Random};
+use crate::sweep::table::Format;
 
 /// More speeds than this would make tables that nobody reads.
 const MAX_SPEEDS: usize = 100;
 
-/// What was asked for, with everything in it that can be judged without reading a file.
-pub struct Judged {
+/// More designs than this show nothing in a map that fewer would not.
+const MAX_CELLS: usize = 1_000_000;
+
+/// What was asked for, with everything in it that can be validated without reading a file.
+pub struct Validated {
     pub vary: Vec<Axis>,
     pub random: Vec<Random>,
     pub speeds: Vec<f64>,
@@ -28,46 +29,46 @@ pub struct Judged {
 
 /// # Errors
 /// Everything that is wrong with the request for a model.
-pub fn judge(request: &Request, info: &ModelInfo) -> Result<Judged, Failure> {
-    let mut judge = Judge::default();
-    let (vary, random) = judge.parameters(request, info);
-    let format = request.output.as_deref().map_or(Format::Csv, |path| judge.table("--output", path));
+pub fn validate(request: &Request, info: &ModelInfo) -> Result<Validated, Failure> {
+    let mut problems = Problems::default();
+    let (vary, random) = problems.parameters(request, info);
+    let format = request.output.as_deref().map_or(Format::Csv, |path| problems.table("--output", path));
     let file = request.designs.clone().map(|path| {
-        let format = judge.table("--designs", &path);
+        let format = problems.table("--designs", &path);
         (path, format)
     });
-    judge.paths(request);
-    let speeds = request.eigenvalues.as_ref().map(|text| judge.speeds(text)).unwrap_or_default();
+    problems.paths(request);
+    let speeds = request.eigenvalues.as_ref().map(|text| problems.speeds(text)).unwrap_or_default();
     if info.coordinates.len() != 2 && request.eigenvalues.is_none() {
         let (name, count) = (info.name, info.coordinates.len());
-        judge.problem(
+        problems.add(
             Place::Nowhere,
             format!("critical speeds are for two coordinates, and {name} has {count}: give --eigenvalues SPEEDS"),
         );
     }
     if let Some(path) = &request.map {
-        judge.map(path, request, info, &vary);
+        problems.map(path, request, info, &vary);
     }
-    if judge.problems.is_empty() {
-        Ok(Judged { vary, random, speeds, format, file })
+    if problems.all.is_empty() {
+        Ok(Validated { vary, random, speeds, format, file })
     } else {
-        Err(Failure::Input(judge.problems))
+        Err(Failure::Input(problems.all))
     }
 }
 
 /// Collects what is wrong.
 #[derive(Default)]
-struct Judge {
-    problems: Vec<Problem>,
+struct Problems {
+    all: Vec<Problem>,
 }
 
-impl Judge {
-    fn problem(&mut self, place: Place, message: impl Into<String>) {
-        self.problems.push(Problem { place, message: message.into() });
+impl Problems {
+    fn add(&mut self, place: Place, message: impl Into<String>) {
+        self.all.push(Problem { place, message: message.into() });
     }
 
     fn option(&mut self, option: &str, value: &str, message: impl Into<String>) {
-        self.problem(Place::Option(format!("{option} {value}")), message);
+        self.add(Place::Option(format!("{option} {value}")), message);
     }
 
     /// What varies and what is drawn.
@@ -86,16 +87,16 @@ impl Judge {
             given.push((format!("{option} {text}"), name));
         }
         match (request.samples, request.random.is_empty()) {
-            (None, false) => self.problem(Place::Nowhere, "--random needs --samples COUNT"),
-            (Some(_), true) => self.problem(Place::Nowhere, "--samples needs --random NAME=VALUES"),
+            (None, false) => self.add(Place::Nowhere, "--random needs --samples COUNT"),
+            (Some(_), true) => self.add(Place::Nowhere, "--samples needs --random NAME=VALUES"),
             (Some(0), false) => self.option("--samples", "0", "expected at least 1"),
             _ => {}
         }
         if request.seed.is_some() && request.random.is_empty() {
-            self.problem(Place::Nowhere, "--seed needs --random NAME=VALUES");
+            self.add(Place::Nowhere, "--seed needs --random NAME=VALUES");
         }
         if request.vary.is_empty() && request.random.is_empty() && request.designs.is_none() {
-            self.problem(Place::Nowhere, "nothing varies: expected --vary, --random or --designs");
+            self.add(Place::Nowhere, "nothing varies: expected --vary, --random or --designs");
         }
         (vary, random)
     }

@@ -6,19 +6,18 @@ use std::io::Read as _;
 
 use twox_hash::XxHash64;
 
-use super::columns::Heading;
-use super::plan::Source;
-use super::random::Distribution;
-use super::write::Format;
 use crate::failure::Failure;
 use crate::input::Design;
+use crate::sweep::generate::Distribution;
+use crate::sweep::source::Source;
+use crate::sweep::table::{Format, Heading};
 
 /// A number that differs for sweeps with different results: it is made from everything that they depend on, values by
 /// their bits, and from the contents of a file of designs.
 ///
 /// # Errors
 /// If the file cannot be read.
-pub fn definition(design: &Design, source: &Source, headings: &[Heading], format: Format) -> Result<u64, Failure> {
+pub fn fingerprint(design: &Design, source: &Source, headings: &[Heading], format: Format) -> Result<u64, Failure> {
     let mut hasher = XxHash64::with_seed(0);
     let mut text = format!("{} {} {format:?}\n", env!("CARGO_PKG_VERSION"), design.info().name);
     // Writing to a string cannot fail.

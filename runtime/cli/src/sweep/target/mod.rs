@@ -4,12 +4,14 @@ use std::io::{ErrorKind, Write as _};
 
 use rayon::prelude::*;
 
+mod journal;
+mod store;
+
+use self::store::Store;
 use super::args::Request;
-use super::columns::Column;
-use super::evaluate::{Designs, Results};
 use super::plan::Plan;
-use super::store::Store;
-use super::write::{Format, csv, parquet, table};
+use super::table::{Column, Designs, Format, Results, joined, parquet_message};
+use super::write::{csv, parquet};
 use crate::failure::Failure;
 
 /// Where the results go, and how many designs without results went there.
@@ -74,14 +76,14 @@ impl Target {
             return Ok(true);
         }
         let sizes: Vec<usize> = designs.iter().map(|designs| designs.rows).collect();
-        let tables: Vec<Vec<Column>> = designs.into_iter().zip(results).map(|(d, r)| table(d, r)).collect();
+        let tables: Vec<Vec<Column>> = designs.into_iter().zip(results).map(|(d, r)| joined(d, r)).collect();
         let bytes: Vec<Vec<u8>> =
             match plan.format {
                 Format::Csv => tables.par_iter().zip(&sizes).map(|(table, rows)| csv::rows(table, *rows)).collect(),
                 Format::Parquet => {
                     let part = parquet::part(&plan.headings, &tables);
                     vec![part.map_err(|error| {
-                        Failure::Run(format!("cannot write the results: {}", parquet::message(error)))
+                        Failure::Run(format!("cannot write the results: {}", parquet_message(error)))
                     })?]
                 }
             };

@@ -2,8 +2,9 @@
 
 use carvallo::{ModelInfo, ParameterInfo};
 
-use crate::input::{evaluated, nearest};
+use crate::input::evaluated;
 use crate::number::with_unit;
+use crate::sweep::parameter::{any_possible, number, split, too_wide};
 
 /// More than this many values of one parameter are taken for a slip in the step.
 const MAX_POINTS: f64 = 1_000_000.0;
@@ -36,55 +37,6 @@ impl Axis {
         any_possible(&values, parameter)?;
         Ok(Self { position, values })
     }
-}
-
-/// The parameter that stands before an equals sign, and what stands behind it.
-///
-/// # Errors
-/// If there is no equals sign, or no such parameter.
-pub fn split<'a>(
-    text: &'a str,
-    info: &ModelInfo,
-    expected: &str,
-) -> Result<(usize, &'static ParameterInfo, &'a str), String> {
-    let (name, values) = text.split_once('=').ok_or(expected)?;
-    let position = position(name.trim(), info)?;
-    Ok((position, &info.parameters[position], values))
-}
-
-/// # Errors
-/// If it is no parameter: the one that was probably meant.
-pub fn position(name: &str, info: &ModelInfo) -> Result<usize, String> {
-    info.position(name).ok_or_else(|| {
-        let hint = nearest(name, info.parameters.iter().map(|parameter| parameter.name));
-        let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-        format!("`{name}` is not a parameter of {}{hint}", info.name)
-    })
-}
-
-/// # Errors
-/// If it is no number: what was expected.
-pub fn number(text: &str, info: &ParameterInfo) -> Result<f64, String> {
-    evaluated(text, info).map_err(|found| format!("a value of `{}` is {found}", info.name))
-}
-
-/// # Errors
-/// If all values lie outside of the domain of the parameter: then a slip is more likely than a sweep without results.
-pub fn any_possible(values: &[f64], info: &ParameterInfo) -> Result<(), String> {
-    let ParameterInfo { name, unit, domain, .. } = info;
-    if values.iter().any(|value| domain.contains(*value)) {
-        return Ok(());
-    }
-    let degrees = values.iter().any(|value| domain.contains(value.to_radians()));
-    let hint = if *unit == "rad" && degrees { " (for degrees write `18 deg`)" } else { "" };
-    let first = values.first().map(|value| with_unit(*value, unit)).unwrap_or_default();
-    Err(format!("no value of `{name}` is possible, such as {first}; it must be {domain}{hint}"))
-}
-
-/// Of a range that is longer than the largest double.
-pub fn too_wide(low: f64, high: f64, info: &ParameterInfo) -> String {
-    let [low, high] = [low, high].map(|value| with_unit(value, info.unit));
-    format!("the range from {low} to {high} is too wide for double precision")
 }
 
 struct Range {

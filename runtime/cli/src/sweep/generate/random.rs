@@ -4,8 +4,8 @@ use carvallo::ModelInfo;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore as _, SeedableRng as _};
 
-use super::axis::{any_possible, number, split, too_wide};
 use crate::number::with_unit;
+use crate::sweep::parameter::{any_possible, number, split, too_wide};
 
 /// The 32-bit words that each sample takes, whatever its distribution.
 const WORDS: u128 = 4;

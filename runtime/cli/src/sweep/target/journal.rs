@@ -76,7 +76,7 @@ impl Journal {
     /// Bytes are counted when nobody else can write them any more.
     pub fn open(
         path: &Path,
-        definition: u64,
+        fingerprint: u64,
         bytes: impl FnOnce() -> Option<u64>,
         restart: bool,
     ) -> Result<Self, Refusal> {
@@ -91,8 +91,8 @@ impl Journal {
         if !restart {
             file.read_to_end(&mut content)?;
         }
-        let first = format!("carvallo sweep {definition:016x}\n");
-        let mut journal = Self { file, batches: Vec::new(), saved: 0, checksum: definition, finished: None };
+        let first = format!("carvallo sweep {fingerprint:016x}\n");
+        let mut journal = Self { file, batches: Vec::new(), saved: 0, checksum: fingerprint, finished: None };
         let mut lines = content.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
         match lines.next() {
             None => {

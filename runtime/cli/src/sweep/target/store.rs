@@ -5,11 +5,11 @@ use std::io::{ErrorKind, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use super::columns::Heading;
 use super::journal::{Journal, Progress, Refusal, Stamp};
-use super::plan::Plan;
-use super::write::{Format, parquet};
 use crate::failure::{Failure, Place, Problem};
+use crate::sweep::plan::Plan;
+use crate::sweep::table::{Format, Heading, parquet_message};
+use crate::sweep::write::parquet;
 
 /// How much work a kill may cost; more often would wait for the disk.
 const SAVED_EVERY: Duration = Duration::from_millis(200);
@@ -43,7 +43,7 @@ impl Store {
             if renamed { None } else { Some(length.unwrap_or_default()) }
         };
         let journal =
-            Journal::open(&journal_path, plan.definition, length, restart).map_err(|refusal| match refusal {
+            Journal::open(&journal_path, plan.fingerprint, length, restart).map_err(|refusal| match refusal {
                 Refusal::Busy => Failure::Run(format!("another sweep is writing {}", path.display())),
                 Refusal::Foreign(designs) => {
                     let journal = journal_path.display();
@@ -114,7 +114,7 @@ impl Store {
             Format::Csv => partial.clone(),
             Format::Parquet => {
                 let whole = beside(path, "assembled");
-                let fail = |error| format!("cannot write {}: {}", path.display(), parquet::message(error));
+                let fail = |error| format!("cannot write {}: {}", path.display(), parquet_message(error));
                 let lengths = self.journal.lengths();
                 parquet::assemble(headings, &partial, lengths, &whole).map_err(|error| Failure::Run(fail(error)))?;
                 whole

@@ -1,0 +1,60 @@
+//! From designs to results: the part of a sweep that computes.
+
+mod cells;
+mod solution;
+
+use self::cells::Cells;
+use self::solution::Solution;
+use super::table::{Column, Designs, Layout, Results};
+use crate::model::Shipped;
+
+/// What is the same for all designs.
+#[derive(Debug)]
+pub struct Task {
+    pub model: &'static Shipped,
+    /// The parameters that no column gives.
+    pub base: Vec<f64>,
+    /// For each column of the designs the position of its parameter, if it is one.
+    pub positions: Vec<Option<usize>>,
+    pub layout: Layout,
+}
+
+impl Task {
+    /// The results of some designs, row by row.
+    pub fn evaluate(&self, designs: &Designs) -> Results {
+        let headings = self.layout.headings();
+        let mut columns: Vec<Column> =
+            headings.into_iter().map(|heading| Column::new(heading.kind, designs.rows)).collect();
+        let mut errors = Vec::with_capacity(designs.rows);
+        let mut stable = Vec::with_capacity(designs.rows);
+        let mut values = self.base.clone();
+        // Its memory serves one design after the other.
+        let mut solution = Solution::default();
+        for row in 0..designs.rows {
+            let solved = match &designs.errors[row] {
+                Some(error) => Err(error.clone()),
+                None => {
+                    for (column, position) in designs.columns.iter().zip(&self.positions) {
+                        if let (Some(position), Some(value)) = (position, column.number(row)) {
+                            values[*position] = value;
+                        }
+                    }
+                    solution.solve(self.model, &values, &self.layout)
+                }
+            };
+            match solved {
+                Ok(()) => {
+                    Cells::new(&mut columns).fill(&solution, &self.layout);
+                    stable.push(solution.first_stable());
+                    errors.push(None);
+                }
+                Err(error) => {
+                    columns.iter_mut().for_each(Column::push_none);
+                    stable.push(None);
+                    errors.push(Some(error));
+                }
+            }
+        }
+        Results { columns, errors, stable }
+    }
+}

@@ -1,0 +1,63 @@
+//! What there is of one design.
+
+use carvallo::{Complex, Stability, StableRange, SystemError, Verdict};
+
+use crate::analysis;
+use crate::model::{Equations, Shipped};
+use crate::sweep::table::Layout;
+
+/// The results of one design.
+#[derive(Default)]
+pub struct Solution {
+    /// For two coordinates.
+    pub stability: Option<Stability>,
+    /// At each of the speeds.
+    pub verdicts: Vec<Verdict>,
+    /// Those at one speed after those at another.
+    pub eigenvalues: Vec<Complex<f64>>,
+}
+
+impl Solution {
+    /// Takes the results of another design in the place of its own.
+    ///
+    /// # Errors
+    /// If the parameters, which are in declared order, are not valid, or if there is no answer. Nothing can be said of the
+    /// results then.
+    pub fn solve(&mut self, model: &Shipped, parameters: &[f64], layout: &Layout) -> Result<(), String> {
+        let gravity = model.info.gravity.map_or(0.0, |position| parameters[position]);
+        model.visit(parameters, &mut |equations| self.fill(equations, gravity, layout))
+    }
+
+    fn fill(&mut self, equations: &dyn Equations, gravity: f64, layout: &Layout) -> Result<(), String> {
+        self.verdicts.clear();
+        self.eigenvalues.clear();
+        let two = equations.of_two();
+        let stability = two.map(|two| Stability::new(two, gravity)).transpose().map_err(|error| error.to_string())?;
+        if let (Some(stability), Some(capacity)) = (&stability, &layout.critical) {
+            capacity.require_room(stability)?;
+        }
+        for &speed in &layout.speeds {
+            let fail = |error: SystemError| format!("at {speed} m/s: {error}");
+            let first = self.eigenvalues.len();
+            match two {
+                // Without allocation.
+                Some(two) => {
+                    let found = two.at(speed, gravity).and_then(|system| system.quartic_eigenvalues());
+                    self.eigenvalues.extend(found.map_err(fail)?);
+                }
+                None => self.eigenvalues.extend(equations.eigenvalues(speed, gravity).map_err(fail)?),
+            }
+            self.verdicts.push(match &stability {
+                Some(stability) => stability.verdict(speed).map_err(fail)?,
+                None => analysis::verdict(&self.eigenvalues[first..]),
+            });
+        }
+        self.stability = stability;
+        Ok(())
+    }
+
+    /// The first stable range, if there is one.
+    pub fn first_stable(&self) -> Option<StableRange> {
+        self.stability.as_ref()?.stable_ranges.first().copied()
+    }
+}

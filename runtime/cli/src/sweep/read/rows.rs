@@ -1,0 +1,100 @@
+//! Rows of a file as designs, whatever its format.
+
+use carvallo::{ModelInfo, ParameterInfo};
+
+use crate::input::evaluated;
+use crate::number::shortest;
+use crate::sweep::table::{Column, Designs, Kind};
+
+/// A column of a file.
+pub struct Named {
+    pub name: String,
+    /// Where its parameter is among those of the model; columns without one are copied.
+    pub position: Option<usize>,
+}
+
+/// A value of a file.
+pub enum Cell<'a> {
+    Number(f64),
+    /// Wide enough for every integer of a file.
+    Integer(i128),
+    Text(&'a str),
+    Empty,
+    /// Bytes that are not UTF-8.
+    NotText,
+}
+
+/// Designs to which rows are added.
+pub struct Rows<'a> {
+    columns: &'a [Named],
+    info: &'static ModelInfo,
+    pub designs: Designs,
+}
+
+impl<'a> Rows<'a> {
+    /// None yet, but with room for so many.
+    pub fn new(columns: &'a [Named], info: &'static ModelInfo, room: usize) -> Self {
+        let column = |named: &Named| match named.position {
+            Some(_) => Column::new(Kind::Number, room),
+            None => Column::new(Kind::Text, room),
+        };
+        let designs = columns.iter().map(column).collect();
+        Self { columns, info, designs: Designs { rows: 0, columns: designs, errors: Vec::with_capacity(room) } }
+    }
+
+    /// A row that has the cells of the columns.
+    pub fn add<'c>(&mut self, cells: impl Iterator<Item = Cell<'c>>) {
+        let mut error = None;
+        for ((cell, column), Named { name, position }) in cells.zip(&mut self.designs.columns).zip(self.columns) {
+            match column {
+                Column::Numbers(values) => {
+                    let parameter = position.map(|position| &self.info.parameters[position]);
+                    match parameter.map_or(Ok(None), |parameter| number(cell, parameter).map(Some)) {
+                        Ok(value) => values.push(value),
+                        Err(message) => {
+                            error.get_or_insert(message);
+                            values.push(None);
+                        }
+                    }
+                }
+                Column::Texts(values) => values.push(match cell {
+                    Cell::Text(text) => Some(text.to_owned().into()),
+                    Cell::Integer(integer) => Some(integer.to_string().into()),
+                    Cell::Number(number) => Some(shortest(number).into()),
+                    Cell::Empty => None,
+                    Cell::NotText => {
+                        error.get_or_insert_with(|| format!("`{name}` is not UTF-8 text"));
+                        None
+                    }
+                }),
+                Column::Counts(values) => values.push(None),
+            }
+        }
+        self.designs.errors.push(error);
+    }
+
+    /// A row that cannot be read.
+    pub fn add_error(&mut self, error: String) {
+        self.designs.columns.iter_mut().for_each(Column::push_none);
+        self.designs.errors.push(Some(error));
+    }
+}
+
+fn number(cell: Cell, info: &ParameterInfo) -> Result<f64, String> {
+    let found = match cell {
+        Cell::Number(value) if value.is_finite() => return Ok(value),
+        Cell::Number(value) => format!("`{value}`; expected a finite number"),
+        Cell::Integer(value) => return Ok(value as f64),
+        // Zero may be what is left of a number that is too small.
+        Cell::Text(text) => match text.parse::<f64>() {
+            Ok(value) if value.is_finite() && value != 0.0 => return Ok(value),
+            _ => match evaluated(text, info) {
+                Ok(value) => return Ok(value),
+                Err(found) => found,
+            },
+        },
+        Cell::Empty => "empty; expected a number".to_owned(),
+        Cell::NotText => "not UTF-8 text; expected a number".to_owned(),
+    };
+    Err(format!("`{}` is {found}", info.name))
+}

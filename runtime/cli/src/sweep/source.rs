@@ -1,0 +1,75 @@
+//! Where the designs of a sweep come from, and the way to them.
+
+use rayon::prelude::*;
+
+use super::generate::Generator;
+use super::read::{File, Named, Records};
+use super::table::{Designs, Heading};
+use crate::failure::Failure;
+use crate::input::Design;
+
+/// The designs that one core computes before it looks for more: small enough for its cache.
+const CHUNK: usize = 512;
+
+/// Where the designs come from.
+pub enum Source {
+    Generated(Generator),
+    File(File),
+}
+
+impl Source {
+    /// The columns of the designs, and for each the position of its parameter, if it is one.
+    pub fn headings(&self, design: &Design) -> (Vec<Heading>, Vec<Option<usize>>) {
+        let parameter = |position: usize| {
+            let parameter = &design.info().parameters[position];
+            Heading::number(parameter.name, parameter.unit)
+        };
+        match self {
+            Self::Generated(generator) => generator.positions().map(|at| (parameter(at), Some(at))).unzip(),
+            Self::File(file) => {
+                let heading = |Named { name, position }: &Named| match position {
+                    Some(position) => (parameter(*position), Some(*position)),
+                    None => (Heading::text(name.clone()), None),
+                };
+                file.columns.iter().map(heading).unzip()
+            }
+        }
+    }
+}
+
+/// The designs, one batch after the other.
+pub struct Batches<'a> {
+    source: &'a Source,
+    records: Option<(&'a File, Records)>,
+    /// How many there are, where that is known.
+    pub total: Option<u64>,
+}
+
+impl<'a> Batches<'a> {
+    /// # Errors
+    /// If a file cannot be read.
+    pub fn new(source: &'a Source) -> Result<Self, Failure> {
+        Ok(match source {
+            Source::Generated(generator) => Self { source, records: None, total: generator.total() },
+            Source::File(file) => Self { source, records: Some((file, file.records()?)), total: None },
+        })
+    }
+
+    /// At most so many designs from one on, in chunks; those of a file come in its order.
+    ///
+    /// # Errors
+    /// If a file cannot be read.
+    pub fn next(&mut self, first: u64, most: usize) -> Result<Vec<Designs>, Failure> {
+        let chunks = (0..most).step_by(CHUNK);
+        match (&mut self.records, self.source) {
+            (Some((file, records)), _) => chunks.map(|start| file.designs(records, CHUNK.min(most - start))).collect(),
+            (None, Source::Generated(generator)) => {
+                let left = self.total.unwrap_or(0).saturating_sub(first).min(most as u64) as usize;
+                let chunks: Vec<usize> = (0..left).step_by(CHUNK).collect();
+                let designs = |&start: &usize| generator.designs(first + start as u64, CHUNK.min(left - start));
+                Ok(chunks.par_iter().map(designs).collect())
+            }
+            (None, Source::File(_)) => Ok(Vec::new()),
+        }
+    }
+}
