@@ -64,7 +64,7 @@ pub use number::{Number, Scalar};
 #[cfg(feature = "std")]
 pub use sensitivity::{
     CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable, Sensitivity,
-    standard_deviation,
+    SensitivityError, standard_deviation, variance_shares,
 };
 #[cfg(feature = "std")]
 pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};

@@ -12,10 +12,6 @@ use crate::number::shortest;
 /// Sizes beyond which a parameter makes the others vanish in rounding, or leaves the range of doubles.
 const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
 
-/// A real part that is so much smaller than the largest eigenvalue may be zero: two eigenvalues that are equal come out
-/// with half of the digits.
-const NEGLIGIBLE: f64 = 1e-7;
-
 /// Real parts that differ by less than this, relative to the largest eigenvalue, differ by rounding.
 pub const ROUNDING: f64 = 1e-12;
 
@@ -110,7 +106,7 @@ impl Analysis {
         values.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
         let verdict = match &self.stability {
             Some(stability) => stability.verdict(speed)?,
-            None => verdict(&values),
+            None => Verdict::of(&values),
         };
         Ok(Eigenvalues { values, verdict })
     }
@@ -121,18 +117,6 @@ pub fn largest(values: &[Complex<f64>]) -> f64 {
     values.iter().map(|value| value.norm()).fold(0.0, f64::max)
 }
 
-/// Whether motion with these eigenvalues is stable, as far as their digits tell.
-pub fn verdict(values: &[Complex<f64>]) -> Verdict {
-    let rightmost = values.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
-    if rightmost.abs() <= NEGLIGIBLE * largest(values) {
-        Verdict::Marginal
-    } else if rightmost < 0.0 {
-        Verdict::Stable
-    } else {
-        Verdict::Unstable
-    }
-}
-
 /// The parameters that are probably to blame where there is no answer, as the end of a sentence.
 pub fn extremes(design: &Design) -> String {
     let parameters = design.info().parameters.iter().zip(&design.parameters);
@@ -140,22 +124,4 @@ pub fn extremes(design: &Design) -> String {
     let extremes: Vec<String> =
         extremes.map(|(info, given)| format!("{} = {}", info.name, shortest(given.value))).collect();
     if extremes.is_empty() { String::new() } else { format!("; parameters of extreme size: {}", extremes.join(", ")) }
-}
-
-#[cfg(test)]
-mod tests {
-    use carvallo::{Complex, Verdict};
-
-    use super::verdict;
-
-    #[test]
-    fn rounding_of_zero_is_marginal() {
-        let of =
-            |parts: &[(f64, f64)]| verdict(&parts.iter().map(|&(re, im)| Complex::new(re, im)).collect::<Vec<_>>());
-        assert_eq!(of(&[(-2.0, -3.0), (-2.0, 3.0)]), Verdict::Stable);
-        assert_eq!(of(&[(-1e-14, -3.0), (-1e-14, 3.0), (-1.0, 0.0)]), Verdict::Marginal);
-        assert_eq!(of(&[(-1.4e-8, 0.0), (1.4e-8, 0.0), (-2.0, 0.0)]), Verdict::Marginal);
-        assert_eq!(of(&[(-5.0, 0.0), (1e-3, 0.0)]), Verdict::Unstable);
-        assert_eq!(of(&[(0.0, 0.0), (0.0, 0.0)]), Verdict::Marginal);
-    }
 }

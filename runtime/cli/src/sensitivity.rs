@@ -2,7 +2,7 @@
 
 use carvallo::{
     Coefficients, Complex, CriticalDerivative, CriticalKind, CriticalSpeed, NotDifferentiable, ParameterInfo,
-    Stability, SystemError, standard_deviation,
+    SensitivityError, Stability, standard_deviation, variance_shares,
 };
 
 use crate::analysis::extremes;
@@ -47,6 +47,8 @@ pub struct Derivatives {
     pub condition: f64,
     /// In m/s, if parameters have standard deviations.
     pub deviation: Option<f64>,
+    /// The share of the variance that comes from each parameter, if parameters have standard deviations.
+    pub variance_shares: Option<Vec<f64>>,
 }
 
 impl Step {
@@ -59,23 +61,15 @@ impl Step {
     }
 }
 
-impl Derivatives {
-    /// The share of the variance of the critical speed that comes from each parameter; zero if there is no variance.
-    pub fn variance_shares(&self, deviations: &[f64]) -> Vec<f64> {
-        let total = self.deviation.filter(|&total| total > 0.0);
-        let share = |(by, deviation): (&f64, &f64)| total.map_or(0.0, |total| (by * (deviation / total)).powi(2));
-        self.speed.iter().zip(deviations).map(share).collect()
-    }
-}
-
 impl Changes {
     /// # Errors
     /// If the model has other than two coordinates, or the equations of motion have no answer.
     pub fn new(design: Design) -> Result<Self, Failure> {
         let run = |error: String| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
-        let fail = |error: SystemError| run(error.to_string());
+        let fail = |error: SensitivityError| run(error.to_string());
         let Some(coefficients) = design.equations.of_two() else { return Err(not_two(&design)) };
-        let stability = Stability::new(coefficients, design.gravity().unwrap_or(0.0)).map_err(fail)?;
+        let stability = Stability::new(coefficients, design.gravity().unwrap_or(0.0));
+        let stability = stability.map_err(|error| fail(error.into()))?;
         let sensitivity = design.model.sensitivity(&design.values()).map_err(run)?;
         let sensitivity = sensitivity.ok_or_else(|| not_two(&design))?;
         let deviations: Vec<f64> = design
@@ -88,8 +82,10 @@ impl Changes {
             let derivatives = match sensitivity.critical_speed(&speed)? {
                 CriticalDerivative::None(reason) => Err(reason),
                 CriticalDerivative::Smooth { speed, eigenvalue, condition } => {
-                    let deviation = deviations.as_ref().map(|deviations| standard_deviation(&speed, deviations));
-                    Ok(Derivatives { deviation: deviation.transpose()?, speed, eigenvalue, condition })
+                    let known = deviations.as_ref();
+                    let deviation = known.map(|deviations| standard_deviation(&speed, deviations)).transpose()?;
+                    let shares = known.map(|deviations| variance_shares(&speed, deviations)).transpose()?;
+                    Ok(Derivatives { deviation, variance_shares: shares, speed, eigenvalue, condition })
                 }
             };
             Ok(Critical { speed, derivatives })

@@ -1,6 +1,7 @@
 //! How measured standard deviations of parameters propagate.
 
 use super::Sensitivity;
+use super::error::SensitivityError;
 use crate::system::{Coefficients, Matrix, SystemError};
 
 /// The standard deviation of a quantity to first order, from its derivatives with respect to each parameter and the standard
@@ -8,15 +9,33 @@ use crate::system::{Coefficients, Matrix, SystemError};
 ///
 /// ```
 /// assert_eq!(carvallo::standard_deviation(&[3.0, -40.0, 7.0], &[1.0, 0.1, 0.0])?, 5.0);
-/// # Ok::<(), carvallo::SystemError>(())
+/// # Ok::<(), carvallo::SensitivityError>(())
 /// ```
 ///
 /// # Errors
 /// If there are fewer deviations than derivatives, or if one is negative or not finite, or if the
 /// result leaves the range of `f64`.
-pub fn standard_deviation(derivatives: &[f64], deviations: &[f64]) -> Result<f64, SystemError> {
+pub fn standard_deviation(derivatives: &[f64], deviations: &[f64]) -> Result<f64, SensitivityError> {
     require(derivatives.len(), deviations)?;
     in_range(root_sum_square(derivatives.iter().zip(deviations).map(|(derivative, deviation)| derivative * deviation)))
+}
+
+/// The share of the variance of a quantity that comes from each parameter, from its derivatives with respect to each and
+/// the standard deviations of the parameters, which are taken to be independent. They sum to one; all are zero if there is
+/// no variance.
+///
+/// ```
+/// let shares = carvallo::variance_shares(&[3.0, -40.0, 7.0], &[1.0, 0.1, 0.0])?;
+/// assert!((shares[0] - 0.36).abs() < 1e-15 && (shares[1] - 0.64).abs() < 1e-15 && shares[2] == 0.0);
+/// # Ok::<(), carvallo::SensitivityError>(())
+/// ```
+///
+/// # Errors
+/// As [`standard_deviation`].
+pub fn variance_shares(derivatives: &[f64], deviations: &[f64]) -> Result<Vec<f64>, SensitivityError> {
+    let total = standard_deviation(derivatives, deviations)?;
+    let share = |(by, deviation): (&f64, &f64)| if total > 0.0 { (by * (deviation / total)).powi(2) } else { 0.0 };
+    Ok(derivatives.iter().zip(deviations).map(share).collect())
 }
 
 impl<const N: usize> Sensitivity<N> {
@@ -28,7 +47,7 @@ impl<const N: usize> Sensitivity<N> {
     /// # Errors
     /// If there are fewer deviations than parameters, or if one is negative or not finite, or if a
     /// result leaves the range of `f64`.
-    pub fn matrix_deviations(&self, deviations: &[f64]) -> Result<Coefficients<f64, N>, SystemError> {
+    pub fn matrix_deviations(&self, deviations: &[f64]) -> Result<Coefficients<f64, N>, SensitivityError> {
         require(self.derivatives.len(), deviations)?;
         let of = |matrix: fn(&Coefficients<f64, N>) -> &Matrix<f64, N>| {
             let mut deviation = Matrix::<f64, N>::zeros();
@@ -36,7 +55,7 @@ impl<const N: usize> Sensitivity<N> {
                 let terms = self.derivatives.iter().zip(deviations);
                 *entry = in_range(root_sum_square(terms.map(|(by, deviation)| matrix(by)[place] * deviation)))?;
             }
-            Ok::<_, SystemError>(deviation)
+            Ok::<_, SensitivityError>(deviation)
         };
         Ok(Coefficients {
             m: of(|c| &c.m)?,
@@ -49,21 +68,21 @@ impl<const N: usize> Sensitivity<N> {
     }
 }
 
-fn in_range(deviation: f64) -> Result<f64, SystemError> {
+fn in_range(deviation: f64) -> Result<f64, SensitivityError> {
     if deviation.is_finite() {
         Ok(deviation)
     } else {
-        Err(SystemError::OutOfRange { quantity: "a standard deviation" })
+        Err(SystemError::OutOfRange { quantity: "a standard deviation" }.into())
     }
 }
 
-fn require(parameters: usize, deviations: &[f64]) -> Result<(), SystemError> {
+fn require(parameters: usize, deviations: &[f64]) -> Result<(), SensitivityError> {
     let (expected, found) = (parameters, deviations.len());
     if found < expected {
-        return Err(SystemError::TooFew { quantity: "standard deviations", expected, found });
+        return Err(SensitivityError::TooFew { quantity: "standard deviations", expected, found });
     }
     match deviations.iter().find(|deviation| !(deviation.is_finite() && **deviation >= 0.0)) {
-        Some(&value) => Err(SystemError::NotADeviation { value }),
+        Some(&value) => Err(SensitivityError::NotADeviation { value }),
         None => Ok(()),
     }
 }
@@ -76,7 +95,7 @@ fn root_sum_square(terms: impl Iterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::standard_deviation;
-    use crate::system::SystemError;
+    use crate::sensitivity::SensitivityError;
 
     #[test]
     fn squares_stay_in_range() {
@@ -87,9 +106,9 @@ mod tests {
 
     #[test]
     fn errors_name_what_is_wrong() {
-        let too_few = SystemError::TooFew { quantity: "standard deviations", expected: 2, found: 1 };
+        let too_few = SensitivityError::TooFew { quantity: "standard deviations", expected: 2, found: 1 };
         assert_eq!(standard_deviation(&[1.0, 2.0], &[1.0]), Err(too_few));
-        assert_eq!(standard_deviation(&[1.0], &[-1.0]), Err(SystemError::NotADeviation { value: -1.0 }));
+        assert_eq!(standard_deviation(&[1.0], &[-1.0]), Err(SensitivityError::NotADeviation { value: -1.0 }));
         assert!(standard_deviation(&[1.0], &[f64::NAN]).is_err());
     }
 }

@@ -4,6 +4,7 @@ mod condition;
 mod critical;
 mod deviation;
 mod eigenvalue;
+mod error;
 mod null_vectors;
 mod pencil;
 mod scaled;
@@ -19,8 +20,9 @@ use crate::system::require_finite;
 use crate::system::{Coefficients, SystemError};
 
 pub use critical::{CriticalDerivative, NotDifferentiable};
-pub use deviation::standard_deviation;
+pub use deviation::{standard_deviation, variance_shares};
 pub use eigenvalue::{EigenvalueDerivative, EigenvalueSensitivity};
+pub use error::SensitivityError;
 
 /// The derivatives of a quantity with respect to the forward speed and to each parameter.
 ///
@@ -66,7 +68,7 @@ pub struct Gradient<T> {
 /// let CriticalDerivative::Smooth { speed, .. } = sensitivity.critical_speed(capsize)? else { panic!("smooth") };
 /// assert!((capsize.speed - 3.0).abs() < 1e-15);
 /// assert!((speed[0] - 1.0 / 6.0).abs() < 1e-15);
-/// # Ok::<(), carvallo::SystemError>(())
+/// # Ok::<(), carvallo::SensitivityError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity<const N: usize> {
@@ -87,11 +89,11 @@ impl<const N: usize> Sensitivity<N> {
         derivatives: &[Coefficients<T, N>],
         gravity: f64,
         gravity_parameter: Option<usize>,
-    ) -> Result<Self, SystemError> {
+    ) -> Result<Self, SensitivityError> {
         require_finite("gravity", gravity)?;
         if let Some(position) = gravity_parameter.filter(|&position| position >= derivatives.len()) {
             let (expected, found) = (position + 1, derivatives.len());
-            return Err(SystemError::TooFew { quantity: "derivatives", expected, found });
+            return Err(SensitivityError::TooFew { quantity: "derivatives", expected, found });
         }
         let coefficients = coefficients.finite()?;
         let derivatives: Result<_, _> = derivatives.iter().map(Coefficients::finite).collect();
@@ -103,7 +105,7 @@ impl<const N: usize> Sensitivity<N> {
     ///
     /// # Errors
     /// If an entry or a derivative is not finite, as they may be for parameters that were not validated.
-    pub fn of<M: Differentiable<N>>(model: &M) -> Result<Self, SystemError> {
+    pub fn of<M: Differentiable<N>>(model: &M) -> Result<Self, SensitivityError> {
         let (coefficients, derivatives) = model.coefficients_and_derivatives();
         let gravity = Model::gravity(model).map_or(0.0, Scalar::to_f64);
         Self::new(&coefficients, derivatives.as_ref(), gravity, M::INFO.gravity)

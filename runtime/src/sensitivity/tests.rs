@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::{CriticalDerivative, EigenvalueDerivative, NotDifferentiable, Sensitivity};
+use super::{CriticalDerivative, EigenvalueDerivative, NotDifferentiable, Sensitivity, SensitivityError};
 use crate::stability::{CriticalKind, Stability};
 use crate::system::{Coefficients, Matrix, SystemError};
 
@@ -280,9 +280,9 @@ fn gravity_is_a_parameter_like_any_other() {
 fn errors_name_what_is_wrong() {
     let system = coefficients(ONE, ONE, ZERO, ONE, ZERO);
     let gravity = Sensitivity::new(&system, &[damping(ONE)], 9.81, Some(1));
-    assert_eq!(gravity, Err(SystemError::TooFew { quantity: "derivatives", expected: 2, found: 1 }));
+    assert_eq!(gravity, Err(SensitivityError::TooFew { quantity: "derivatives", expected: 2, found: 1 }));
     let infinite = Sensitivity::new(&system, &[stiffness(diagonal(f64::INFINITY, 0.0))], 9.81, None);
-    assert_eq!(infinite, Err(SystemError::OutOfRange { quantity: "a derivative of a matrix" }));
+    assert_eq!(infinite, Err(SystemError::OutOfRange { quantity: "a derivative of a matrix" }.into()));
     let singular = coefficients(FIRST, ONE, ZERO, ONE, ZERO);
     let sensitivity = Sensitivity::new(&singular, &[], 0.0, None).unwrap();
     assert_eq!(sensitivity.eigenvalues(1.0), Err(SystemError::SingularMass));

@@ -1,6 +1,8 @@
-//! Whether a polynomial is stable, by the criteria of Hurwitz.
+//! Whether motion is stable: by its eigenvalues, or by the criteria of Hurwitz.
 
 use core::fmt;
+
+use nalgebra::Complex;
 
 use crate::numeric::Tracked;
 
@@ -24,6 +26,40 @@ impl fmt::Display for Verdict {
             Self::Marginal => "marginal",
             Self::Unstable => "unstable",
         })
+    }
+}
+
+/// A real part that is so much smaller than the largest eigenvalue may be zero: two eigenvalues that are equal come out
+/// with half of the digits.
+const NEGLIGIBLE: f64 = 1e-7;
+
+impl Verdict {
+    /// Whether motion with these eigenvalues is stable, for any number of coordinates, as far as their digits tell.
+    ///
+    /// Marginal is a largest real part of at most 1e-7 times the largest eigenvalue: that much rounding may leave of a zero
+    /// that two eigenvalues share. For two coordinates [`Stability::verdict`](crate::Stability::verdict) needs no such
+    /// tolerance.
+    ///
+    /// ```
+    /// use carvallo::{Matrix, System, Verdict};
+    ///
+    /// // Three coordinates, each a damped oscillator: q'' + q' + 4 q = 0.
+    /// let one = Matrix::<f64, 3>::identity();
+    /// let system = System { m: one, c: one, k: one * 4.0 };
+    /// assert_eq!(Verdict::of(&system.eigenvalues()?), Verdict::Stable);
+    /// # Ok::<(), carvallo::SystemError>(())
+    /// ```
+    #[must_use]
+    pub fn of(eigenvalues: &[Complex<f64>]) -> Self {
+        let rightmost = eigenvalues.iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
+        let largest = eigenvalues.iter().map(|value| value.norm()).fold(0.0, f64::max);
+        if rightmost.abs() <= NEGLIGIBLE * largest {
+            Self::Marginal
+        } else if rightmost < 0.0 {
+            Self::Stable
+        } else {
+            Self::Unstable
+        }
     }
 }
 
@@ -54,6 +90,8 @@ pub(super) fn verdict(coefficients: &[Tracked]) -> Verdict {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Complex;
+
     use super::{Verdict, verdict};
     use crate::numeric::Tracked;
 
@@ -90,5 +128,16 @@ mod tests {
         assert_eq!(of(&[undamped, left, right]), Verdict::Unstable);
         assert_eq!(of(&[undamped, right, zero]), Verdict::Unstable);
         assert_eq!(of(&[left, right, left, right]), Verdict::Unstable);
+    }
+
+    #[test]
+    fn rounding_of_zero_is_marginal() {
+        let of =
+            |parts: &[(f64, f64)]| Verdict::of(&parts.iter().map(|&(re, im)| Complex::new(re, im)).collect::<Vec<_>>());
+        assert_eq!(of(&[(-2.0, -3.0), (-2.0, 3.0)]), Verdict::Stable);
+        assert_eq!(of(&[(-1e-14, -3.0), (-1e-14, 3.0), (-1.0, 0.0)]), Verdict::Marginal);
+        assert_eq!(of(&[(-1.4e-8, 0.0), (1.4e-8, 0.0), (-2.0, 0.0)]), Verdict::Marginal);
+        assert_eq!(of(&[(-5.0, 0.0), (1e-3, 0.0)]), Verdict::Unstable);
+        assert_eq!(of(&[(0.0, 0.0), (0.0, 0.0)]), Verdict::Marginal);
     }
 }

@@ -30,20 +30,6 @@ pub enum SystemError {
         /// The bound.
         iterations: usize,
     },
-    /// Fewer numbers than there are parameters for them.
-    TooFew {
-        /// What they are, such as `standard deviations`.
-        quantity: &'static str,
-        /// How many there must be.
-        expected: usize,
-        /// How many there are.
-        found: usize,
-    },
-    /// A standard deviation that is negative or not finite.
-    NotADeviation {
-        /// Its value.
-        value: f64,
-    },
 }
 
 impl fmt::Display for SystemError {
@@ -55,12 +41,6 @@ impl fmt::Display for SystemError {
             Self::OutOfRange { quantity } => write!(f, "{quantity} leaves the range of double precision"),
             Self::NotConverged { iterations } => {
                 write!(f, "the eigenvalues did not converge within {iterations} iterations")
-            }
-            Self::TooFew { quantity, expected, found } => {
-                write!(f, "{found} {quantity} are given; there must be {expected}")
-            }
-            Self::NotADeviation { value } => {
-                write!(f, "a standard deviation is {value}; it must be finite and >= 0")
             }
         }
     }

@@ -28,15 +28,15 @@ pub fn deviations(changes: &Changes, text: &mut String) {
     let column = width(&speeds, 20);
     for ((critical, derivatives), speed) in ranked.iter().zip(&speeds) {
         let kind = critical.kind.to_string();
-        let parts = contributions(changes, derivatives, deviations);
+        let parts = contributions(changes, derivatives);
         let _ = writeln!(text, "  {kind:<10}{speed:<column$}m/s   {FAINT}{parts}{FAINT:#}");
     }
     matrices(changes, text);
 }
 
 /// The parameters that contribute most to the variance, with their shares.
-fn contributions(changes: &Changes, derivatives: &Derivatives, deviations: &[f64]) -> String {
-    let shares = derivatives.variance_shares(deviations);
+fn contributions(changes: &Changes, derivatives: &Derivatives) -> String {
+    let shares = derivatives.variance_shares.as_deref().unwrap_or_default();
     let mut order: Vec<usize> = (0..shares.len()).filter(|&i| shares[i] >= 0.005).collect();
     order.sort_by(|&a, &b| shares[b].total_cmp(&shares[a]));
     let name = |&i: &usize| format!("{} {:.0} %", changes.design.info().parameters[i].name, 100.0 * shares[i]);

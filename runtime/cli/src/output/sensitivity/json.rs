@@ -55,15 +55,18 @@ fn critical(changes: &Changes, Critical { speed, derivatives }: &Critical) -> St
             );
         }
     };
-    let Derivatives { speed, eigenvalue, condition, deviation } = derivatives;
-    let shares = changes.deviations.as_ref().map(|deviations| derivatives.variance_shares(deviations));
+    let Derivatives { speed, eigenvalue, condition, deviation, variance_shares } = derivatives;
     format!(
         "{head}\"derivatives\": {},\n     \"eigenvalue_derivatives\": {},\n     \"condition\": {condition:?}, \
          \"standard_deviation\": {},\n     \"variance_shares\": {},\n     \"not_differentiable\": null}}",
         by_parameter(changes, "     ", speed.iter().map(number)),
         by_parameter(changes, "     ", eigenvalue.iter().map(parts)),
         deviation.as_ref().map_or("null".to_owned(), number),
-        shares.map_or("null".to_owned(), |shares| by_parameter(changes, "     ", shares.iter().map(number))),
+        variance_shares.as_ref().map_or("null".to_owned(), |shares| by_parameter(
+            changes,
+            "     ",
+            shares.iter().map(number)
+        )),
     )
 }
 

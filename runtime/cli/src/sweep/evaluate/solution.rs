@@ -2,7 +2,6 @@
 
 use carvallo::{Complex, Stability, StableRange, SystemError, Verdict};
 
-use crate::analysis;
 use crate::model::{Equations, Shipped};
 use crate::sweep::table::Layout;
 
@@ -49,7 +48,7 @@ impl Solution {
             }
             self.verdicts.push(match &stability {
                 Some(stability) => stability.verdict(speed).map_err(fail)?,
-                None => analysis::verdict(&self.eigenvalues[first..]),
+                None => Verdict::of(&self.eigenvalues[first..]),
             });
         }
         self.stability = stability;
