@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 
 use carvallo::{Complex, CriticalSpeed, ModeValue, Modes, Stability, StableRange, SystemError, Verdict};
 
+use crate::design::Design;
 use crate::failure::Failure;
-use crate::input::Design;
 use crate::number::shortest;
 
 /// Sizes beyond which a parameter makes the others vanish in rounding, or leaves the range of doubles.

@@ -8,8 +8,9 @@ use carvallo_models::BICYCLES;
 
 use crate::analysis::Analysis;
 use crate::args::{self, Command, Format};
+use crate::design::Design;
 use crate::failure::Failure;
-use crate::input::{self, DEFAULT_BICYCLE, Design, Request};
+use crate::input::{self, DEFAULT_BICYCLE, Request};
 use crate::sensitivity::Changes;
 use crate::terminal::{ERROR, WARNING, note, print};
 use crate::{model, output, plot, speeds, sweep};

@@ -5,9 +5,11 @@
 mod analysis;
 mod args;
 mod commands;
+pub mod design;
 pub mod failure;
 pub mod input;
 pub mod model;
+pub mod nearest;
 pub mod number;
 mod output;
 mod plot;

@@ -51,7 +51,7 @@ impl Shipped {
             return Ok(model);
         }
         let names: Vec<&str> = MODELS.iter().map(|model| model.info.name).collect();
-        let hint = crate::input::nearest(name, names.iter().copied());
+        let hint = crate::nearest::nearest(name, names.iter().copied());
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
         Err(format!("there is no model `{name}`{hint}\nthe models are {}", names.join(", ")))
     }

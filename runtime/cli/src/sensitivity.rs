@@ -6,8 +6,8 @@ use carvallo::{
 };
 
 use crate::analysis::extremes;
+use crate::design::Design;
 use crate::failure::Failure;
-use crate::input::Design;
 
 /// A design with the derivatives of its critical speeds.
 pub struct Changes {

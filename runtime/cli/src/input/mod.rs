@@ -16,11 +16,10 @@ use std::io::Read as _;
 use std::path::Path;
 
 use self::document::{Document, Entry, File};
+use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
 use crate::model::{Shipped, WHIPPLE};
 
-pub use self::names::nearest;
-pub use self::parameters::Design;
 pub use self::plausible::warnings;
 pub use self::shipped::DEFAULT_BICYCLE;
 pub use self::value::evaluated;

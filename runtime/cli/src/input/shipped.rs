@@ -4,9 +4,10 @@ use carvallo::SetInfo;
 use carvallo_models::BICYCLES;
 
 use super::document::{Document, Entry, File};
-use super::{nearest, toml};
+use super::toml;
 use crate::failure::Place;
 use crate::model::{MODELS, Shipped};
+use crate::nearest::nearest;
 use crate::number::shortest;
 
 /// The bicycle that is meant unless another one is named.

@@ -4,7 +4,8 @@ use carvallo::ParameterInfo;
 
 use super::document::{Entry, Written};
 use super::expression::{Mistake, evaluate};
-use super::parameters::{Deviation, Given};
+
+use crate::design::{Deviation, Given};
 use crate::failure::Problem;
 use crate::number::{self, shortest, with_unit};
 

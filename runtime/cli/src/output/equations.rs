@@ -6,7 +6,7 @@ use carvallo::{CoordinateInfo, MatrixName, ModelInfo};
 
 use super::HEADING;
 use super::table::{LINE, width};
-use crate::input::Design;
+use crate::design::Design;
 use crate::number::{fixed, shortest};
 
 /// A matrix that the model has.

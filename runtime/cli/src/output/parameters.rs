@@ -1,7 +1,8 @@
 //! A design as a file: what `show` prints can be edited and analyzed.
 
 use super::{FAINT, quoted};
-use crate::input::{Design, warnings};
+use crate::design::Design;
+use crate::input::warnings;
 use crate::number::unit;
 
 pub fn parameters(design: &Design) -> String {

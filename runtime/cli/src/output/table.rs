@@ -6,7 +6,7 @@ use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, Stability, Stable
 
 use super::{FAINT, GOOD, HEADING, equations, is_stable, sorted};
 use crate::analysis::{Analysis, ModeRow, Row, Rows};
-use crate::input::Design;
+use crate::design::Design;
 use crate::number::{fixed, shortest};
 
 /// How wide a line may become where that can be helped.

@@ -4,7 +4,7 @@ use super::axes::INK;
 use super::labels::{LINE, Labels};
 use super::marks::{DIMENSION, arc, arrow, center_of_mass};
 use super::scene::{Anchor, Color, Scene, dashed, line};
-use crate::input::Design;
+use crate::design::Design;
 use crate::number::shortest;
 
 const WIDTH: f32 = 960.0;

@@ -5,7 +5,7 @@ use carvallo::{ParameterInfo, StableRange};
 use super::plan::Plan;
 use super::source::Source;
 use super::table::Results;
-use crate::input::Design;
+use crate::design::Design;
 use crate::plot::{self, MapAxis, MapCell, Scene};
 
 /// What a map shows of each design, in their order.

@@ -26,8 +26,9 @@ use self::progress::Progress;
 use self::source::Batches;
 use self::table::{Designs, Results};
 use self::target::Target;
+use crate::design::Design;
 use crate::failure::Failure;
-use crate::input::{self, Design};
+use crate::input;
 use crate::plot;
 use crate::terminal::{WARNING, note};
 

@@ -2,7 +2,8 @@
 
 use carvallo::{ModelInfo, ParameterInfo};
 
-use crate::input::{evaluated, nearest};
+use crate::input::evaluated;
+use crate::nearest::nearest;
 use crate::number::with_unit;
 
 /// The parameter that stands before an equals sign, and what stands behind it.

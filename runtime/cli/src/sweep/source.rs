@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use super::generate::Generator;
 use super::read::{File, Named, Records};
 use super::table::{Designs, Heading};
+use crate::design::Design;
 use crate::failure::Failure;
-use crate::input::Design;
 
 /// The designs that one core computes before it looks for more: small enough for its cache.
 const CHUNK: usize = 512;

@@ -6,8 +6,8 @@ use std::io::Read as _;
 
 use twox_hash::XxHash64;
 
+use crate::design::Design;
 use crate::failure::Failure;
-use crate::input::Design;
 use crate::sweep::generate::Distribution;
 use crate::sweep::source::Source;
 use crate::sweep::table::{Format, Heading};

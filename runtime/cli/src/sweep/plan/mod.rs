@@ -13,8 +13,8 @@ use super::generate::Generator;
 use super::read::File;
 use super::source::Source;
 use super::table::{Format, Heading, Layout};
+use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
-use crate::input::Design;
 
 /// More designs than this are taken for a slip in a step.
 const MAX_DESIGNS: u64 = 1_000_000_000_000;
