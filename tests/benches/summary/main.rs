@@ -16,7 +16,7 @@ use contest::Task;
 use table::Table;
 
 const USAGE: &str = "\
-usage: cargo bench -p carvallo-tests --no-default-features --bench summary [-- [--quick] [WORD ...]]
+usage: cargo bench -p carvallo-bench --bench summary [-- [--quick] [WORD ...]]
 
   --quick   a tenth of the designs and of the time: for a look, not for figures
   WORD      only tasks whose name contains one of the words";

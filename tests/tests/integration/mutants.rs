@@ -1,6 +1,6 @@
 //! Slips in the formulas of the Whipple bicycle, and the share of them that the compiler catches.
 //!
-//! A sample, the same on every run; all of them take some minutes: `cargo run -p carvallo-tests --example mutants`.
+//! A sample, the same on every run; all of them take some minutes: `cargo run -p carvallo-tools --bin mutants`.
 
 use carvallo_tests::designs;
 use carvallo_tests::mutants::{Evidence, Kind, Original, Tally, all, whipple};

@@ -54,7 +54,7 @@ fn generated_code_states_its_operations() {
 #[test]
 fn no_program_of_a_shipped_model_takes_more_operations_than_before() {
     const COMMAND: &str =
-        "cargo run -p carvallo-tests --no-default-features --example operations > tests/data/operations.tsv";
+        "cargo run -p carvallo-tools --no-default-features --bin operations > tests/data/operations.tsv";
     let table = include_str!("../../data/operations.tsv");
     let mut lines = table.lines();
     assert_eq!(lines.next(), Some(COLUMNS));

@@ -1,6 +1,6 @@
 //! Prints how many slips in the formulas of the Whipple bicycle the compiler catches, by which check, and which not.
 //!
-//! `cargo run -p carvallo-tests --example mutants [EVERY]`; with a number only every so many of them.
+//! `cargo run -p carvallo-tools --bin mutants [EVERY]`; with a number only every so many of them.
 
 use std::time::Instant;
 

@@ -1,7 +1,7 @@
 //! Prints what it takes to expand declarations of growing size: processor time, peak memory, and by what power both
 //! grow. It is not the time on the clock, since an expansion waits for others of the same user.
 //!
-//! `cargo run -p carvallo-tests --example expansion [DEFINITIONS ...]`, without `--release`: macros run as they are built
+//! `cargo run -p carvallo-tools --bin expansion [DEFINITIONS ...]`, without `--release`: macros run as they are built
 //! for development. Each size runs in a process of its own, since the system keeps the peak of a process (Linux only).
 
 use std::fmt::Write as _;

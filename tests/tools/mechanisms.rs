@@ -1,7 +1,7 @@
 //! What it takes to derive mechanisms: time by phase, and operations of the programs that come out.
 //!
 //! ```text
-//! cargo run -p carvallo-tests --example mechanisms
+//! cargo run -p carvallo-tools --bin mechanisms
 //! ```
 //!
 //! The derivation holds the checks of the declaration, the proofs and the published matrices in it; the code generation
@@ -22,7 +22,7 @@ const RUNS: usize = 5;
 
 fn main() {
     println!("{:<24} {:>4} {:>14} {:>16} {:>11}", "model", "N", "derivation (s)", "generation (s)", "operations");
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated/models");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../generated/models");
     let mut sources: Vec<_> =
         fs::read_dir(folder).expect("the models").map(|entry| entry.expect("an entry").path()).collect();
     sources.sort();

@@ -2,7 +2,7 @@
 //! them: none may fail, though Symbolica allows a user one thread.
 //!
 //! ```sh
-//! cargo run -p carvallo-tests --no-default-features --example parallel_builds
+//! cargo run -p carvallo-tools --no-default-features --bin parallel_builds
 //! ```
 //!
 //! Every round changes a number in every model, and every program must then print what the new model gives. Where there
@@ -161,7 +161,7 @@ fn expected(number: usize) -> String {
 }
 
 fn workspace() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the workspace").to_owned()
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the crate lies in the workspace").to_owned()
 }
 
 fn cargo(what: &str, folder: &Path, target: &Path) -> Command {

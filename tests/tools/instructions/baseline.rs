@@ -20,7 +20,7 @@ pub struct Count {
 }
 
 fn file() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data/instructions.tsv")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../data/instructions.tsv")
 }
 
 impl Baseline {

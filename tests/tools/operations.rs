@@ -1,6 +1,6 @@
 //! Prints how many operations each program of each shipped model takes, as the table that a test compares with.
 //!
-//! `cargo run -p carvallo-tests --no-default-features --example operations > tests/data/operations.tsv`
+//! `cargo run -p carvallo-tools --no-default-features --bin operations > tests/data/operations.tsv`
 
 use carvallo_tests::operations::{COLUMNS, shipped};
 
