@@ -3,7 +3,6 @@
 //! A library, so that what it says of strangers' files can be tested without a process for each of them.
 
 mod analysis;
-mod args;
 mod commands;
 pub mod design;
 pub mod failure;
@@ -11,6 +10,7 @@ pub mod input;
 pub mod model;
 pub mod nearest;
 pub mod number;
+mod options;
 mod output;
 mod plot;
 mod sensitivity;

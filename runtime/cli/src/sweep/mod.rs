@@ -1,9 +1,9 @@
 //! Many designs at once: from a plan to a table of their stability, and to a map of it.
 
-mod args;
 mod evaluate;
 mod generate;
 mod map;
+mod options;
 mod parameter;
 mod plan;
 mod progress;
@@ -18,7 +18,7 @@ use std::time::Instant;
 use anstyle::Style;
 use rayon::prelude::*;
 
-pub use self::args::{Request, command, request};
+pub use self::options::Options;
 
 use self::map::Map;
 use self::plan::{Plan, validate};
@@ -37,12 +37,12 @@ use crate::terminal::{WARNING, note};
 /// # Errors
 /// Everything that is wrong with the request; and if a file cannot be read or written. Designs without an answer are no
 /// failure: their rows say why.
-pub fn run(design: Result<Design, Failure>, request: &Request) -> Result<(), Failure> {
-    let design = design.map_err(|failure| with_options(failure, request))?;
-    let plan = Plan::new(&design, request)?;
-    request.map.as_deref().map(plot::check).transpose()?;
-    let mut map = request.map.as_ref().map(|_| Map::default());
-    let mut target = Target::open(request, &plan)?;
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let design = options.base.load().map_err(|failure| with_options(failure, options))?;
+    let plan = Plan::new(&design, options)?;
+    options.map.as_deref().map(plot::check).transpose()?;
+    let mut map = options.map.as_ref().map(|_| Map::default());
+    let mut target = Target::open(options, &plan)?;
     let done = target.designs();
     let mut batches = Batches::new(&plan.source)?;
     let mut progress = Progress::new(batches.total, target.is_stdout());
@@ -84,10 +84,10 @@ pub fn run(design: Result<Design, Failure>, request: &Request) -> Result<(), Fai
     if errors > 0 {
         note(WARNING, "note", &format!("{errors} of {first} designs have no results; the column `error` says why"));
     }
-    if let Some(path) = &request.output {
+    if let Some(path) = &options.output {
         note(Style::new(), "wrote", &path.display().to_string());
     }
-    if let (Some(path), Some(map)) = (&request.map, map) {
+    if let (Some(path), Some(map)) = (&options.map, map) {
         plot::save(&map.draw(&design, &plan), path)?;
         note(Style::new(), "wrote", &path.display().to_string());
     }
@@ -95,11 +95,11 @@ pub fn run(design: Result<Design, Failure>, request: &Request) -> Result<(), Fai
 }
 
 /// What is wrong with the design, and with everything else as far as its model is known.
-fn with_options(failure: Failure, request: &Request) -> Failure {
+fn with_options(failure: Failure, options: &Options) -> Failure {
     let Failure::Input(mut problems) = failure else { return failure };
-    let base = input::Request { overrides: Vec::new(), ..request.base.clone() };
+    let base = input::Request { overrides: Vec::new(), ..options.base.request() };
     if let Ok(design) = input::load(&base)
-        && let Err(Failure::Input(others)) = validate(request, design.info())
+        && let Err(Failure::Input(others)) = validate(options, design.info())
     {
         problems.extend(others);
     }

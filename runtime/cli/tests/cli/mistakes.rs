@@ -193,7 +193,9 @@ fn options_that_make_no_sense() {
 #[test]
 fn wrong_usage_is_told_by_its_exit_code() {
     let directory = Directory::new("mistake-usage");
-    for arguments in [&["analyse"][..], &["analyze", "--sped", "1"], &["analyze", "--format", "xml"], &["show"]] {
+    for arguments in
+        [&["analyse"][..], &["analyze", "--sped", "1"], &["analyze", "--format", "xml"], &["show", "a", "b"]]
+    {
         let run = directory.run(arguments);
         assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{}", run.stderr);
         assert!(run.stderr.starts_with("error: "), "{}", run.stderr);

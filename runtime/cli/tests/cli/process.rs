@@ -31,8 +31,13 @@ fn help_has_examples_and_the_exit_codes() {
     let directory = Directory::new("help");
     let help = directory.run(&["--help"]).ok();
     assert!(help.contains("carvallo analyze pista --plot pista.svg"), "{help}");
+    for command in ["analyze", "sensitivity", "show", "sweep"] {
+        let help = directory.run(&[command, "--help"]).ok();
+        assert!(help.contains(&format!("Usage: carvallo {command} [OPTIONS] [DESIGN|FILE]\n")), "{help}");
+        assert!(help.contains("Exit codes: 0"), "{help}");
+    }
+    assert_eq!(directory.run(&["--version"]).ok(), format!("carvallo {}\n", env!("CARGO_PKG_VERSION")));
     let help = directory.run(&["analyze", "--help"]).ok();
-    assert!(help.contains("Exit codes: 0"), "{help}");
     assert!(help.contains("\"stable_ranges\": [[FROM, TO|null]]"), "{help}");
 }
 

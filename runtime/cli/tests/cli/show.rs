@@ -16,6 +16,12 @@ fn values_keep_their_digits_units_and_source() {
 }
 
 #[test]
+fn without_a_design_it_is_the_benchmark() {
+    let directory = Directory::new("show-nothing");
+    assert_eq!(directory.run(&["show"]).ok(), directory.run(&["show", "benchmark"]).ok());
+}
+
+#[test]
 fn expressions_stay_as_they_were_written() {
     let text = Directory::new("show-expression").run(&["show", "benchmark", "--set", "mB=170/2"]).ok();
     assert!(text.contains("lam = \"pi/10\""), "{text}");

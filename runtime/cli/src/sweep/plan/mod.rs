@@ -7,9 +7,9 @@ pub use self::validate::validate;
 
 use self::fingerprint::fingerprint;
 use self::validate::Validated;
-use super::args::Request;
 use super::evaluate::Task;
 use super::generate::Generator;
+use super::options::Options;
 use super::read::File;
 use super::source::Source;
 use super::table::{Format, Heading, Layout};
@@ -37,19 +37,19 @@ pub struct Plan {
 
 impl Plan {
     /// # Errors
-    /// Everything that is wrong with the request.
-    pub fn new(design: &Design, request: &Request) -> Result<Self, Failure> {
+    /// Everything that is wrong with the options.
+    pub fn new(design: &Design, options: &Options) -> Result<Self, Failure> {
         let info = design.info();
-        let Validated { vary, random, speeds, format, file } = validate(request, info)?;
+        let Validated { vary, random, speeds, format, file } = validate(options, info)?;
         let source = match file {
             Some((path, format)) => {
                 let file = File::open(&path, format, info)?;
-                once(request, &file)?;
+                once(options, &file)?;
                 Source::File(file)
             }
             None => {
-                let samples = request.samples.unwrap_or(1);
-                Source::Generated(Generator { vary, random, samples, seed: request.seed.unwrap_or_default() })
+                let samples = options.samples.unwrap_or(1);
+                Source::Generated(Generator { vary, random, samples, seed: options.seed.unwrap_or_default() })
             }
         };
         let batch = match &source {
@@ -75,9 +75,10 @@ impl Plan {
 }
 
 /// Whether each parameter has its value from one place.
-fn once(request: &Request, file: &File) -> Result<(), Failure> {
+fn once(options: &Options, file: &File) -> Result<(), Failure> {
     let is_twice = |name: &str| file.columns.iter().any(|column| column.name == name);
-    let twice = request.base.overrides.iter().filter(|(_, name, _)| is_twice(name));
+    let base = options.base.request();
+    let twice = base.overrides.iter().filter(|(_, name, _)| is_twice(name));
     let problem = |(option, name, _): &(String, String, String)| {
         let message = format!("`{name}` is given twice; also by a column of {}", file.path.display());
         Problem { place: Place::Option(option.clone()), message }

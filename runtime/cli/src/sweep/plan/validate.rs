@@ -8,8 +8,8 @@ use crate::failure::{Failure, Place, Problem};
 use crate::input::is_same_file;
 use crate::number::shortest;
 use crate::speeds;
-use crate::sweep::args::Request;
 use crate::sweep::generate::{Axis, Random};
+use crate::sweep::options::Options;
 use crate::sweep::table::Format;
 
 /// More speeds than this would make tables that nobody reads.
@@ -29,25 +29,25 @@ pub struct Validated {
 
 /// # Errors
 /// Everything that is wrong with the request for a model.
-pub fn validate(request: &Request, info: &ModelInfo) -> Result<Validated, Failure> {
+pub fn validate(options: &Options, info: &ModelInfo) -> Result<Validated, Failure> {
     let mut problems = Problems::default();
-    let (vary, random) = problems.parameters(request, info);
-    let format = request.output.as_deref().map_or(Format::Csv, |path| problems.table("--output", path));
-    let file = request.designs.clone().map(|path| {
+    let (vary, random) = problems.parameters(options, info);
+    let format = options.output.as_deref().map_or(Format::Csv, |path| problems.table("--output", path));
+    let file = options.designs.clone().map(|path| {
         let format = problems.table("--designs", &path);
         (path, format)
     });
-    problems.paths(request);
-    let speeds = request.eigenvalues.as_ref().map(|text| problems.speeds(text)).unwrap_or_default();
-    if info.coordinates.len() != 2 && request.eigenvalues.is_none() {
+    problems.paths(options);
+    let speeds = options.eigenvalues.as_ref().map(|text| problems.speeds(text)).unwrap_or_default();
+    if info.coordinates.len() != 2 && options.eigenvalues.is_none() {
         let (name, count) = (info.name, info.coordinates.len());
         problems.add(
             Place::Nowhere,
             format!("critical speeds are for two coordinates, and {name} has {count}: give --eigenvalues SPEEDS"),
         );
     }
-    if let Some(path) = &request.map {
-        problems.map(path, request, info, &vary);
+    if let Some(path) = &options.map {
+        problems.map(path, options, info, &vary);
     }
     if problems.all.is_empty() {
         Ok(Validated { vary, random, speeds, format, file })
@@ -72,13 +72,14 @@ impl Problems {
     }
 
     /// What varies and what is drawn.
-    fn parameters(&mut self, request: &Request, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
-        let vary = self.each("--vary", &request.vary, |text| Axis::parse(text, info));
-        let random = self.each("--random", &request.random, |text| Random::parse(text, info));
-        let varied = request.vary.iter().map(|text| ("--vary", text));
-        let settings = request.base.overrides.iter().map(|(option, name, _)| (option.clone(), name.as_str()));
+    fn parameters(&mut self, options: &Options, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
+        let vary = self.each("--vary", &options.vary, |text| Axis::parse(text, info));
+        let random = self.each("--random", &options.random, |text| Random::parse(text, info));
+        let varied = options.vary.iter().map(|text| ("--vary", text));
+        let base = options.base.request();
+        let settings = base.overrides.iter().map(|(option, name, _)| (option.clone(), name.as_str()));
         let mut given: Vec<(String, &str)> = settings.collect();
-        for (option, text) in varied.chain(request.random.iter().map(|text| ("--random", text))) {
+        for (option, text) in varied.chain(options.random.iter().map(|text| ("--random", text))) {
             let name = text.split('=').next().unwrap_or_default().trim();
             if let Some((first, _)) = given.iter().find(|(_, other)| *other == name) {
                 let message = format!("`{name}` is given twice; first at {first}");
@@ -86,16 +87,16 @@ impl Problems {
             }
             given.push((format!("{option} {text}"), name));
         }
-        match (request.samples, request.random.is_empty()) {
+        match (options.samples, options.random.is_empty()) {
             (None, false) => self.add(Place::Nowhere, "--random needs --samples COUNT"),
             (Some(_), true) => self.add(Place::Nowhere, "--samples needs --random NAME=VALUES"),
             (Some(0), false) => self.option("--samples", "0", "expected at least 1"),
             _ => {}
         }
-        if request.seed.is_some() && request.random.is_empty() {
+        if options.seed.is_some() && options.random.is_empty() {
             self.add(Place::Nowhere, "--seed needs --random NAME=VALUES");
         }
-        if request.vary.is_empty() && request.random.is_empty() && request.designs.is_none() {
+        if options.vary.is_empty() && options.random.is_empty() && options.designs.is_none() {
             self.add(Place::Nowhere, "nothing varies: expected --vary, --random or --designs");
         }
         (vary, random)
@@ -121,14 +122,14 @@ impl Problems {
     }
 
     /// Whether the results would replace what is read.
-    fn paths(&mut self, request: &Request) {
-        for (option, path) in [("--output", &request.output), ("--map", &request.map)] {
+    fn paths(&mut self, options: &Options) {
+        for (option, path) in [("--output", &options.output), ("--map", &options.map)] {
             let Some(path) = path else { continue };
             let shown = path.display().to_string();
-            if request.designs.as_ref().is_some_and(|designs| is_same_file(designs, path)) {
+            if options.designs.as_ref().is_some_and(|designs| is_same_file(designs, path)) {
                 self.option(option, &shown, "the designs are read from this file");
             }
-            if request.base.reads(path) {
+            if options.base.request().reads(path) {
                 self.option(option, &shown, "the parameters are read from this file");
             }
         }
@@ -152,14 +153,14 @@ impl Problems {
     }
 
     /// Whether there is a map to draw.
-    fn map(&mut self, path: &Path, request: &Request, info: &ModelInfo, vary: &[Axis]) {
+    fn map(&mut self, path: &Path, options: &Options, info: &ModelInfo, vary: &[Axis]) {
         let path = path.display().to_string();
         if ![".svg", ".png"].iter().any(|ending| path.to_lowercase().ends_with(ending)) {
             self.option("--map", &path, "the name must end in .svg or .png");
         }
         if info.coordinates.len() != 2 {
             self.option("--map", &path, format!("{} has no stable ranges: they are for two coordinates", info.name));
-        } else if request.vary.len() != 2 || !request.random.is_empty() {
+        } else if options.vary.len() != 2 || !options.random.is_empty() {
             self.option("--map", &path, "a map needs two parameters that vary by --vary, and no others");
         } else if let [x, y] = vary {
             if [x, y].iter().any(|axis| axis.values.iter().all(|value| *value == axis.values[0])) {

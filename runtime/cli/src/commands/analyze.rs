@@ -1,0 +1,103 @@
+//! `carvallo analyze`: everything about one design along speed.
+
+use clap::Args;
+
+use crate::analysis::Analysis;
+use crate::failure::Failure;
+use crate::options::{DesignOptions, Format, Picture, Speeds};
+use crate::output;
+use crate::plot::{self, Scene};
+use crate::terminal::{WARNING, note, print};
+
+const HELP: &str = "\
+DESIGN is a name that `carvallo bicycles` lists, or with --model a parameter set that `carvallo models` lists; the path
+of a file; or - for the standard input. A file that says `model = \"NAME\"` chooses its model by itself.
+Files: TOML as `carvallo show` writes it; YAML `name: value` and text `name = value+/-deviation` as
+BicycleParameters writes them; JSON, also as --format json writes it. Values may be expressions:
+pi/10, atan(1/3), 18 deg.
+
+JSON for the Whipple model, in SI units, every number reading back to the same double:
+  {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},
+   \"critical_speeds\": [{\"kind\": \"weave\"|\"capsize\"|\"double_root\", \"speed\", \"eigenvalue\": {\"re\", \"im\"},
+     \"change\": \"stabilizes\"|\"destabilizes\"|\"merges\"|\"splits\"|\"touches\"}],
+   \"stable_ranges\": [[FROM, TO|null]],
+   \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\": \"castering\"|\"capsize\"|\"weave\"}]}]}
+Other models have \"name\" in the place of \"bicycle\", and those of \"M\", \"C0\", \"C1\", \"Kc\", \"K0\", \"K2\" that they have.
+Critical speeds and stable ranges are null for other than two coordinates. Unless the coordinates are lean and steer,
+eigenvalues have no \"mode\" and are sorted, and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\"; where
+nothing depends on the speed there is one row, with the speed null.
+
+Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";
+
+/// Matrices, critical speeds, and eigenvalues against speed
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    design: DesignOptions,
+    #[arg(
+        long,
+        value_name = "SPEEDS",
+        allow_hyphen_values = true,
+        help = "In m/s: LOW:HIGH:STEP, a list, or one [default: 0:10:1 in a table, else 0:10:0.1]"
+    )]
+    speeds: Option<Speeds>,
+    /// table, json or csv
+    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
+    format: Format,
+    /// Draws the eigenvalues against speed; .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<Picture>,
+}
+
+pub fn run(options: Options) -> Result<(), Failure> {
+    if let Some(picture) = &options.plot {
+        picture.spares(&options.design)?;
+        if options.speeds.as_ref().is_some_and(|Speeds(speeds)| speeds.iter().all(|speed| *speed == speeds[0])) {
+            return Err(picture.problem("a picture needs a range of speeds, such as --speeds 0:10:0.1"));
+        }
+    }
+    let analysis = Analysis::new(options.design.load()?)?;
+    let model = analysis.design.model;
+    if !model.depends_on_speed() {
+        let nothing = format!("nothing in the model {} depends on the speed", model.info.name);
+        if let Some(picture) = &options.plot {
+            return Err(picture.problem(format!("{nothing}, so there is no graph against it")));
+        }
+        if options.speeds.is_some() {
+            note(WARNING, "note", &format!("{nothing}: --speeds is ignored"));
+        }
+    }
+    let given = options.speeds.map(|Speeds(speeds)| speeds);
+    let speeds_or = |default: fn() -> Vec<f64>| given.clone().unwrap_or_else(default);
+    let rows = analysis.rows(&speeds_or(if options.format == Format::Table { coarse_speeds } else { fine_speeds }))?;
+    let text = match options.format {
+        Format::Table => output::table(&analysis, &rows),
+        Format::Json => output::json(&analysis, &rows),
+        Format::Csv => output::csv(&analysis, &rows),
+    };
+    if let Some(picture) = &options.plot {
+        picture.write(&plot_eigenvalues(&analysis, &speeds_or(fine_speeds))?)?;
+    }
+    print(&text)
+}
+
+/// The speeds of tables, in m/s.
+pub fn coarse_speeds() -> Vec<f64> {
+    (0..=10).map(f64::from).collect()
+}
+
+/// The speeds of everything that is read by programs or drawn, in m/s.
+fn fine_speeds() -> Vec<f64> {
+    (0..=100).map(|tenths| f64::from(tenths) / 10.0).collect()
+}
+
+/// The eigenvalues from the lowest of the speeds to the highest.
+///
+/// # Errors
+/// If they cannot be computed at some speed.
+pub fn plot_eigenvalues(analysis: &Analysis, speeds: &[f64]) -> Result<Scene, Failure> {
+    let low = speeds.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = speeds.iter().copied().fold(0.0, f64::max);
+    plot::eigenvalues(analysis, (low, high))
+}

@@ -1,0 +1,41 @@
+//! `carvallo` without arguments: a first look.
+
+use std::path::PathBuf;
+
+use super::analyze::{coarse_speeds, plot_eigenvalues};
+use crate::analysis::Analysis;
+use crate::failure::Failure;
+use crate::input::DEFAULT_BICYCLE;
+use crate::options::DesignOptions;
+use crate::terminal::print;
+use crate::{output, plot};
+
+/// The benchmark bicycle and its picture, and how to go on.
+pub fn run() -> Result<(), Failure> {
+    let analysis = Analysis::new(DesignOptions::default().load()?)?;
+    let rows = analysis.rows(&coarse_speeds())?;
+    let mut text = output::table(&analysis, &rows);
+    text.push('\n');
+    text.push_str(&output::sketch(&analysis, 10.0)?);
+    let path = picture_directory().map(|directory| directory.join(format!("{DEFAULT_BICYCLE}.svg")));
+    // Nobody asked for the picture, so that what keeps it from being written is no failure.
+    match path
+        .filter(|path| plot_eigenvalues(&analysis, &[0.0, 10.0]).and_then(|scene| plot::save(&scene, path)).is_ok())
+    {
+        Some(path) => {
+            let here = std::env::current_dir().unwrap_or_default();
+            let path = path.strip_prefix(here).unwrap_or(&path);
+            text.push_str(&format!("\nPicture: {}\nMore:    cargo run --release -- --help\n", path.display()));
+        }
+        None => text.push_str("\nPicture: carvallo analyze --plot benchmark.svg\nMore:    carvallo --help\n"),
+    }
+    print(&text)
+}
+
+/// Where cargo keeps what it builds, if the program runs from there. Elsewhere nothing is written unasked.
+fn picture_directory() -> Option<PathBuf> {
+    let executable = std::env::current_exe().ok()?;
+    let target = executable.parent()?.parent()?;
+    let directory = target.join("carvallo");
+    (target.join("CACHEDIR.TAG").exists() && std::fs::create_dir_all(&directory).is_ok()).then_some(directory)
+}

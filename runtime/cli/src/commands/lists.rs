@@ -1,0 +1,22 @@
+//! `carvallo bicycles` and `carvallo models`: what ships.
+
+use carvallo_models::BICYCLES;
+
+use crate::analysis::Analysis;
+use crate::failure::Failure;
+use crate::input::{self, Request};
+use crate::model::MODELS;
+use crate::output;
+use crate::terminal::print;
+
+pub fn bicycles() -> Result<(), Failure> {
+    let analyses = BICYCLES.iter().map(|bicycle| {
+        let request = Request { parameters: Some(bicycle.name.to_owned()), ..Request::default() };
+        input::load(&request).and_then(Analysis::new)
+    });
+    print(&output::list(&analyses.collect::<Result<Vec<_>, _>>()?))
+}
+
+pub fn models() -> Result<(), Failure> {
+    print(&output::models(MODELS))
+}

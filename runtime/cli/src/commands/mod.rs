@@ -1,0 +1,121 @@
+//! The command line: what can be asked for, and its help. Each subcommand has its options, its help and what it does in a
+//! file of its own.
+
+mod analyze;
+mod demo;
+mod lists;
+mod sensitivity;
+mod show;
+
+use std::error::Error as _;
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::builder::{Styles, styling::AnsiColor};
+use clap::error::{ContextKind, ContextValue};
+use clap::{Parser, Subcommand};
+
+use crate::failure::{Failure, Place, Problem};
+use crate::options::Mistake;
+use crate::sweep;
+use crate::terminal::{ERROR, note};
+
+const EXAMPLES: &str = "\
+Examples:
+  carvallo                                     A first look at the benchmark bicycle
+  carvallo analyze pista --plot pista.svg      A measured bicycle, with its picture
+  carvallo analyze --set mB=90 --set 'lam=20 deg'
+                                               The benchmark bicycle, changed
+  carvallo analyze my-bike.toml --format csv --speeds 0:8:0.05
+  carvallo sensitivity pista --plot pista.svg  Which parameters its critical speeds depend on most
+  carvallo show benchmark > my-bike.toml       A file to start from: edit it and analyze it
+  carvallo show browser --plot browser.svg     Parameters, and a side view to scale
+  carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
+                                               Many designs, with a map of their stability
+  carvallo analyze --model Pendulum            Another model that ships, with its first parameter set
+
+Results go to the standard output, and everything else that is told to the standard error.
+Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2 wrong usage or input.";
+
+const STYLES: Styles = Styles::styled()
+    .header(AnsiColor::Green.on_default().bold())
+    .usage(AnsiColor::Green.on_default().bold())
+    .literal(AnsiColor::Cyan.on_default().bold())
+    .placeholder(AnsiColor::Cyan.on_default());
+
+const ABOUT: &str = "Stability of bicycles and of other models: matrices, eigenvalues and critical speeds.";
+
+#[derive(Debug, Parser)]
+#[command(name = "carvallo", version, about = ABOUT, styles = STYLES, after_help = EXAMPLES, disable_help_subcommand = true)]
+struct Arguments {
+    /// Without one: the benchmark bicycle, as a first look.
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Analyze(analyze::Options),
+    Sensitivity(sensitivity::Options),
+    /// The shipped bicycles, with their critical speeds
+    Bicycles,
+    /// The shipped models, with their coordinates and parameter sets
+    Models,
+    Show(show::Options),
+    Sweep(Box<sweep::Options>),
+}
+
+/// Runs the program with the arguments of the process.
+pub fn main() -> ExitCode {
+    match parse(std::env::args_os()).and_then(run) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            note(ERROR, "error", &failure.to_string());
+            failure.exit_code()
+        }
+    }
+}
+
+fn run(arguments: Arguments) -> Result<(), Failure> {
+    match arguments.command {
+        None => demo::run(),
+        Some(Command::Analyze(options)) => analyze::run(options),
+        Some(Command::Sensitivity(options)) => sensitivity::run(&options),
+        Some(Command::Bicycles) => lists::bicycles(),
+        Some(Command::Models) => lists::models(),
+        Some(Command::Show(options)) => show::run(&options),
+        Some(Command::Sweep(options)) => sweep::run(&options),
+    }
+}
+
+/// Reads the command line. Prints help, and ends the process for it and for wrong usage.
+///
+/// # Errors
+/// What is wrong with the value of an option.
+fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, Failure> {
+    Arguments::try_parse_from(arguments).map_err(|error| mistake(&error).unwrap_or_else(|| error.exit()))
+}
+
+/// A mistake that is told as those in files are: by the option as it was given.
+fn mistake(error: &clap::Error) -> Option<Failure> {
+    let mistake: &Mistake = error.source()?.downcast_ref()?;
+    let text = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text),
+        _ => None,
+    };
+    // `--set <NAME=VALUE>`
+    let (argument, value) = (text(ContextKind::InvalidArg)?, text(ContextKind::InvalidValue)?);
+    let option = argument.split(' ').next()?;
+    let place = Place::Option(format!("{option} {value}"));
+    Some(Failure::Input(vec![Problem { place, message: mistake.to_string() }]))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn options_do_not_contradict_each_other() {
+        super::Arguments::command().debug_assert();
+    }
+}

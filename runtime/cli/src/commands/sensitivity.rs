@@ -1,0 +1,64 @@
+//! `carvallo sensitivity`: what the critical speeds of one design depend on.
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::options::{DesignOptions, Format, Picture};
+use crate::sensitivity::Changes;
+use crate::terminal::print;
+use crate::{output, plot};
+
+const HELP: &str = "\
+Ranks the parameters by how much 1 % of each changes the weave and capsize speeds (m/s), with the derivatives beside it
+(m/s per unit of the parameter). They are exact derivatives, not differences. 1 % is of the value, with its sign: 1 % more
+of zB = -0.9 m is -0.009 m, which is higher up. A parameter that is 0 is changed by 1 % of the median size of the others in
+its unit, or of a radian, and marked *.
+
+Standard deviations of parameters, where the file has them, propagate to first order to every critical speed and matrix
+entry, with the shares of the variance that come from each parameter.
+
+DESIGN and MODEL are as for `carvallo analyze`, of models with two coordinates. JSON and CSV have all critical speeds,
+those of double roots too; their layout is in docs/sensitivity.md.
+
+Examples:
+  carvallo sensitivity                          The benchmark bicycle
+  carvallo sensitivity browser --plot browser.png
+                                                A measured bicycle, with deviations in the table, and a
+                                                bar chart of the effects of 1 %
+  carvallo sensitivity --set c=0                Without trail
+  carvallo sensitivity my-bike.toml --format csv
+
+Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2 wrong usage or input.";
+
+/// Which parameters the weave and capsize speeds depend on most
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    design: DesignOptions,
+    /// table, json or csv
+    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
+    format: Format,
+    /// Draws the effects as a bar chart; .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<Picture>,
+}
+
+pub fn run(options: &Options) -> Result<(), Failure> {
+    if let Some(picture) = &options.plot {
+        picture.spares(&options.design)?;
+    }
+    let changes = Changes::new(options.design.load()?)?;
+    if let Some(picture) = &options.plot {
+        let nothing = || {
+            let title = changes.design.title();
+            Failure::Run(format!("{title} has neither a weave nor a capsize speed, so there is no chart to draw"))
+        };
+        picture.write(&plot::tornado(&changes).ok_or_else(nothing)?)?;
+    }
+    print(&match options.format {
+        Format::Table => output::sensitivity::table(&changes),
+        Format::Json => output::sensitivity::json(&changes),
+        Format::Csv => output::sensitivity::csv(&changes),
+    })
+}

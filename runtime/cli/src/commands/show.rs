@@ -1,0 +1,37 @@
+//! `carvallo show`: the parameters of one design.
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::options::{DesignOptions, Picture};
+use crate::terminal::print;
+use crate::{output, plot};
+
+const HELP: &str = "\
+What is printed can be edited, and read by `carvallo analyze` and the others. DESIGN and MODEL are as for
+`carvallo analyze`; without them it is the benchmark bicycle.
+
+Exit codes: 0 done; 1 there is no picture, or a file cannot be read or written; 2 wrong usage or input.";
+
+/// The parameters as a file, with units and warnings
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    design: DesignOptions,
+    /// Draws a side view to scale; .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<Picture>,
+}
+
+pub fn run(options: &Options) -> Result<(), Failure> {
+    if let Some(picture) = &options.plot {
+        picture.spares(&options.design)?;
+    }
+    let design = options.design.load()?;
+    if let Some(picture) = &options.plot {
+        let no_view = || Failure::Run(format!("the model {} has no side view", design.info().name));
+        picture.write(&plot::side_view(&design).ok_or_else(no_view)?)?;
+    }
+    print(&output::parameters(&design))
+}

@@ -1,0 +1,165 @@
+//! Options that several subcommands share, each with a type of its own.
+
+use std::fmt;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use anstyle::Style;
+use clap::builder::{PathBufValueParser, TypedValueParser as _, ValueParser, ValueParserFactory};
+use clap::{Args, ValueEnum};
+
+use crate::design::Design;
+use crate::failure::{Failure, Place, Problem};
+use crate::input::{self, Request};
+use crate::plot::{self, Scene};
+use crate::speeds;
+use crate::terminal::{WARNING, note};
+
+/// Which design is meant.
+#[derive(Args, Clone, Debug, Default)]
+pub struct DesignOptions {
+    /// A shipped bicycle or parameter set, or a file; - reads stdin
+    #[arg(value_name = "DESIGN|FILE")]
+    design: Option<String>,
+    #[arg(long, value_name = "MODEL", help = "A model that `carvallo models` lists [default: the file's, or Whipple]")]
+    model: Option<String>,
+    /// Gravitational field strength in N/kg, the same as --set g=G
+    #[arg(long, value_name = "G", allow_negative_numbers = true)]
+    gravity: Option<String>,
+    /// Replaces a parameter; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<Setting>,
+}
+
+impl DesignOptions {
+    /// Where the parameters come from.
+    pub fn request(&self) -> Request {
+        let settings = self.set.iter().map(|Setting { written, name, value }| {
+            let option = format!("--set {written}");
+            (option, name.clone(), value.clone())
+        });
+        let gravity = self.gravity.iter().map(|value| (format!("--gravity {value}"), "g".to_owned(), value.clone()));
+        Request {
+            model: self.model.clone(),
+            parameters: self.design.clone(),
+            overrides: settings.chain(gravity).collect(),
+        }
+    }
+
+    /// Loads the design, and tells what deserves to be known about its parameters.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn load(&self) -> Result<Design, Failure> {
+        let design = input::load(&self.request())?;
+        for text in &design.notes {
+            note(WARNING, "note", text);
+        }
+        for text in input::warnings(design.info(), &design.values()) {
+            note(WARNING, "warning", &format!("{}: {text}", design.name));
+        }
+        Ok(design)
+    }
+}
+
+/// `NAME=VALUE`; what they mean depends on the model.
+#[derive(Clone, Debug)]
+struct Setting {
+    written: String,
+    name: String,
+    value: String,
+}
+
+impl FromStr for Setting {
+    type Err = Mistake;
+
+    fn from_str(text: &str) -> Result<Self, Mistake> {
+        match text.split_once('=') {
+            Some((name, value)) if !name.trim().is_empty() => {
+                Ok(Self { written: text.to_owned(), name: name.trim().to_owned(), value: value.to_owned() })
+            }
+            _ => Err(Mistake("expected NAME=VALUE, such as mB=90".to_owned())),
+        }
+    }
+}
+
+/// Speeds in m/s.
+#[derive(Clone, Debug)]
+pub struct Speeds(pub Vec<f64>);
+
+impl FromStr for Speeds {
+    type Err = Mistake;
+
+    fn from_str(text: &str) -> Result<Self, Mistake> {
+        speeds::parse(text).map(Self).map_err(Mistake)
+    }
+}
+
+/// How results are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    Table,
+    Json,
+    Csv,
+}
+
+/// The file of a picture; its ending names a format.
+#[derive(Clone, Debug)]
+pub struct Picture(PathBuf);
+
+impl Picture {
+    fn new(path: PathBuf) -> Result<Self, Mistake> {
+        let is = |known: &str| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(known));
+        if is("svg") || is("png") {
+            Ok(Self(path))
+        } else {
+            Err(Mistake("the name must end in .svg or .png".to_owned()))
+        }
+    }
+
+    /// # Errors
+    /// If the picture would replace the file that the parameters are read from.
+    pub fn spares(&self, design: &DesignOptions) -> Result<(), Failure> {
+        if design.request().reads(&self.0) {
+            Err(self.problem("the parameters are read from this file"))
+        } else {
+            Ok(())
+        }
+    }
+
+    /// That it cannot be drawn as it was asked for.
+    pub fn problem(&self, message: impl Into<String>) -> Failure {
+        let place = Place::Option(format!("--plot {}", self.0.display()));
+        Failure::Input(vec![Problem { place, message: message.into() }])
+    }
+
+    /// Writes a drawing, and tells so.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write(&self, scene: &Scene) -> Result<(), Failure> {
+        plot::save(scene, &self.0)?;
+        note(Style::new(), "wrote", &self.0.display().to_string());
+        Ok(())
+    }
+}
+
+impl ValueParserFactory for Picture {
+    type Parser = ValueParser;
+
+    fn value_parser() -> ValueParser {
+        PathBufValueParser::new().try_map(Self::new).into()
+    }
+}
+
+/// What is wrong with the value of an option, where it is told as everything is that is wrong with the input.
+#[derive(Debug)]
+pub struct Mistake(String);
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Mistake {}

@@ -1,0 +1,91 @@
+//! The command line of a sweep.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::options::DesignOptions;
+
+const HELP: &str = "\
+Designs:
+  --vary w=0.9:1.2:0.01              from, to and step; both ends belong to it
+  --vary 'lam=10 deg:30 deg:41 points'
+                                     from, to and the number of points
+  --vary mB=60,75,90                 a list; values may be expressions, as everywhere
+                                     Several --vary make every combination; the first one varies slowest
+  --random 'c=0.02..0.12' --samples 1000
+                                     uniform between two values
+  --random 'mB=85+-5' --samples 1000 normal, by its mean and standard deviation; also +/- and ±
+                                     Beside --vary, each combination gets the same samples
+  --designs bikes.csv                a row for each design; columns are named like parameters, and `name` and `id` are
+                                     copied. Parameters without a column are those of DESIGN. In CSV, lines before the
+                                     header that begin with # are comments; Parquet may be compressed with Snappy, gzip
+                                     or LZ4, or not at all
+At most 1,000,000 values for each --vary, 10^12 designs, 100 speeds of --eigenvalues, and 1,000,000 designs in a map.
+
+Columns of the result, in SI units (speeds in m/s, eigenvalues in 1/s):
+  the parameters that vary, or all columns of the file
+  weave_count, weave_1, weave_2, …   critical speeds, ascending; in the same way capsize_… and double_root_…
+  stable_count, stable_from_1, stable_to_1, …
+                                     stable ranges; one without end has a stable_from and an empty stable_to
+  verdict_at_V, eigenvalue_1_re_at_V, eigenvalue_1_im_at_V, …
+                                     with --eigenvalues, for each speed V, sorted by their real parts
+  error                              why a design has no results; everything else in its row is then empty
+Critical speeds and stable ranges are for models with two coordinates; sweeps of others need --eigenvalues.
+
+A sweep that was interrupted goes on where it stopped when the same command runs again: until it is finished,
+FILE.partial and FILE.journal stand beside FILE. All cores are used (RAYON_NUM_THREADS=1 for one of them); the result
+has the same bytes with any number of them.
+
+Examples:
+  carvallo sweep --vary mB=60:100:1 > mass.csv
+  carvallo sweep pista --vary c=0.02:0.12:0.001 --vary 'lam=10 deg:30 deg:0.2 deg' --map map.png --output map.parquet
+  carvallo sweep --random 'mB=85+-5' --random 'zB=-0.95..-0.85' --samples 100000 --seed 1 --output random.csv
+  carvallo sweep --designs bikes.csv --eigenvalues 3,5,7 --output results.parquet
+
+Exit codes: 0 done, also where single designs have an error (their number is told); 1 a file cannot be read or written;
+2 wrong usage or input.";
+
+/// Critical speeds, stable ranges and eigenvalues of many designs, to CSV or Parquet
+#[derive(Args, Clone, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    /// The design that gives all parameters that do not vary.
+    #[command(flatten)]
+    pub base: DesignOptions,
+    /// Varies a parameter: LOW:HIGH:STEP, LOW:HIGH:N points, or a list
+    #[arg(long, value_name = "NAME=VALUES", allow_hyphen_values = true)]
+    pub vary: Vec<String>,
+    /// Draws a parameter: LOW..HIGH, or MEAN+-DEVIATION
+    #[arg(long, value_name = "NAME=VALUES", allow_hyphen_values = true)]
+    pub random: Vec<String>,
+    /// How many designs to draw
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true, value_parser = whole)]
+    pub samples: Option<u64>,
+    #[arg(
+        long,
+        value_name = "SEED",
+        allow_hyphen_values = true,
+        value_parser = whole,
+        help = "Another seed draws other designs [default: 0]"
+    )]
+    pub seed: Option<u64>,
+    /// Reads the designs; .csv or .parquet
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["vary", "random"])]
+    pub designs: Option<PathBuf>,
+    /// Also the eigenvalues at these speeds in m/s: LOW:HIGH:STEP, a list, or one
+    #[arg(long, value_name = "SPEEDS", allow_hyphen_values = true)]
+    pub eigenvalues: Option<String>,
+    #[arg(long, value_name = "FILE", help = "Where the results go; .csv or .parquet [default: CSV to stdout]")]
+    pub output: Option<PathBuf>,
+    /// Begins anew, and replaces FILE, where there is a finished or interrupted sweep
+    #[arg(long, requires = "output")]
+    pub restart: bool,
+    /// Draws the stable ranges over two varied parameters; .svg or .png
+    #[arg(long, value_name = "FILE")]
+    pub map: Option<PathBuf>,
+}
+
+fn whole(text: &str) -> Result<u64, &'static str> {
+    text.parse().map_err(|_| "expected a whole number")
+}
