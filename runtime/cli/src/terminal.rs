@@ -1,6 +1,6 @@
 //! What the program says: data on the standard output, and everything about it on the standard error.
 
-use std::io::{ErrorKind, Write as _};
+use std::io::{BufWriter, ErrorKind, Write};
 
 use anstyle::{AnsiColor, Style};
 
@@ -9,13 +9,27 @@ use crate::failure::Failure;
 pub const ERROR: Style = AnsiColor::Red.on_default().bold();
 pub const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 
-/// Prints to the standard output; a reader that has seen enough is no failure.
+/// Prints text for people to the standard output, without its styles where that is no terminal.
 ///
 /// # Errors
 /// If it cannot be written.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut output = anstream::stdout().lock();
-    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+    written(output.write_all(text.as_bytes()).and_then(|()| output.flush()))
+}
+
+/// Writes data to the standard output, as they are.
+///
+/// # Errors
+/// If they cannot be written.
+pub fn write(data: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
+    let mut output = BufWriter::new(std::io::stdout().lock());
+    written(data(&mut output).and_then(|()| output.flush()))
+}
+
+/// A reader that has seen enough is no failure.
+fn written(result: std::io::Result<()>) -> Result<(), Failure> {
+    match result {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Failure::Run(format!("cannot write the output: {error}")))
         }

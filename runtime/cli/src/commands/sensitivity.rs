@@ -5,7 +5,7 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::options::{DesignOptions, Format, Picture};
 use crate::sensitivity::Changes;
-use crate::terminal::print;
+use crate::terminal::{print, write};
 use crate::{output, plot};
 
 const HELP: &str = "\
@@ -56,9 +56,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         };
         picture.write(&plot::tornado(&changes).ok_or_else(nothing)?)?;
     }
-    print(&match options.format {
-        Format::Table => output::sensitivity::table(&changes),
-        Format::Json => output::sensitivity::json(&changes),
-        Format::Csv => output::sensitivity::csv(&changes),
-    })
+    match options.format {
+        Format::Table => print(&output::sensitivity::table(&changes)),
+        Format::Json => write(|output| output::sensitivity::write_json(&changes, output)),
+        Format::Csv => write(|output| output::sensitivity::write_csv(&changes, output)),
+    }
 }

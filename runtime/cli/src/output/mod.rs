@@ -1,8 +1,10 @@
 //! The ways in which results are printed.
 
+mod cells;
 mod csv;
 mod equations;
 mod json;
+mod layout;
 mod list;
 mod models;
 mod parameters;

@@ -26,7 +26,6 @@ use self::progress::Progress;
 use self::source::Batches;
 use self::table::{Designs, Results};
 use self::target::Target;
-use crate::design::Design;
 use crate::failure::Failure;
 use crate::input;
 use crate::plot;

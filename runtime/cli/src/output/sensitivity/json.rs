@@ -1,88 +1,112 @@
 //! The derivatives as JSON; its form is documented in `docs/sensitivity.md`, and stays.
-//!
-//! Numbers are written with the fewest digits that read back to the same double.
 
-use super::super::equations::{Matrix, matrices};
-use super::super::json::{lines, list};
-use super::super::quoted;
+use std::io::{Result, Write};
+
+use carvallo::Complex;
+use serde::Serialize;
+
 use crate::model::Equations;
-use crate::sensitivity::{Changes, Critical, Derivatives};
+use crate::output::equations::{Matrix, matrices};
+use crate::output::layout::{Line, Members, Parts, write_document};
+use crate::sensitivity::{Changes, Critical};
 
-pub fn json(changes: &Changes) -> String {
-    let design = &changes.design;
-    let info = design.info();
-    let rows = |rows: &Vec<Vec<f64>>| list(rows.iter().map(|row| list(row.iter().map(number))));
-    let matrices = matrices(design).into_iter();
-    let matrices =
-        matrices.map(|Matrix { name, rows: entries, .. }| format!("    {}: {}", quoted(name), rows(&entries)));
-    let matrix_deviations = changes.matrix_deviations.as_ref().map(|known| {
-        let known = known.matrices().into_iter().filter(|(name, _)| info.matrices.contains(name));
-        lines('{', known.map(|(name, entries)| format!("    {}: {}", quoted(name.name()), rows(&entries))), '}')
-    });
-    let parameters = design.parameters.iter().zip(&changes.steps).map(|(given, step)| {
-        let deviation = given.deviation.as_ref().map_or(0.0, |deviation| deviation.value);
-        let step = step.size().as_ref().map_or("null".to_owned(), number);
-        format!("{{\"value\": {:?}, \"std\": {deviation:?}, \"one_percent\": {step}}}", given.value)
-    });
-    let critical = changes.critical_speeds.iter().map(|critical| self::critical(changes, critical));
-    format!(
-        "{{\n  \"model\": {},\n  \"{}\": {},\n  \"parameters\": {},\n  \"critical_speeds\": {},\n  \"matrices\": {},\n  \"matrix_standard_deviations\": {}\n}}\n",
-        quoted(info.name),
-        if design.model.is_whipple() { "bicycle" } else { "name" },
-        quoted(&design.name),
-        by_parameter(changes, "  ", parameters),
-        lines('[', critical, ']'),
-        lines('{', matrices, '}'),
-        matrix_deviations.unwrap_or("null".to_owned()),
-    )
+#[derive(Serialize)]
+struct Document<'a> {
+    model: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bicycle: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<&'a str>,
+    parameters: Members<Line<Parameter>>,
+    critical_speeds: Vec<CriticalSpeed>,
+    matrices: Members<Line<Vec<Vec<f64>>>>,
+    matrix_standard_deviations: Option<Members<Line<Vec<Vec<f64>>>>>,
 }
 
-fn critical(changes: &Changes, Critical { speed, derivatives }: &Critical) -> String {
-    let head = format!(
-        "    {{\"kind\": \"{}\", \"speed\": {:?}, \"eigenvalue\": {}, \"change\": \"{}\",\n     ",
-        speed.kind,
-        speed.speed,
-        parts(&speed.eigenvalue),
-        speed.change
-    );
-    let derivatives = match derivatives {
-        Ok(derivatives) => derivatives,
-        Err(reason) => {
-            return format!(
-                "{head}\"derivatives\": null, \"eigenvalue_derivatives\": null, \"condition\": null, \
-                 \"standard_deviation\": null, \"variance_shares\": null, \"not_differentiable\": {}}}",
-                quoted(&reason.to_string())
-            );
-        }
+#[derive(Serialize)]
+struct Parameter {
+    value: f64,
+    std: f64,
+    one_percent: Option<f64>,
+}
+
+/// Without derivatives all from them on are null, and the last one says why.
+#[derive(Serialize)]
+struct CriticalSpeed {
+    kind: String,
+    speed: Line<f64>,
+    eigenvalue: Line<Parts>,
+    change: String,
+    derivatives: Option<Members<Line<f64>>>,
+    eigenvalue_derivatives: Option<Members<Line<Parts>>>,
+    condition: Option<Line<f64>>,
+    standard_deviation: Option<Line<f64>>,
+    variance_shares: Option<Members<Line<f64>>>,
+    not_differentiable: Option<String>,
+}
+
+/// # Errors
+/// If it cannot be written.
+pub fn write_json(changes: &Changes, output: &mut dyn Write) -> Result<()> {
+    let design = &changes.design;
+    let info = design.info();
+    let parameters = design.parameters.iter().zip(&changes.steps).map(|(given, step)| Parameter {
+        value: given.value,
+        std: given.deviation.as_ref().map_or(0.0, |deviation| deviation.value),
+        one_percent: step.size().map(positive_zero),
+    });
+    let matrix_deviations = changes.matrix_deviations.as_ref().map(|known| {
+        let known = known.matrices().into_iter().filter(|(name, _)| info.matrices.contains(name));
+        Members(known.map(|(name, rows)| (name.name(), Line(entries(rows)))).collect())
+    });
+    let is_bicycle = design.model.is_whipple();
+    let document = Document {
+        model: info.name,
+        bicycle: is_bicycle.then_some(&design.name),
+        name: (!is_bicycle).then_some(&design.name),
+        parameters: by_parameter(changes, parameters),
+        critical_speeds: changes.critical_speeds.iter().map(|critical| critical_speed(changes, critical)).collect(),
+        matrices: Members(
+            matrices(design).into_iter().map(|Matrix { name, rows, .. }| (name, Line(entries(rows)))).collect(),
+        ),
+        matrix_standard_deviations: matrix_deviations,
     };
-    let Derivatives { speed, eigenvalue, condition, deviation, variance_shares } = derivatives;
-    format!(
-        "{head}\"derivatives\": {},\n     \"eigenvalue_derivatives\": {},\n     \"condition\": {condition:?}, \
-         \"standard_deviation\": {},\n     \"variance_shares\": {},\n     \"not_differentiable\": null}}",
-        by_parameter(changes, "     ", speed.iter().map(number)),
-        by_parameter(changes, "     ", eigenvalue.iter().map(parts)),
-        deviation.as_ref().map_or("null".to_owned(), number),
-        variance_shares.as_ref().map_or("null".to_owned(), |shares| by_parameter(
-            changes,
-            "     ",
-            shares.iter().map(number)
-        )),
-    )
+    write_document(&document, output)
+}
+
+fn critical_speed(changes: &Changes, Critical { speed, derivatives }: &Critical) -> CriticalSpeed {
+    let known = derivatives.as_ref().ok();
+    let numbers = |values: &[f64]| by_parameter(changes, values.iter().copied().map(positive_zero));
+    let parts = |values: &[Complex<f64>]| by_parameter(changes, values.iter().copied().map(positive_zeros));
+    CriticalSpeed {
+        kind: speed.kind.to_string(),
+        speed: Line(speed.speed),
+        eigenvalue: Line(positive_zeros(speed.eigenvalue)),
+        change: speed.change.to_string(),
+        derivatives: known.map(|known| numbers(&known.speed)),
+        eigenvalue_derivatives: known.map(|known| parts(&known.eigenvalue)),
+        condition: known.map(|known| Line(known.condition)),
+        standard_deviation: known.and_then(|known| known.deviation).map(positive_zero).map(Line),
+        variance_shares: known.and_then(|known| known.variance_shares.as_ref()).map(|shares| numbers(shares)),
+        not_differentiable: derivatives.as_ref().err().map(ToString::to_string),
+    }
 }
 
 /// An object with a member for each parameter.
-fn by_parameter(changes: &Changes, indent: &str, values: impl Iterator<Item = String>) -> String {
-    let members = changes.design.info().parameters.iter().zip(values);
-    let members: Vec<String> =
-        members.map(|(info, value)| format!("{indent}  {}: {value}", quoted(info.name))).collect();
-    format!("{{\n{}\n{indent}}}", members.join(",\n"))
+fn by_parameter<T>(changes: &Changes, values: impl Iterator<Item = T>) -> Members<Line<T>> {
+    let parameters = changes.design.info().parameters.iter();
+    Members(parameters.zip(values).map(|(info, value)| (info.name, Line(value))).collect())
 }
 
-fn parts(value: &carvallo::Complex<f64>) -> String {
-    format!("{{\"re\": {}, \"im\": {}}}", number(&value.re), number(&value.im))
+fn entries(rows: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    rows.into_iter().map(|row| row.into_iter().map(positive_zero).collect()).collect()
 }
 
-fn number(value: &f64) -> String {
-    // Adding zero turns -0 into 0.
-    format!("{:?}", value + 0.0)
+fn positive_zeros(value: Complex<f64>) -> Parts {
+    Parts::from(Complex::new(positive_zero(value.re), positive_zero(value.im)))
+}
+
+/// Adding zero turns -0 into 0.
+fn positive_zero(value: f64) -> f64 {
+    value + 0.0
 }

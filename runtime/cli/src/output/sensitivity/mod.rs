@@ -7,8 +7,8 @@ mod table;
 
 use carvallo::CriticalKind;
 
-pub use self::csv::csv;
-pub use self::json::json;
+pub use self::csv::write_csv;
+pub use self::json::write_json;
 pub use self::table::table;
 
 use crate::sensitivity::Changes;
