@@ -4,7 +4,7 @@
 //! cargo run -p carvallo --features derive --example speeds
 //! ```
 
-use carvallo::{Coefficients, Complex, Model, SystemError};
+use carvallo::{Complex, Model, SystemError, Verdict};
 
 carvallo::model! {
     /// Two point masses on wheels without mass, and a rider on a hip with a spring and a damper.
@@ -44,36 +44,36 @@ carvallo::model! {
     }
 }
 
-/// The eigenvalue with the largest real part, in 1/s.
-fn rightmost(coefficients: &Coefficients<f64, 3>, speed: f64, gravity: f64) -> Result<Complex<f64>, SystemError> {
-    let eigenvalues = coefficients.at(speed, gravity)?.eigenvalues()?;
-    Ok(*eigenvalues.last().expect("six of them, sorted by real part"))
-}
-
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let ridden = Ridden::LIGHT;
     ridden.validate()?;
     // The matrices do not depend on the speed: compute them once.
     let coefficients = ridden.coefficients();
-    let at = |speed: f64| rightmost(&coefficients, speed, ridden.g);
+    // Six eigenvalues in 1/s, sorted by real part.
+    let at = |speed: f64| -> Result<Vec<Complex<f64>>, SystemError> { coefficients.at(speed, ridden.g)?.eigenvalues() };
+    // `Verdict` takes nearly nothing for zero; what is searched for is the zero itself.
+    let decays = |eigenvalues: &[Complex<f64>]| eigenvalues.iter().all(|eigenvalue| eigenvalue.re < 0.0);
 
     println!("speed    largest real part    its frequency");
-    let mut last: Option<(f64, Complex<f64>)> = None;
+    let mut last: Option<(f64, bool)> = None;
     for speed in (0..=20).map(|i| 0.5 * f64::from(i)) {
-        let s = at(speed)?;
+        let eigenvalues = at(speed)?;
+        let stable = decays(&eigenvalues);
         if let Some((below, was)) = last
-            && (was.re < 0.0) != (s.re < 0.0)
+            && was != stable
         {
-            // Between the two the sign changes: halve the range until its ends are neighbouring numbers.
+            // Halve the range until its ends are neighbouring numbers.
             let (mut low, mut high) = (below, speed);
-            while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
-                let middle = 0.5 * (low + high);
-                if (at(middle)?.re < 0.0) == (was.re < 0.0) { low = middle } else { high = middle }
+            while low < low.midpoint(high) && low.midpoint(high) < high {
+                let middle = low.midpoint(high);
+                if decays(&at(middle)?) == was { low = middle } else { high = middle }
             }
-            println!("stable {} {high:.6} m/s", if s.re < 0.0 { "from" } else { "up to" });
+            println!("stable {} {high:.12} m/s", if stable { "from" } else { "up to" });
         }
-        println!("{speed:4.1} m/s {:+14.4} 1/s {:13.4} Hz", s.re, s.im.abs() / std::f64::consts::TAU);
-        last = Some((speed, s));
+        let rightmost = eigenvalues[eigenvalues.len() - 1];
+        let hertz = rightmost.im.abs() / std::f64::consts::TAU;
+        println!("{speed:4.1} m/s {:+14.4} 1/s {hertz:13.4} Hz  {}", rightmost.re, Verdict::of(&eigenvalues));
+        last = Some((speed, stable));
     }
     Ok(())
 }
