@@ -1,6 +1,7 @@
 //! The formulas of a model in exact fractions.
 
-use carvallo_compiler::model::{Expr, Function, Model};
+use carvallo_compiler::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
+use carvallo_compiler::model::Model;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Pow, Zero};
@@ -13,44 +14,79 @@ use num_traits::{One, Pow, Zero};
 /// # Panics
 /// If a formula uses a root, π or an angle otherwise.
 pub fn matrices(model: &Model, parameters: &[BigRational]) -> Vec<(String, Vec<Vec<BigRational>>)> {
-    let mut definitions = Vec::new();
+    let mut fractions = Fractions { parameters, definitions: Vec::new() };
     for (_, formula) in &model.definitions {
-        let value = value(formula, parameters, &definitions);
-        definitions.push(value);
+        let value = fractions.of(formula);
+        fractions.definitions.push(value);
     }
-    let entry = |entry: &Expr| value(entry, parameters, &definitions);
-    let rows = |rows: &[Vec<Expr>]| rows.iter().map(|row| row.iter().map(entry).collect()).collect();
-    model.matrices.iter().map(|(name, matrix)| (name.name().to_owned(), rows(matrix))).collect()
+    let rows = |rows: &[Vec<Formula>]| rows.iter().map(|row| row.iter().map(|entry| fractions.of(entry)).collect());
+    model.matrices.iter().map(|(name, matrix)| (name.name().to_owned(), rows(matrix).collect())).collect()
 }
 
-fn value(formula: &Expr, parameters: &[BigRational], definitions: &[BigRational]) -> BigRational {
-    let of = |formula: &Expr| value(formula, parameters, definitions);
-    match formula {
-        Expr::Number(number) => {
-            let digits: BigInt = number.digits.parse().expect("decimal digits");
-            BigRational::from(digits) * BigRational::from(BigInt::from(10)).pow(number.exponent)
+struct Fractions<'a> {
+    parameters: &'a [BigRational],
+    definitions: Vec<BigRational>,
+}
+
+impl Fractions<'_> {
+    fn of(&self, formula: &Formula) -> BigRational {
+        formula.fold(self).unwrap_or_else(|why| panic!("{why}: {formula:?}"))
+    }
+}
+
+impl Algebra for Fractions<'_> {
+    type Value = BigRational;
+    type Error = &'static str;
+
+    fn number(&self, number: &Decimal) -> Result<BigRational, Self::Error> {
+        let digits: BigInt = number.digits.parse().map_err(|_| "no decimal digits")?;
+        Ok(BigRational::from(digits) * BigRational::from(BigInt::from(10)).pow(number.exponent))
+    }
+
+    fn pi(&self) -> BigRational {
+        panic!("π is no fraction")
+    }
+
+    fn parameter(&self, index: usize) -> BigRational {
+        self.parameters[index].clone()
+    }
+
+    fn definition(&self, index: usize) -> BigRational {
+        self.definitions[index].clone()
+    }
+
+    fn sum(&self, terms: Vec<Term<BigRational>>) -> Result<BigRational, Self::Error> {
+        Ok(terms.into_iter().fold(BigRational::zero(), |sum, Term { negative, value }| match negative {
+            true => sum - value,
+            false => sum + value,
+        }))
+    }
+
+    fn product(&self, factors: Vec<Factor<BigRational>>) -> Result<BigRational, Self::Error> {
+        Ok(factors.into_iter().fold(BigRational::one(), |product, Factor { inverse, value }| match inverse {
+            true => product / value,
+            false => product * value,
+        }))
+    }
+
+    fn power(&self, base: BigRational, exponent: i32) -> Result<BigRational, Self::Error> {
+        Ok(base.pow(exponent))
+    }
+
+    fn call(&self, function: Function, half: BigRational) -> Result<BigRational, Self::Error> {
+        let square = &half * &half;
+        match function {
+            Function::Sin => Ok((&half + &half) / (BigRational::one() + square)),
+            Function::Cos => Ok((BigRational::one() - &square) / (BigRational::one() + square)),
+            Function::Tan | Function::Sqrt => Err("a tangent or a root is no fraction"),
         }
-        Expr::Parameter(index) => parameters[*index].clone(),
-        Expr::Definition(index) => definitions[*index].clone(),
-        Expr::Sum(terms) => terms.iter().fold(BigRational::zero(), |sum, (minus, term)| match minus {
-            true => sum - of(term),
-            false => sum + of(term),
-        }),
-        Expr::Product(factors) => factors.iter().fold(BigRational::one(), |product, (divides, factor)| match divides {
-            true => product / of(factor),
-            false => product * of(factor),
-        }),
-        Expr::Power(base, exponent) => of(base).pow(*exponent),
-        Expr::Call(function, argument) => {
-            assert!(matches!(**argument, Expr::Parameter(_)), "the {} of {argument:?}", function.name());
-            let half = of(argument);
-            let square = &half * &half;
-            match function {
-                Function::Sin => (&half + &half) / (BigRational::one() + square),
-                Function::Cos => (BigRational::one() - &square) / (BigRational::one() + square),
-                Function::Tan | Function::Sqrt => panic!("no fraction: the {} of {argument:?}", function.name()),
-            }
+    }
+
+    /// The argument of a function is an angle only if it is a parameter.
+    fn refine(&self, formula: &Formula, value: BigRational) -> BigRational {
+        if let Formula::Call(_, argument) = formula {
+            assert!(matches!(**argument, Formula::Parameter(_)), "a function of {argument:?}");
         }
-        Expr::Pi => panic!("π is no fraction"),
+        value
     }
 }

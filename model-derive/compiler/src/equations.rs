@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 
 use proc_macro2::Ident;
 
-use crate::model::{Expr, Function, Model};
+use crate::formula::{Decimal, Factor, Formula, Function, Term};
+use crate::model::Model;
 use crate::program::{Instruction, Program, Value};
-use crate::syntax::Decimal;
 
 /// Formulas to be evaluated together, as one program.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,11 +15,11 @@ pub struct Equations {
     /// The number of parameters.
     pub parameters: usize,
     /// Each uses only earlier ones.
-    pub definitions: Vec<Expr>,
+    pub definitions: Vec<Formula>,
     /// For each definition its position in the model; behind those of the model if it is none of them.
     pub origins: Vec<usize>,
     /// What the program computes, in this order.
-    pub outputs: Vec<Expr>,
+    pub outputs: Vec<Formula>,
 }
 
 impl Equations {
@@ -54,8 +54,8 @@ impl Equations {
         let labels: BTreeMap<Value, usize> = program.labels.iter().rev().copied().collect();
         let mut equations =
             Self { parameters: program.parameters, definitions: Vec::new(), origins: Vec::new(), outputs: Vec::new() };
-        let mut reciprocals: BTreeMap<Value, Expr> = BTreeMap::new();
-        let mut values: Vec<Expr> = Vec::with_capacity(program.instructions.len());
+        let mut reciprocals: BTreeMap<Value, Formula> = BTreeMap::new();
+        let mut values: Vec<Formula> = Vec::with_capacity(program.instructions.len());
         for (value, &instruction) in program.instructions.iter().enumerate() {
             let label = labels.get(&value).copied();
             if let Instruction::Reciprocal(divisor) | Instruction::Div(_, divisor) = instruction
@@ -67,12 +67,14 @@ impl Equations {
             }
             let formula = match instruction {
                 Instruction::Reciprocal(divisor) => reciprocals[&divisor].clone(),
-                Instruction::Div(dividend, divisor) => {
-                    Expr::Product(vec![(false, values[dividend].clone()), (false, reciprocals[&divisor].clone())])
-                }
+                Instruction::Div(dividend, divisor) => Formula::Product(vec![
+                    Factor::times(values[dividend].clone()),
+                    Factor::times(reciprocals[&divisor].clone()),
+                ]),
                 other => formula(other, &values),
             };
-            let plain = matches!(formula, Expr::Parameter(_) | Expr::Definition(_) | Expr::Number(_) | Expr::Pi);
+            let plain =
+                matches!(formula, Formula::Parameter(_) | Formula::Definition(_) | Formula::Number(_) | Formula::Pi);
             let worth_a_name = !plain && (uses[value] > 1 || label.is_some());
             values.push(if worth_a_name { equations.define(formula, model, label) } else { formula });
         }
@@ -81,15 +83,15 @@ impl Equations {
     }
 
     /// Appends a definition, which may be one of the model, and returns what stands for its value.
-    fn define(&mut self, formula: Expr, model: &Model, origin: Option<usize>) -> Expr {
+    fn define(&mut self, formula: Formula, model: &Model, origin: Option<usize>) -> Formula {
         let position = self.definitions.len();
         self.definitions.push(formula);
         self.origins.push(origin.unwrap_or(model.definitions.len() + position));
-        Expr::Definition(position)
+        Formula::Definition(position)
     }
 
     /// Any formulas, with the definitions that they depend on, and no others.
-    pub fn of_formulas(parameters: usize, definitions: &[(Ident, Expr)], outputs: Vec<Expr>) -> Self {
+    pub fn of_formulas(parameters: usize, definitions: &[(Ident, Formula)], outputs: Vec<Formula>) -> Self {
         let mut needed = vec![false; definitions.len()];
         outputs.iter().for_each(|output| mark(output, &mut needed));
         // Each definition uses only earlier ones, so one way back finds them all.
@@ -112,33 +114,33 @@ impl Equations {
     }
 }
 
-fn mark(expr: &Expr, needed: &mut [bool]) {
+fn mark(expr: &Formula, needed: &mut [bool]) {
     expr.walk(&mut |part| {
-        if let Expr::Definition(index) = part {
+        if let Formula::Definition(index) = part {
             needed[*index] = true;
         }
     });
 }
 
 /// What an instruction computes, from what its operands do.
-fn formula(instruction: Instruction, values: &[Expr]) -> Expr {
+fn formula(instruction: Instruction, values: &[Formula]) -> Formula {
     let at = |value: Value| values[value].clone();
-    let call = |function, value| Expr::Call(function, Box::new(at(value)));
+    let call = |function, value| Formula::Call(function, Box::new(at(value)));
     match instruction {
-        Instruction::Parameter(index) => Expr::Parameter(index),
-        Instruction::Constant(PI) => Expr::Pi,
+        Instruction::Parameter(index) => Formula::Parameter(index),
+        Instruction::Constant(PI) => Formula::Pi,
         Instruction::Constant(value) => {
-            let number = Expr::Number(Decimal::nearest(value.abs()));
-            if value < 0.0 { Expr::Sum(vec![(true, number)]) } else { number }
+            let number = Formula::Number(Decimal::nearest(value.abs()));
+            if value < 0.0 { Formula::Sum(vec![Term::minus(number)]) } else { number }
         }
-        Instruction::Add(a, b) => Expr::Sum(vec![(false, at(a)), (false, at(b))]),
-        Instruction::Sub(a, b) => Expr::Sum(vec![(false, at(a)), (true, at(b))]),
-        Instruction::Mul(a, b) => Expr::Product(vec![(false, at(a)), (false, at(b))]),
-        Instruction::Div(a, b) => Expr::Product(vec![(false, at(a)), (true, at(b))]),
-        Instruction::Neg(a) => Expr::Sum(vec![(true, at(a))]),
-        Instruction::Square(a) => Expr::Power(Box::new(at(a)), 2),
-        Instruction::Reciprocal(a) => Expr::Product(vec![(false, Expr::one()), (true, at(a))]),
-        Instruction::Power(a, exponent) => Expr::Power(Box::new(at(a)), exponent),
+        Instruction::Add(a, b) => Formula::Sum(vec![Term::plus(at(a)), Term::plus(at(b))]),
+        Instruction::Sub(a, b) => Formula::Sum(vec![Term::plus(at(a)), Term::minus(at(b))]),
+        Instruction::Mul(a, b) => Formula::Product(vec![Factor::times(at(a)), Factor::times(at(b))]),
+        Instruction::Div(a, b) => Formula::Product(vec![Factor::times(at(a)), Factor::over(at(b))]),
+        Instruction::Neg(a) => Formula::Sum(vec![Term::minus(at(a))]),
+        Instruction::Square(a) => Formula::Power(Box::new(at(a)), 2),
+        Instruction::Reciprocal(a) => Formula::Product(vec![Factor::times(Formula::one()), Factor::over(at(a))]),
+        Instruction::Power(a, exponent) => Formula::Power(Box::new(at(a)), exponent),
         Instruction::Sqrt(a) => call(Function::Sqrt, a),
         Instruction::Sin(a) => call(Function::Sin, a),
         Instruction::Cos(a) => call(Function::Cos, a),

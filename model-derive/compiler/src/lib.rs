@@ -19,6 +19,7 @@ mod emit;
 mod equations;
 #[cfg(feature = "files")]
 pub mod files;
+pub mod formula;
 pub mod kinematics;
 mod mechanics;
 pub mod model;

@@ -2,9 +2,10 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 
+use crate::formula::Formula;
 use crate::kinematics::Kinematics;
 use crate::report::Region;
-use crate::syntax::{Decimal, MatrixName};
+use crate::syntax::MatrixName;
 
 /// A model that passed all checks.
 #[derive(Debug)]
@@ -22,7 +23,7 @@ pub struct Model {
     /// The parameter that is the gravitational field strength.
     pub gravity: Option<usize>,
     /// With their names, in an order in which each uses only earlier ones.
-    pub definitions: Vec<(Ident, Expr)>,
+    pub definitions: Vec<(Ident, Formula)>,
     /// Conditions on several parameters: those that the formulas need to have a value, then those that are written.
     pub requirements: Vec<Requirement>,
     /// Named parameter sets.
@@ -36,7 +37,7 @@ pub struct Model {
     /// The matrices that are proved to be symmetric.
     pub symmetric: Vec<MatrixName>,
     /// Rates and forces, of a model that is a mechanism.
-    pub kinematics: Option<Kinematics<Expr>>,
+    pub kinematics: Option<Kinematics<Formula>>,
     /// Where the derivatives of the matrices are asked for.
     pub derivatives: Option<Span>,
     /// The names in the declaration, for editors.
@@ -64,7 +65,7 @@ pub enum Target {
 }
 
 /// Matrices by name, each as rows of formulas.
-pub type Matrices = Vec<(MatrixName, Vec<Vec<Expr>>)>;
+pub type Matrices = Vec<(MatrixName, Vec<Vec<Formula>>)>;
 
 /// One parameter.
 #[derive(Debug)]
@@ -117,7 +118,7 @@ pub struct Requirement {
     /// Where it stands.
     pub region: Region,
     /// The same, resolved.
-    pub value: Expr,
+    pub value: Formula,
     /// The values that are allowed.
     pub domain: Domain,
     /// Who asks for it.
@@ -155,120 +156,6 @@ pub enum Bound {
     Open(f64),
     /// With the bound itself.
     Closed(f64),
-}
-
-/// A formula in parameters and definitions, by position.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Expr {
-    /// A decimal number, exact.
-    Number(Decimal),
-    /// The number π.
-    Pi,
-    /// The parameter at a position.
-    Parameter(usize),
-    /// The definition at a position.
-    Definition(usize),
-    /// Terms, each with whether it is subtracted.
-    Sum(Vec<(bool, Expr)>),
-    /// Factors, each with whether it divides.
-    Product(Vec<(bool, Expr)>),
-    /// A whole power.
-    Power(Box<Expr>, i32),
-    /// A function of an argument.
-    Call(Function, Box<Expr>),
-}
-
-/// The functions that formulas may use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Function {
-    /// Sine.
-    Sin,
-    /// Cosine.
-    Cos,
-    /// Tangent.
-    Tan,
-    /// The non-negative square root.
-    Sqrt,
-}
-
-impl Function {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Sin, Self::Cos, Self::Tan, Self::Sqrt];
-
-    /// As it is written.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sin => "sin",
-            Self::Cos => "cos",
-            Self::Tan => "tan",
-            Self::Sqrt => "sqrt",
-        }
-    }
-
-    /// The function called `name`.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|function| function.name() == name)
-    }
-}
-
-impl Expr {
-    /// The number zero.
-    pub fn zero() -> Self {
-        Self::Number(Decimal { digits: "0".into(), exponent: 0 })
-    }
-
-    /// The number one.
-    pub fn one() -> Self {
-        Self::Number(Decimal { digits: "1".into(), exponent: 0 })
-    }
-
-    /// Whether it is the number zero as it stands.
-    pub fn is_zero(&self) -> bool {
-        matches!(self, Self::Number(number) if number.is_zero())
-    }
-
-    /// The same formula with another position for each definition.
-    pub fn renumbered(&self, new: &[usize]) -> Self {
-        let all = |parts: &[(bool, Self)]| parts.iter().map(|(sign, part)| (*sign, part.renumbered(new))).collect();
-        match self {
-            Self::Definition(old) => Self::Definition(new[*old]),
-            Self::Sum(terms) => Self::Sum(all(terms)),
-            Self::Product(factors) => Self::Product(all(factors)),
-            Self::Power(base, exponent) => Self::Power(Box::new(base.renumbered(new)), *exponent),
-            Self::Call(function, argument) => Self::Call(*function, Box::new(argument.renumbered(new))),
-            Self::Number(_) | Self::Pi | Self::Parameter(_) => self.clone(),
-        }
-    }
-
-    /// The value at given values of the parameters and definitions.
-    pub fn evaluate(&self, parameters: &[f64], definitions: &[f64]) -> f64 {
-        let value = |part: &Self| part.evaluate(parameters, definitions);
-        match self {
-            Self::Number(number) => number.to_f64(),
-            Self::Pi => std::f64::consts::PI,
-            Self::Parameter(index) => parameters[*index],
-            Self::Definition(index) => definitions[*index],
-            Self::Sum(terms) => terms.iter().map(|(minus, term)| if *minus { -value(term) } else { value(term) }).sum(),
-            Self::Product(factors) => {
-                factors.iter().map(|(inverse, f)| if *inverse { value(f).recip() } else { value(f) }).product()
-            }
-            Self::Power(base, exponent) => value(base).powi(*exponent),
-            Self::Call(Function::Sin, argument) => value(argument).sin(),
-            Self::Call(Function::Cos, argument) => value(argument).cos(),
-            Self::Call(Function::Tan, argument) => value(argument).tan(),
-            Self::Call(Function::Sqrt, argument) => value(argument).sqrt(),
-        }
-    }
-
-    /// Calls `visit` with this formula and every one inside it.
-    pub fn walk(&self, visit: &mut impl FnMut(&Expr)) {
-        visit(self);
-        match self {
-            Self::Sum(parts) | Self::Product(parts) => parts.iter().for_each(|(_, part)| part.walk(visit)),
-            Self::Power(inner, _) | Self::Call(_, inner) => inner.walk(visit),
-            Self::Number(_) | Self::Pi | Self::Parameter(_) | Self::Definition(_) => {}
-        }
-    }
 }
 
 impl Domain {

@@ -3,7 +3,8 @@
 use std::fmt;
 
 use carvallo_compiler::check;
-use carvallo_compiler::model::{Expr, Model};
+use carvallo_compiler::formula::Formula;
+use carvallo_compiler::model::Model;
 
 use super::Mutant;
 
@@ -162,7 +163,7 @@ fn values(model: &Model, design: &[f64]) -> Vec<Vec<f64>> {
     for (_, definition) in &model.definitions {
         definitions.push(definition.evaluate(design, &definitions));
     }
-    let value = |expr: &Expr| expr.evaluate(design, &definitions);
+    let value = |formula: &Formula| formula.evaluate(design, &definitions);
     let matrices = model.matrices.iter().map(|(_, rows)| rows.iter().flatten().map(value).collect());
     matrices.chain([model.requirements.iter().map(|requirement| value(&requirement.value)).collect()]).collect()
 }

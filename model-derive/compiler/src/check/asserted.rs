@@ -1,8 +1,9 @@
 //! Assertions about whole matrices to assertions about their entries.
 
 use super::matrices::check_shape;
+use crate::formula::Decimal;
 use crate::report::Report;
-use crate::syntax::{Assertion, Decimal, Declaration, Expression, Kind, Matrix};
+use crate::syntax::{Assertion, Declaration, Expression, Kind, Matrix};
 
 /// Puts what is asserted of each entry of a matrix among the assertions; a matrix that the model does not have is zero.
 pub fn expand(declaration: &mut Declaration, report: &mut Report) {

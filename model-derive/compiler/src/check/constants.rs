@@ -7,7 +7,7 @@ use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 
 use super::resolve::unknown_function;
 use super::units::{Dimension, Quantity};
-use crate::model::Function;
+use crate::formula::Function;
 use crate::report::{Report, error};
 use crate::syntax::{Expression, Kind, Value};
 

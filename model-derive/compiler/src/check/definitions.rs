@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use super::names::Scope;
 use super::resolve;
-use crate::model::Expr;
+use crate::formula::Formula;
 use crate::report::Report;
 use crate::syntax::{Declaration, Expression};
 
@@ -12,7 +12,7 @@ use crate::syntax::{Declaration, Expression};
 #[derive(Debug)]
 pub struct Resolved {
     /// By position in the declaration.
-    pub definitions: Vec<Expr>,
+    pub definitions: Vec<Formula>,
     /// Positions in the declaration, each after those that it uses.
     pub order: Vec<usize>,
     /// Whether some definition depends on itself, so that there is no such order.
@@ -21,7 +21,7 @@ pub struct Resolved {
 
 impl Resolved {
     /// The definitions with their names, in their order, and with references to them renumbered to match.
-    pub fn in_order(&self, declaration: &Declaration) -> Vec<(Ident, Expr)> {
+    pub fn in_order(&self, declaration: &Declaration) -> Vec<(Ident, Formula)> {
         let new = self.new_positions();
         let entry = |old: &usize| (declaration.definitions[*old].name.clone(), self.definitions[*old].renumbered(&new));
         self.order.iter().map(entry).collect()
@@ -43,10 +43,10 @@ impl Resolved {
 }
 
 /// The definitions that a formula uses itself.
-pub fn uses(expr: &Expr) -> Vec<usize> {
+pub fn uses(expr: &Formula) -> Vec<usize> {
     let mut found = Vec::new();
     expr.walk(&mut |part| {
-        if let Expr::Definition(index) = part {
+        if let Formula::Definition(index) = part {
             found.push(*index);
         }
     });
@@ -61,7 +61,7 @@ enum State {
 }
 
 pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> Resolved {
-    let definitions: Vec<Expr> = declaration
+    let definitions: Vec<Formula> = declaration
         .definitions
         .iter()
         .map(|definition| resolve::expression(&definition.value, scope, report))

@@ -4,7 +4,8 @@ use std::collections::HashSet;
 
 use super::names::Scope;
 use super::resolve;
-use crate::model::{Expr, Matrices};
+use crate::formula::Formula;
+use crate::model::Matrices;
 use crate::report::{Region, Report};
 use crate::syntax::{Declaration, MatrixName};
 
@@ -23,7 +24,7 @@ pub fn matrices(
     if n == 0 && !unread {
         report.error(&declaration.name, "no coordinates: expected `coordinates { … }` with at least one");
     }
-    let mut matrices: Vec<(MatrixName, Vec<Vec<Expr>>, Vec<Region>)> = Vec::new();
+    let mut matrices: Vec<(MatrixName, Vec<Vec<Formula>>, Vec<Region>)> = Vec::new();
     for matrix in &declaration.matrices {
         let name = matrix.name.name();
         if matrices.iter().any(|(known, ..)| *known == matrix.name) {

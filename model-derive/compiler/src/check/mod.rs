@@ -15,7 +15,8 @@ mod units;
 mod unused;
 
 use self::evidence::Evidence;
-use crate::model::{Coordinate, Domain, Expr, Matrices, Model, Origin, Parameter, Requirement};
+use crate::formula::Formula;
+use crate::model::{Coordinate, Domain, Matrices, Model, Origin, Parameter, Requirement};
 use crate::report::Report;
 use crate::syntax::{Declaration, MatrixName, Unit};
 
@@ -34,14 +35,14 @@ pub fn check(mut declaration: Declaration, report: &mut Report) -> Model {
         .requirements
         .iter()
         .map(|requirement| Requirement {
-            text: resolve::text(&requirement.value),
+            text: requirement.value.to_string(),
             region: requirement.value.region,
             value: resolve::expression(&requirement.value, &mut scope, report),
             domain: domains::domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
             origin: Origin::Declared,
         })
         .collect();
-    let assertions: Vec<[Expr; 2]> = declaration
+    let assertions: Vec<[Formula; 2]> = declaration
         .assertions
         .iter()
         .map(|assertion| [&assertion.left, &assertion.right].map(|side| resolve::expression(side, &mut scope, report)))
@@ -51,8 +52,8 @@ pub fn check(mut declaration: Declaration, report: &mut Report) -> Model {
         .kinematics
         .as_ref()
         .map(|kinematics| kinematics.map(|formula| resolve::expression(formula, &mut scope, report)));
-    let outputs: Vec<&Expr> = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).collect();
-    let outputs: Vec<&Expr> = outputs.into_iter().chain(kinematics.iter().flat_map(|k| k.formulas())).collect();
+    let outputs: Vec<&Formula> = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).collect();
+    let outputs: Vec<&Formula> = outputs.into_iter().chain(kinematics.iter().flat_map(|k| k.formulas())).collect();
     let used = unused::parameters(&declaration, &resolved, &requirements, &outputs);
     // Without a mass matrix or a row formulas are missing, and what they would use is no mistake.
     let complete = matrices.iter().any(|(name, _)| *name == MatrixName::M)
@@ -66,7 +67,7 @@ pub fn check(mut declaration: Declaration, report: &mut Report) -> Model {
     let defined = units::check(&declaration, &dimensions, &scope, order, report);
 
     let new = resolved.new_positions();
-    let assertions: Vec<[Expr; 2]> =
+    let assertions: Vec<[Formula; 2]> =
         assertions.iter().map(|sides| sides.each_ref().map(|s| s.renumbered(&new))).collect();
     let mut requirements: Vec<Requirement> = requirements
         .into_iter()

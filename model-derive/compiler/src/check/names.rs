@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::model::Function;
+use crate::formula::Function;
 use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{Declaration, reserved};

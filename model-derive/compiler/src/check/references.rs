@@ -3,7 +3,6 @@
 use proc_macro2::Ident;
 
 use super::names::{Meaning, Scope};
-use super::resolve;
 use super::units::Dimension;
 use crate::model::{References, Target};
 use crate::syntax::Declaration;
@@ -40,7 +39,7 @@ pub fn references(declaration: &Declaration, scope: &Scope, dimensions: &[Option
     }
     let definition = |index: usize| {
         let unit = dimensions[index].map(|dimension| format!(", {}", dimension.place())).unwrap_or_default();
-        (definitions[index].name.clone(), format!("`{}`{unit}", resolve::text(&definitions[index].value)))
+        (definitions[index].name.clone(), format!("`{}`{unit}", definitions[index].value.to_string()))
     };
     // A second definition of one name is a mistake, and reported.
     let first = |index: &usize| scope.get(&definitions[*index].name) == Some(Meaning::Definition(*index));

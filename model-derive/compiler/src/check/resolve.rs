@@ -3,38 +3,44 @@
 use super::constants;
 use super::names::{Meaning, Scope};
 use super::units::Quantity;
-use crate::model::{Expr, Function};
+use crate::formula::{Factor, Formula, Function, Term};
 use crate::nearest::nearest;
 use crate::report::Report;
-use crate::syntax::{Expression, Kind, reserved};
+use crate::syntax::{self, Expression, Kind, reserved};
 
 /// Resolves a formula; definitions are numbered as they are declared.
-pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Expr {
+pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
     constants::verify(expression, report);
     resolve(expression, scope, report)
 }
 
-fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Expr {
+fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
     let mut inner = |value: &Expression| resolve(value, scope, report);
     match &expression.kind {
-        Kind::Number(number) => Expr::Number(number.clone()),
+        Kind::Number(number) => Formula::Number(number.clone()),
         Kind::Quantity(number, unit) => {
             let number = Expression { kind: Kind::Number(number.clone()), region: expression.region };
             match Quantity::new(unit) {
                 Ok(quantity) => inner(&quantity.formula(number)),
                 Err(error) => {
                     report.push(error);
-                    Expr::Pi
+                    Formula::Pi
                 }
             }
         }
-        Kind::Sum(terms) => Expr::Sum(terms.iter().map(|term| (term.negative, inner(&term.value))).collect()),
-        Kind::Product(factors) => Expr::Product(factors.iter().map(|f| (f.inverse, inner(&f.value))).collect()),
-        Kind::Power(base, exponent) => Expr::Power(Box::new(inner(base)), *exponent),
+        Kind::Sum(terms) => {
+            let term = |term: &syntax::Term| Term { negative: term.negative, value: inner(&term.value) };
+            Formula::Sum(terms.iter().map(term).collect())
+        }
+        Kind::Product(factors) => {
+            let factor = |factor: &syntax::Factor| Factor { inverse: factor.inverse, value: inner(&factor.value) };
+            Formula::Product(factors.iter().map(factor).collect())
+        }
+        Kind::Power(base, exponent) => Formula::Power(Box::new(inner(base)), *exponent),
         Kind::Call(name, argument) => {
             let argument = inner(argument);
             match Function::from_name(&name.to_string()) {
-                Some(function) => Expr::Call(function, Box::new(argument)),
+                Some(function) => Formula::Call(function, Box::new(argument)),
                 None if scope.get(name).is_some() => {
                     report.error(name, format!("`{name}` is no function: expected an operator before the parentheses"));
                     scope.excused.insert(name.to_string());
@@ -46,17 +52,17 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
                 }
             }
         }
-        Kind::Name(name) if name == "pi" => Expr::Pi,
+        Kind::Name(name) if name == "pi" => Formula::Pi,
         Kind::Name(name) => match scope.get(name) {
-            Some(Meaning::Parameter(index)) => Expr::Parameter(index),
-            Some(Meaning::Definition(index)) => Expr::Definition(index),
-            Some(Meaning::Refused) => Expr::Pi,
+            Some(Meaning::Parameter(index)) => Formula::Parameter(index),
+            Some(Meaning::Definition(index)) => Formula::Definition(index),
+            Some(Meaning::Refused) => Formula::Pi,
             Some(Meaning::Coordinate) => {
                 let message = format!(
                     "`{name}` is a coordinate: the matrices are its coefficients; expected parameters and definitions"
                 );
                 report.error(name, message);
-                Expr::Pi
+                Formula::Pi
             }
             None => {
                 let message = match Function::from_name(&name.to_string()) {
@@ -72,7 +78,7 @@ fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> E
                 };
                 report.error(name, message);
                 // Any value will do: with a mistake reported nothing is compiled.
-                Expr::Pi
+                Formula::Pi
             }
         },
     }
@@ -87,49 +93,4 @@ const FORMULA_FUNCTIONS: [&str; 4] = ["sin", "cos", "tan", "sqrt"];
 pub fn unknown_function(name: &str, known: &[&'static str]) -> String {
     let hint = nearest(name, known.iter().copied()).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
     format!("unknown function `{name}`: expected one of {}{hint}", known.join(", "))
-}
-
-/// A formula as text, for messages.
-pub fn text(expression: &Expression) -> String {
-    match &expression.kind {
-        Kind::Number(number) => number.to_string(),
-        Kind::Quantity(number, unit) => format!("{number} [{}]", unit.text),
-        Kind::Name(name) => name.to_string(),
-        Kind::Sum(terms) => {
-            let mut text = String::new();
-            for (index, term) in terms.iter().enumerate() {
-                text.push_str(match (index, term.negative) {
-                    (0, false) => "",
-                    (0, true) => "-",
-                    (_, false) => " + ",
-                    (_, true) => " - ",
-                });
-                text.push_str(&enclosed(&term.value, matches!(term.value.kind, Kind::Sum(_))));
-            }
-            text
-        }
-        Kind::Product(factors) => {
-            let mut text = String::new();
-            for (index, factor) in factors.iter().enumerate() {
-                text.push_str(match (index, factor.inverse) {
-                    (0, false) => "",
-                    (0, true) => "1/",
-                    (_, false) => "*",
-                    (_, true) => "/",
-                });
-                text.push_str(&enclosed(&factor.value, matches!(factor.value.kind, Kind::Sum(_) | Kind::Product(_))));
-            }
-            text
-        }
-        Kind::Power(base, exponent) => {
-            let compound = matches!(base.kind, Kind::Sum(_) | Kind::Product(_) | Kind::Power(..));
-            format!("{}^{exponent}", enclosed(base, compound))
-        }
-        Kind::Call(name, argument) => format!("{name}({})", text(argument)),
-    }
-}
-
-fn enclosed(expression: &Expression, compound: bool) -> String {
-    let text = text(expression);
-    if compound { format!("({text})") } else { text }
 }

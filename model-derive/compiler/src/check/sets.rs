@@ -7,7 +7,8 @@ use proc_macro2::Ident;
 use super::constants::Constant;
 use super::domains::Domain;
 use super::units::Dimension;
-use crate::model::{Expr, Origin, ParameterSet, Requirement};
+use crate::formula::Formula;
+use crate::model::{Origin, ParameterSet, Requirement};
 use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{self, Declaration};
@@ -44,7 +45,7 @@ pub fn sets(declaration: &Declaration, parameters: &Parameters<'_>, report: &mut
 /// Whether every set fulfils every requirement; only for a declaration without mistakes.
 pub fn check_requirements(
     sets: &[ParameterSet],
-    definitions: &[(Ident, Expr)],
+    definitions: &[(Ident, Formula)],
     requirements: &[Requirement],
     report: &mut Report,
 ) {

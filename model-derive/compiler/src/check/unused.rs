@@ -4,7 +4,8 @@ use proc_macro2::Ident;
 
 use super::definitions::{Resolved, uses};
 use super::names::{Meaning, Scope};
-use crate::model::{Expr, Requirement};
+use crate::formula::Formula;
+use crate::model::Requirement;
 use crate::report::Report;
 use crate::syntax::{Declaration, Parameter};
 
@@ -13,7 +14,7 @@ pub fn parameters(
     declaration: &Declaration,
     resolved: &Resolved,
     requirements: &[Requirement],
-    outputs: &[&Expr],
+    outputs: &[&Formula],
 ) -> Vec<bool> {
     let reached = reached(resolved, outputs.iter().copied().chain(requirements.iter().map(|r| &r.value)));
     let live = resolved.definitions.iter().enumerate().filter(|(index, _)| reached[*index]).map(|(_, expr)| expr);
@@ -27,8 +28,8 @@ pub fn report(
     declaration: &Declaration,
     resolved: &Resolved,
     requirements: &[Requirement],
-    assertions: &[[Expr; 2]],
-    outputs: &[&Expr],
+    assertions: &[[Formula; 2]],
+    outputs: &[&Formula],
     scope: &Scope,
     report: &mut Report,
 ) {
@@ -86,8 +87,8 @@ pub fn report(
 fn in_mechanism(declaration: &Declaration, resolved: &Resolved, scope: &Scope) -> (Vec<bool>, Vec<bool>) {
     let mut roots = Vec::new();
     let mut note = |name: &Ident| match scope.get(name) {
-        Some(Meaning::Parameter(index)) => roots.push(Expr::Parameter(index)),
-        Some(Meaning::Definition(index)) => roots.push(Expr::Definition(index)),
+        Some(Meaning::Parameter(index)) => roots.push(Formula::Parameter(index)),
+        Some(Meaning::Definition(index)) => roots.push(Formula::Definition(index)),
         Some(Meaning::Coordinate | Meaning::Refused) | None => {}
     };
     let formulas = declaration.mechanism.iter().flat_map(|mechanism| mechanism.formulas());
@@ -107,7 +108,7 @@ fn is_gravity(declaration: &Declaration, parameter: &Parameter) -> bool {
 }
 
 /// For each definition whether a root depends on it.
-fn reached<'a>(resolved: &Resolved, roots: impl Iterator<Item = &'a Expr>) -> Vec<bool> {
+fn reached<'a>(resolved: &Resolved, roots: impl Iterator<Item = &'a Formula>) -> Vec<bool> {
     let mut reached = vec![false; resolved.definitions.len()];
     let mut open: Vec<usize> = roots.flat_map(uses).collect();
     while let Some(index) = open.pop() {
@@ -118,10 +119,10 @@ fn reached<'a>(resolved: &Resolved, roots: impl Iterator<Item = &'a Expr>) -> Ve
     reached
 }
 
-fn mark<'a>(expressions: impl Iterator<Item = &'a Expr>, used: &mut [bool]) {
+fn mark<'a>(expressions: impl Iterator<Item = &'a Formula>, used: &mut [bool]) {
     for expression in expressions {
         expression.walk(&mut |part| {
-            if let Expr::Parameter(index) = part {
+            if let Formula::Parameter(index) = part {
                 used[*index] = true;
             }
         });

@@ -8,8 +8,9 @@ use quote::{format_ident, quote};
 use super::evaluator::Body;
 use super::names::Names;
 use super::{allow, docs};
+use crate::formula::Formula;
 use crate::kinematics::Kinematics;
-use crate::model::{Expr, Model};
+use crate::model::Model;
 use crate::program::{Counts, Program};
 
 /// Nothing for a model whose formulas are written, or whose mechanism has no motions and forces beside its coordinates.
@@ -71,7 +72,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> Option<T
 }
 
 /// A field for each rate; of two with one name the later one is set apart.
-fn fields(kinematics: &Kinematics<Expr>) -> Vec<Ident> {
+fn fields(kinematics: &Kinematics<Formula>) -> Vec<Ident> {
     let mut taken = HashSet::from(["forces".to_string()]);
     let field = |name: &String| {
         let mut unique = name.clone();
@@ -86,7 +87,7 @@ fn fields(kinematics: &Kinematics<Expr>) -> Vec<Ident> {
 fn body(
     model: &Model,
     names: &Names,
-    kinematics: &Kinematics<Expr>,
+    kinematics: &Kinematics<Formula>,
     fields: &[Ident],
     program: &Program,
 ) -> TokenStream {

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-use crate::model::Expr;
+use crate::formula::Formula;
 use crate::symbolic::{Engine, Form, Sample};
 
 /// The definitions of the model, and behind them those of the derivation.
@@ -147,7 +147,7 @@ impl<'e> Formulas<'e> {
     }
 
     /// The same without the engine.
-    pub fn inserted(&self, form: &Form) -> Expr {
+    pub fn inserted(&self, form: &Form) -> Formula {
         self.opened(form).expr(self.parameters)
     }
 

@@ -25,7 +25,7 @@ use self::formulas::Formulas;
 use self::motion::Motions;
 use self::projection::Projection;
 use self::unreduced::Unreduced;
-use crate::model::Expr;
+use crate::formula::Formula;
 use crate::symbolic::{self, Engine, Failure, Form, Place};
 use crate::syntax::MatrixName;
 
@@ -37,23 +37,23 @@ type Matrices<V = Form> = Vec<(MatrixName, Vec<Vec<V>>)>;
 #[derive(Debug)]
 pub struct Derived {
     /// Names and formulas; names may occur twice.
-    pub definitions: Vec<(String, Expr)>,
-    pub matrices: Matrices<Expr>,
+    pub definitions: Vec<(String, Formula)>,
+    pub matrices: Matrices<Formula>,
     /// For each joint that is no coordinate, and whose rate follows from these.
     pub rates: Vec<Rate>,
     /// For each coordinate and each applied force: the force on the coordinate that it makes.
-    pub forces: Vec<Vec<Expr>>,
+    pub forces: Vec<Vec<Formula>>,
 }
 
 /// The rate of a joint, `v speed + rates · q' + v (coordinates · q + heading psi)`.
 #[derive(Debug)]
 pub struct Rate {
     pub joint: usize,
-    pub speed: Expr,
-    pub rates: Vec<Expr>,
-    pub coordinates: Vec<Expr>,
+    pub speed: Formula,
+    pub rates: Vec<Formula>,
+    pub coordinates: Vec<Formula>,
     /// Of the yaw, where that is no coordinate.
-    pub heading: Expr,
+    pub heading: Formula,
 }
 
 /// Why a mechanism has no equations of motion.
@@ -62,7 +62,7 @@ pub enum Fault {
     /// An axis of no length.
     NoAxis { joint: usize },
     /// A wheel that does not touch the ground, and how far its lowest point is below.
-    OffGround { wheel: usize, below: Expr },
+    OffGround { wheel: usize, below: Formula },
     /// A condition of rolling that only coordinates, at these joints, could satisfy; none for one that says nothing new.
     Tied { ground: Ground, joints: Vec<usize> },
     /// A condition of rolling of which it could not be proved that it follows from others, nor that it does not.
@@ -70,7 +70,7 @@ pub enum Fault {
     /// Joints that neither are coordinates nor are determined by wheels.
     Undetermined(Vec<usize>),
     /// A force of gravity that nothing balances, divided by gravity.
-    Unbalanced { joint: usize, force: Expr },
+    Unbalanced { joint: usize, force: Formula },
     /// A coordinate that speeds the mechanism up or slows it down.
     Coupled { joint: usize },
     /// A joint that rolls, and on whose position the motion of the coordinates depends.
@@ -94,9 +94,9 @@ pub struct Written {
     /// The number of parameters.
     pub parameters: usize,
     /// The definitions, each in those before it.
-    pub definitions: Vec<Expr>,
+    pub definitions: Vec<Formula>,
     /// The formulas in the mechanism, one by one.
-    pub attributes: Vec<Expr>,
+    pub attributes: Vec<Formula>,
 }
 
 /// Derives the equations of motion.
@@ -104,18 +104,18 @@ pub struct Written {
 /// # Errors
 /// If a formula that is written has no value, with attributes as the outputs; if the engine fails; and if the mechanism
 /// has faults.
-pub fn derive(mechanism: Mechanism<Expr>, written: Written) -> Result<Result<Derived, Vec<Fault>>, Failure> {
+pub fn derive(mechanism: Mechanism<Formula>, written: Written) -> Result<Result<Derived, Vec<Fault>>, Failure> {
     symbolic::enter(move |engine| derive_with(engine, &mechanism, &written))?
 }
 
 fn derive_with(
     engine: &Engine,
-    mechanism: &Mechanism<Expr>,
+    mechanism: &Mechanism<Formula>,
     Written { parameters, definitions, attributes }: &Written,
 ) -> Result<Result<Derived, Vec<Fault>>, Failure> {
     let parameters = *parameters;
     let names: Vec<Form> = (0..definitions.len()).map(|index| engine.definition(parameters, index)).collect();
-    let form = |expr: &Expr, place: Place| {
+    let form = |expr: &Formula, place: Place| {
         engine.form(expr, &names).map_err(|why| Failure::Undefined { equations: 0, place, why })
     };
     let values = definitions.iter().enumerate().map(|(index, expr)| form(expr, Place::Definition(index)));
@@ -185,12 +185,12 @@ impl Found {
             Rate {
                 joint,
                 // The forward rate of all is the speed.
-                speed: motions.rates[joint].get(n).map_or(Expr::zero(), expr),
+                speed: motions.rates[joint].get(n).map_or(Formula::zero(), expr),
                 rates: all(&motions.rates[joint][..n]),
                 coordinates: mechanism.coordinates.iter().map(|q| expr(&positions[*q])).collect(),
                 heading: match mechanism.root {
                     Some(root) if !mechanism.coordinates.contains(&root.yaw) => expr(&positions[root.yaw]),
-                    _ => Expr::zero(),
+                    _ => Formula::zero(),
                 },
             }
         });

@@ -8,8 +8,7 @@ use symbolica::transcendental::{sec, tan};
 
 use super::form::Form;
 use super::identity::call_of;
-use crate::model::{Expr, Function};
-use crate::syntax::Decimal;
+use crate::formula::{Decimal, Factor, Formula, Function, Term};
 
 impl Form {
     /// A whole number.
@@ -40,7 +39,7 @@ impl Form {
     }
 
     /// The form as a formula of so many parameters and of definitions.
-    pub fn expr(&self, parameters: usize) -> Expr {
+    pub fn expr(&self, parameters: usize) -> Formula {
         expr(self.0.as_view(), parameters)
     }
 }
@@ -73,42 +72,42 @@ impl Neg for &Form {
     }
 }
 
-fn expr(view: AtomView<'_>, parameters: usize) -> Expr {
+fn expr(view: AtomView<'_>, parameters: usize) -> Formula {
     match view {
         AtomView::Num(_) => number(view),
         AtomView::Var(symbol) => symbol_at(symbol.get_symbol(), parameters),
-        AtomView::Add(sum) => Expr::Sum(sum.iter().map(|term| signed(term, parameters)).collect()),
-        AtomView::Mul(product) => Expr::Product(product.iter().map(|factor| divided(factor, parameters)).collect()),
+        AtomView::Add(sum) => Formula::Sum(sum.iter().map(|term| signed(term, parameters)).collect()),
+        AtomView::Mul(product) => Formula::Product(product.iter().map(|factor| divided(factor, parameters)).collect()),
         AtomView::Pow(_) => match divided(view, parameters) {
-            (true, divisor) => Expr::Product(vec![(false, whole("1")), (true, divisor)]),
-            (false, power) => power,
+            divisor @ Factor { inverse: true, .. } => Formula::Product(vec![Factor::times(whole("1")), divisor]),
+            Factor { inverse: false, value } => value,
         },
         AtomView::Fun(_) => {
             let argument =
                 |function| call_of(view, function).map(|argument| Box::new(expr(argument.as_view(), parameters)));
-            let call = |function, known| argument(function).map(|argument| Expr::Call(known, argument));
+            let call = |function, known| argument(function).map(|argument| Formula::Call(known, argument));
             let known = call(Symbol::SIN, Function::Sin)
                 .or_else(|| call(Symbol::COS, Function::Cos))
                 .or_else(|| call(tan(), Function::Tan));
             known.unwrap_or_else(|| {
                 let argument = argument(sec()).unwrap_or_else(|| unreachable!("a function that no formula has"));
-                Expr::Product(vec![(false, whole("1")), (true, Expr::Call(Function::Cos, argument))])
+                Formula::Product(vec![Factor::times(whole("1")), Factor::over(Formula::Call(Function::Cos, argument))])
             })
         }
     }
 }
 
 /// A term and whether it is subtracted.
-fn signed(term: AtomView<'_>, parameters: usize) -> (bool, Expr) {
+fn signed(term: AtomView<'_>, parameters: usize) -> Term {
     let factor = match term {
         AtomView::Num(_) => Rational::try_from(term).ok(),
         AtomView::Mul(product) => product.iter().find_map(|factor| Rational::try_from(factor).ok()),
         _ => None,
     };
     if factor.is_some_and(|number| number.is_negative()) {
-        (true, expr((-term.to_owned()).as_view(), parameters))
+        Term::minus(expr((-term.to_owned()).as_view(), parameters))
     } else {
-        (false, expr(term, parameters))
+        Term::plus(expr(term, parameters))
     }
 }
 
@@ -116,8 +115,8 @@ fn signed(term: AtomView<'_>, parameters: usize) -> (bool, Expr) {
 const MAX_ROOTS: usize = 256;
 
 /// A factor and whether it divides.
-fn divided(factor: AtomView<'_>, parameters: usize) -> (bool, Expr) {
-    let AtomView::Pow(power) = factor else { return (false, expr(factor, parameters)) };
+fn divided(factor: AtomView<'_>, parameters: usize) -> Factor {
+    let AtomView::Pow(power) = factor else { return Factor::times(expr(factor, parameters)) };
     let (base, exponent) = power.get_base_exp();
     let mut exponent = Rational::try_from(exponent).unwrap_or_else(|_| unreachable!("powers are rational"));
     let mut base = expr(base, parameters);
@@ -127,42 +126,45 @@ fn divided(factor: AtomView<'_>, parameters: usize) -> (bool, Expr) {
             break;
         }
         assert!(root < MAX_ROOTS, "no root but square ones");
-        base = Expr::Call(Function::Sqrt, Box::new(base));
+        base = Formula::Call(Function::Sqrt, Box::new(base));
         exponent *= Rational::from(2);
     }
     let exponent = exponent.floor().to_i64().and_then(|exponent| i32::try_from(exponent).ok());
     let exponent = exponent.unwrap_or_else(|| unreachable!("a power beyond all use"));
     let power = match exponent.abs() {
         1 => base,
-        other => Expr::Power(Box::new(base), other),
+        other => Formula::Power(Box::new(base), other),
     };
-    (exponent < 0, power)
+    Factor { inverse: exponent < 0, value: power }
 }
 
-fn number(view: AtomView<'_>) -> Expr {
+fn number(view: AtomView<'_>) -> Formula {
     let number = Rational::try_from(view).unwrap_or_else(|_| unreachable!("numbers are rational"));
     let (above, below) = (number.numerator_ref(), number.denominator_ref());
     let value = match below.is_one() {
         true => whole(&above.abs().to_string()),
-        false => Expr::Product(vec![(false, whole(&above.abs().to_string())), (true, whole(&below.to_string()))]),
+        false => Formula::Product(vec![
+            Factor::times(whole(&above.abs().to_string())),
+            Factor::over(whole(&below.to_string())),
+        ]),
     };
-    if number.is_negative() { Expr::Sum(vec![(true, value)]) } else { value }
+    if number.is_negative() { Formula::Sum(vec![Term::minus(value)]) } else { value }
 }
 
-fn whole(digits: &str) -> Expr {
+fn whole(digits: &str) -> Formula {
     let trimmed = digits.trim_end_matches('0');
     let exponent = (digits.len() - trimmed.len()) as i32;
     let (digits, exponent) = if trimmed.is_empty() { ("0", 0) } else { (trimmed, exponent) };
-    Expr::Number(Decimal { digits: digits.into(), exponent })
+    Formula::Number(Decimal { digits: digits.into(), exponent })
 }
 
 /// Symbols are π, then the parameters, then stand-ins for definitions.
-fn symbol_at(symbol: Symbol, parameters: usize) -> Expr {
+fn symbol_at(symbol: Symbol, parameters: usize) -> Formula {
     let position = symbol.get_stripped_name().strip_prefix('x').and_then(|digits| digits.parse::<usize>().ok());
     match position {
-        Some(0) => Expr::Pi,
-        Some(index) if index <= parameters => Expr::Parameter(index - 1),
-        Some(index) => Expr::Definition(index - 1 - parameters),
+        Some(0) => Formula::Pi,
+        Some(index) if index <= parameters => Formula::Parameter(index - 1),
+        Some(index) => Formula::Definition(index - 1 - parameters),
         None => unreachable!("a symbol that no formula has"),
     }
 }
@@ -174,23 +176,23 @@ mod tests {
 
     #[test]
     fn formulas_come_out_with_the_values_they_went_in_with() {
-        let [x, y] = [0, 1].map(Expr::Parameter);
-        let call = |function, argument: &Expr| Expr::Call(function, Box::new(argument.clone()));
-        let power = |base: &Expr, exponent| Expr::Power(Box::new(base.clone()), exponent);
-        let sum = Expr::Sum(vec![(false, x.clone()), (true, power(&y, 2)), (false, whole("30"))]);
+        let [x, y] = [0, 1].map(Formula::Parameter);
+        let call = |function, argument: &Formula| Formula::Call(function, Box::new(argument.clone()));
+        let power = |base: &Formula, exponent| Formula::Power(Box::new(base.clone()), exponent);
+        let sum = Formula::Sum(vec![Term::plus(x.clone()), Term::minus(power(&y, 2)), Term::plus(whole("30"))]);
         let root = call(Function::Sqrt, &sum);
         let cases = [
             whole("0"),
-            Expr::Product(vec![(false, whole("7")), (true, whole("1200")), (true, Expr::Pi)]),
-            Expr::Sum(vec![(true, call(Function::Sin, &x)), (true, call(Function::Cos, &sum))]),
-            Expr::Product(vec![(true, call(Function::Tan, &y)), (false, call(Function::Tan, &x))]),
-            Expr::Product(vec![(false, power(&root, 3)), (true, power(&x, 4))]),
+            Formula::Product(vec![Factor::times(whole("7")), Factor::over(whole("1200")), Factor::over(Formula::Pi)]),
+            Formula::Sum(vec![Term::minus(call(Function::Sin, &x)), Term::minus(call(Function::Cos, &sum))]),
+            Formula::Product(vec![Factor::over(call(Function::Tan, &y)), Factor::times(call(Function::Tan, &x))]),
+            Formula::Product(vec![Factor::times(power(&root, 3)), Factor::over(power(&x, 4))]),
             call(Function::Sqrt, &call(Function::Sqrt, &root)),
-            Expr::Product(vec![(false, x.clone()), (true, call(Function::Sqrt, &root))]),
-            Expr::Product(vec![
-                (false, sum.clone()),
-                (false, Expr::Definition(0)),
-                (false, Expr::Sum(vec![(true, x)])),
+            Formula::Product(vec![Factor::times(x.clone()), Factor::over(call(Function::Sqrt, &root))]),
+            Formula::Product(vec![
+                Factor::times(sum.clone()),
+                Factor::times(Formula::Definition(0)),
+                Factor::times(Formula::Sum(vec![Term::minus(x)])),
             ]),
         ];
         for case in cases {

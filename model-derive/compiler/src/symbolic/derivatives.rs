@@ -13,7 +13,7 @@ use super::optimize::Place;
 use super::prove::{Depth, Proof, prove};
 use super::sample::Sample;
 use crate::equations::Equations;
-use crate::model::{Expr, Function};
+use crate::formula::{Factor, Formula, Function};
 
 /// Formulas together with those of their derivatives.
 #[derive(Clone, Debug)]
@@ -99,11 +99,11 @@ impl<'a> Chain<'a> {
     }
 
     /// Notes the partial derivatives of a formula.
-    fn add(&mut self, node: Node, expr: &Expr, form: &Form) {
+    fn add(&mut self, node: Node, expr: &Formula, form: &Form) {
         let mut inside = BTreeSet::new();
         expr.walk(&mut |part| match part {
-            Expr::Parameter(index) => drop(inside.insert((*index, Node::Parameter(*index)))),
-            Expr::Definition(index) => {
+            Formula::Parameter(index) => drop(inside.insert((*index, Node::Parameter(*index)))),
+            Formula::Definition(index) => {
                 inside.insert((self.equations.parameters + index, Node::Definition(*index)));
             }
             _ => {}
@@ -119,14 +119,12 @@ impl<'a> Chain<'a> {
 
     /// The power of a definition that its derivative is a multiple of, and the same in its name: the square of a
     /// reciprocal, or the reciprocal of a root.
-    fn power(&self, node: Node, expr: &Expr, form: &Form) -> Option<[Form; 2]> {
+    fn power(&self, node: Node, expr: &Formula, form: &Form) -> Option<[Form; 2]> {
         let Node::Definition(index) = node else { return None };
         let name = self.engine.definition(self.equations.parameters, index);
         match expr {
-            Expr::Product(factors) if matches!(&factors[..], [(false, one), (true, _)] if *one == Expr::one()) => {
-                Some([form * form, &name * &name])
-            }
-            Expr::Call(Function::Sqrt, _) => Some([form, &name].map(|root| Form::number(1).over(root))),
+            Formula::Product(factors) if is_reciprocal(factors) => Some([form * form, &name * &name]),
+            Formula::Call(Function::Sqrt, _) => Some([form, &name].map(|root| Form::number(1).over(root))),
             _ => None,
         }
     }
@@ -219,12 +217,17 @@ impl<'a> Chain<'a> {
     }
 
     /// Whether a formula is proved to be zero for all parameters.
-    fn is_zero(&self, formula: &Expr) -> bool {
+    fn is_zero(&self, formula: &Formula) -> bool {
         let [parameters, definitions] = &self.samples;
         if Sample::of(formula, parameters, definitions).is_not_zero() {
             return false;
         }
-        let outputs = vec![formula.clone(), Expr::zero()];
+        let outputs = vec![formula.clone(), Formula::zero()];
         prove(self.engine, &Equations { outputs, ..self.equations.clone() }, Depth::Formulas) == Ok(Proof::Found)
     }
+}
+
+/// Whether a product is one divided by something.
+fn is_reciprocal(factors: &[Factor]) -> bool {
+    matches!(factors, [Factor { inverse: false, value }, Factor { inverse: true, .. }] if *value == Formula::one())
 }

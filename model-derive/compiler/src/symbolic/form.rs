@@ -9,8 +9,7 @@ use symbolica::symbol;
 use symbolica::transcendental::{TranscendentalFunctions, sec, tan};
 
 use super::identity::{call_of, expanded_terms};
-use crate::model::{Expr, Function};
-use crate::syntax::Decimal;
+use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
 
 /// The engine, as long as its thread lives. Only the door makes one.
 ///
@@ -80,33 +79,58 @@ impl Engine {
     ///
     /// # Errors
     /// If it has no value for any parameters.
-    pub fn form(&self, expr: &Expr, definitions: &[Form]) -> Result<Form, Undefined> {
-        let inner = |expr: &Expr| self.form(expr, definitions);
-        Ok(Form(match expr {
-            Expr::Number(number) => decimal(number),
-            Expr::Pi => self.pi().0,
-            Expr::Parameter(index) => self.parameter(*index).0,
-            Expr::Definition(index) => definitions[*index].0.clone(),
-            Expr::Sum(terms) => {
-                let terms = terms.iter().map(|(negative, term)| {
-                    let term = inner(term)?.0;
-                    Ok(if *negative { -term } else { term })
-                });
-                Atom::add_many(terms.collect::<Result<Vec<_>, _>>()?)
-            }
-            Expr::Product(factors) => {
-                let factors = factors.iter().map(|(inverse, factor)| {
-                    let factor = inner(factor)?;
-                    if *inverse { factor.power(-1) } else { Ok(factor.0) }
-                });
-                Atom::mul_many(factors.collect::<Result<Vec<_>, _>>()?)
-            }
-            Expr::Power(base, exponent) => inner(base)?.power(*exponent)?,
-            Expr::Call(Function::Sin, argument) => inner(argument)?.0.sin(),
-            Expr::Call(Function::Cos, argument) => inner(argument)?.0.cos(),
-            Expr::Call(Function::Tan, argument) => inner(argument)?.0.tan(),
-            Expr::Call(Function::Sqrt, argument) => {
-                let argument = inner(argument)?.0;
+    pub fn form(&self, formula: &Formula, definitions: &[Form]) -> Result<Form, Undefined> {
+        formula.fold(&Forms { engine: self, definitions })
+    }
+}
+
+/// Forms of the engine, with the given values of definitions.
+struct Forms<'a> {
+    engine: &'a Engine,
+    definitions: &'a [Form],
+}
+
+impl Algebra for Forms<'_> {
+    type Value = Form;
+    type Error = Undefined;
+
+    fn number(&self, number: &Decimal) -> Result<Form, Undefined> {
+        Ok(Form(decimal(number)))
+    }
+
+    fn pi(&self) -> Form {
+        self.engine.pi()
+    }
+
+    fn parameter(&self, index: usize) -> Form {
+        self.engine.parameter(index)
+    }
+
+    fn definition(&self, index: usize) -> Form {
+        self.definitions[index].clone()
+    }
+
+    fn sum(&self, terms: Vec<Term<Form>>) -> Result<Form, Undefined> {
+        let terms = terms.into_iter().map(|Term { negative, value: Form(term) }| if negative { -term } else { term });
+        Ok(Form(Atom::add_many(terms.collect::<Vec<_>>())))
+    }
+
+    fn product(&self, factors: Vec<Factor<Form>>) -> Result<Form, Undefined> {
+        let factors =
+            factors.into_iter().map(|Factor { inverse, value }| if inverse { value.power(-1) } else { Ok(value.0) });
+        Ok(Form(Atom::mul_many(factors.collect::<Result<Vec<_>, _>>()?)))
+    }
+
+    fn power(&self, base: Form, exponent: i32) -> Result<Form, Undefined> {
+        base.power(exponent).map(Form)
+    }
+
+    fn call(&self, function: Function, Form(argument): Form) -> Result<Form, Undefined> {
+        Ok(Form(match function {
+            Function::Sin => argument.sin(),
+            Function::Cos => argument.cos(),
+            Function::Tan => argument.tan(),
+            Function::Sqrt => {
                 if Rational::try_from(argument.as_view()).is_ok_and(|number| number.is_negative()) {
                     return Err(Undefined::RootOfNegative);
                 }
@@ -220,20 +244,20 @@ mod tests {
     use super::super::enter;
     use super::*;
 
-    fn number(value: &str) -> Expr {
-        Expr::Number(Decimal { digits: value.into(), exponent: 0 })
+    fn number(value: &str) -> Formula {
+        Formula::Number(Decimal { digits: value.into(), exponent: 0 })
     }
 
-    fn call(function: Function, index: usize) -> Expr {
-        Expr::Call(function, Box::new(Expr::Parameter(index)))
+    fn call(function: Function, index: usize) -> Formula {
+        Formula::Call(function, Box::new(Formula::Parameter(index)))
     }
 
-    fn power(base: Expr, exponent: i32) -> Expr {
-        Expr::Power(Box::new(base), exponent)
+    fn power(base: Formula, exponent: i32) -> Formula {
+        Formula::Power(Box::new(base), exponent)
     }
 
     /// Runs a check of formulas in x = parameter 0 and y = parameter 1.
-    fn check(name: &'static str, test: impl FnOnce(&dyn Fn(&Expr) -> Form) -> bool + Send + 'static) {
+    fn check(name: &'static str, test: impl FnOnce(&dyn Fn(&Formula) -> Form) -> bool + Send + 'static) {
         let holds =
             enter(|engine| test(&|expr| engine.form(expr, &[]).expect("it has a value"))).expect("the engine works");
         assert!(holds, "{name}");
@@ -242,39 +266,44 @@ mod tests {
     #[test]
     fn identities_are_proved() {
         check("sin^2 + cos^2 = 1", |form| {
-            let squares = [call(Function::Sin, 0), call(Function::Cos, 0)].map(|f| (false, power(f, 2)));
-            let one = (true, number("1"));
-            form(&Expr::Sum(squares.into_iter().chain([one]).collect())).is_zero()
+            let squares = [call(Function::Sin, 0), call(Function::Cos, 0)].map(|f| Term::plus(power(f, 2)));
+            let one = Term::minus(number("1"));
+            form(&Formula::Sum(squares.into_iter().chain([one]).collect())).is_zero()
         });
         check("tan cos = sin", |form| {
-            let product = Expr::Product(vec![(false, call(Function::Tan, 0)), (false, call(Function::Cos, 0))]);
-            form(&Expr::Sum(vec![(false, product), (true, call(Function::Sin, 0))])).is_zero()
+            let product =
+                Formula::Product(vec![Factor::times(call(Function::Tan, 0)), Factor::times(call(Function::Cos, 0))]);
+            form(&Formula::Sum(vec![Term::plus(product), Term::minus(call(Function::Sin, 0))])).is_zero()
         });
         check("sqrt(x)^3 / x = sqrt(x)", |form| {
             let root = call(Function::Sqrt, 0);
-            let quotient = Expr::Product(vec![(false, power(root.clone(), 3)), (true, Expr::Parameter(0))]);
-            form(&Expr::Sum(vec![(false, quotient), (true, root)])).is_zero()
+            let quotient =
+                Formula::Product(vec![Factor::times(power(root.clone(), 3)), Factor::over(Formula::Parameter(0))]);
+            form(&Formula::Sum(vec![Term::plus(quotient), Term::minus(root)])).is_zero()
         });
         check("1/x + 1/y = (x + y)/(x y)", |form| {
-            let [x, y] = [0, 1].map(Expr::Parameter);
-            let left = [x.clone(), y.clone()].map(|p| (false, power(p, -1)));
-            let sum = Expr::Sum(vec![(false, x.clone()), (false, y.clone())]);
-            let right = Expr::Product(vec![(false, sum), (true, x), (true, y)]);
-            form(&Expr::Sum(left.into_iter().chain([(true, right)]).collect())).is_zero()
+            let [x, y] = [0, 1].map(Formula::Parameter);
+            let left = [x.clone(), y.clone()].map(|p| Term::plus(power(p, -1)));
+            let sum = Formula::Sum(vec![Term::plus(x.clone()), Term::plus(y.clone())]);
+            let right = Formula::Product(vec![Factor::times(sum), Factor::over(x), Factor::over(y)]);
+            form(&Formula::Sum(left.into_iter().chain([Term::minus(right)]).collect())).is_zero()
         });
     }
 
     #[test]
     fn formulas_without_a_value_are_refused() {
-        let zero = || Expr::Sum(vec![(false, Expr::Parameter(0)), (true, Expr::Parameter(0))]);
-        let squares = [call(Function::Sin, 0), call(Function::Cos, 0)].map(|f| (false, power(f, 2)));
-        let hidden = Expr::Sum(squares.into_iter().chain([(true, number("1"))]).collect());
-        let negative = Expr::Sum(vec![(true, number("4"))]);
+        let zero = || Formula::Sum(vec![Term::plus(Formula::Parameter(0)), Term::minus(Formula::Parameter(0))]);
+        let squares = [call(Function::Sin, 0), call(Function::Cos, 0)].map(|f| Term::plus(power(f, 2)));
+        let hidden = Formula::Sum(squares.into_iter().chain([Term::minus(number("1"))]).collect());
+        let negative = Formula::Sum(vec![Term::minus(number("4"))]);
         let cases = [
-            (Expr::Product(vec![(false, Expr::Parameter(1)), (true, zero())]), Undefined::DivisionByZero),
+            (
+                Formula::Product(vec![Factor::times(Formula::Parameter(1)), Factor::over(zero())]),
+                Undefined::DivisionByZero,
+            ),
             (power(hidden, -2), Undefined::DivisionByZero),
             (power(zero(), 0), Undefined::DivisionByZero),
-            (Expr::Call(Function::Sqrt, Box::new(negative)), Undefined::RootOfNegative),
+            (Formula::Call(Function::Sqrt, Box::new(negative)), Undefined::RootOfNegative),
         ];
         for (expr, expected) in cases {
             let found = enter(move |engine| engine.form(&expr, &[]).err()).expect("the engine works");
@@ -286,7 +315,8 @@ mod tests {
     fn what_is_not_zero_is_not_proved() {
         check("sin^2 is not 0", |form| !form(&power(call(Function::Sin, 0), 2)).is_zero());
         check("sin x - sin y is not 0", |form| {
-            !form(&Expr::Sum(vec![(false, call(Function::Sin, 0)), (true, call(Function::Sin, 1))])).is_zero()
+            !form(&Formula::Sum(vec![Term::plus(call(Function::Sin, 0)), Term::minus(call(Function::Sin, 1))]))
+                .is_zero()
         });
     }
 
@@ -294,17 +324,22 @@ mod tests {
     fn derivatives_and_substitutions_follow_the_rules() {
         check("d(x^2 sin y)/dx = 2 x sin y", |form| {
             let sine = call(Function::Sin, 1);
-            let product = Expr::Product(vec![(false, power(Expr::Parameter(0), 2)), (false, sine.clone())]);
-            let expected = Expr::Product(vec![(false, number("2")), (false, Expr::Parameter(0)), (false, sine)]);
+            let product =
+                Formula::Product(vec![Factor::times(power(Formula::Parameter(0), 2)), Factor::times(sine.clone())]);
+            let expected = Formula::Product(vec![
+                Factor::times(number("2")),
+                Factor::times(Formula::Parameter(0)),
+                Factor::times(sine),
+            ]);
             form(&product).derivative(0).minus(&form(&expected)).is_zero()
         });
         check("d tan x/dx = 1 + tan^2 x", |form| {
             let tangent = call(Function::Tan, 0);
-            let expected = Expr::Sum(vec![(false, number("1")), (false, power(tangent.clone(), 2))]);
+            let expected = Formula::Sum(vec![Term::plus(number("1")), Term::plus(power(tangent.clone(), 2))]);
             form(&tangent).derivative(0).minus(&form(&expected)).is_zero()
         });
         check("x^2 at x = 3 is 9", |form| {
-            let nine = form(&power(Expr::Parameter(0), 2)).substitute(0, &form(&number("3")));
+            let nine = form(&power(Formula::Parameter(0), 2)).substitute(0, &form(&number("3")));
             nine.minus(&form(&number("9"))).is_zero()
         });
     }
@@ -312,9 +347,9 @@ mod tests {
     #[test]
     fn the_simplest_form_is_equal_and_not_longer() {
         check("x y + x", |form| {
-            let [x, y] = [0, 1].map(Expr::Parameter);
-            let product = Expr::Product(vec![(false, x.clone()), (false, y)]);
-            let long = form(&Expr::Sum(vec![(false, product), (false, x)]));
+            let [x, y] = [0, 1].map(Formula::Parameter);
+            let product = Formula::Product(vec![Factor::times(x.clone()), Factor::times(y)]);
+            let long = form(&Formula::Sum(vec![Term::plus(product), Term::plus(x)]));
             let short = long.simplest();
             short.minus(&long).is_zero() && short.0.count_operations().multiplications == 1
         });

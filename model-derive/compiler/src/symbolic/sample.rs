@@ -1,6 +1,8 @@
 //! Formulas at values that mean nothing: what is not zero there is zero nowhere near all parameters, and needs no proof.
 
-use crate::model::{Expr, Function};
+use std::convert::Infallible;
+
+use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
 
 /// A value, and a bound on the error that rounding can have left in it.
 #[derive(Clone, Copy, Debug)]
@@ -21,48 +23,9 @@ impl Sample {
     }
 
     /// The value of a formula at values of its parameters and definitions.
-    pub fn of(formula: &Expr, parameters: &[Self], definitions: &[Self]) -> Self {
-        let of = |formula: &Expr| Self::of(formula, parameters, definitions);
-        match formula {
-            Expr::Number(number) => Self::rounded(number.to_f64(), 0.0),
-            Expr::Pi => Self::rounded(std::f64::consts::PI, 0.0),
-            Expr::Parameter(index) => parameters[*index],
-            Expr::Definition(index) => definitions[*index],
-            Expr::Sum(terms) => terms.iter().fold(Self { value: 0.0, error: 0.0 }, |sum, (minus, term)| {
-                let term = of(term);
-                let value = if *minus { sum.value - term.value } else { sum.value + term.value };
-                Self::rounded(value, sum.error + term.error)
-            }),
-            Expr::Product(factors) => {
-                factors.iter().fold(Self { value: 1.0, error: 0.0 }, |product, (divides, factor)| {
-                    let factor = of(factor);
-                    let (value, slope) = match divides {
-                        true => (product.value / factor.value, product.value / factor.value.powi(2)),
-                        false => (product.value * factor.value, product.value),
-                    };
-                    let share = if *divides { product.error / factor.value } else { product.error * factor.value };
-                    Self::rounded(value, share.abs() + slope.abs() * factor.error)
-                })
-            }
-            Expr::Power(base, exponent) => {
-                let Self { value, error } = of(base);
-                let slope = f64::from(*exponent) * value.powi(exponent.saturating_sub(1));
-                // A power is calculated by a multiplication for each binary digit of its exponent.
-                let power = value.powi(*exponent);
-                Self::rounded(power, slope.abs() * error + 32.0 * f64::EPSILON * power.abs())
-            }
-            Expr::Call(function, argument) => {
-                let Self { value, error } = of(argument);
-                let (result, slope) = match function {
-                    Function::Sin => (value.sin(), value.cos()),
-                    Function::Cos => (value.cos(), value.sin()),
-                    Function::Tan => (value.tan(), 1.0 + value.tan().powi(2)),
-                    Function::Sqrt => (value.sqrt(), 0.5 / value.sqrt()),
-                };
-                // A slope of zero may have one beside it.
-                Self::rounded(result, (slope.abs() + error) * error)
-            }
-        }
+    pub fn of(formula: &Formula, parameters: &[Self], definitions: &[Self]) -> Self {
+        let Ok(sample) = formula.fold(&Samples { parameters, definitions });
+        sample
     }
 
     fn rounded(value: f64, error: f64) -> Self {
@@ -93,48 +56,111 @@ impl Sample {
     }
 }
 
+/// Samples, with those of the parameters and definitions.
+struct Samples<'a> {
+    parameters: &'a [Sample],
+    definitions: &'a [Sample],
+}
+
+impl Algebra for Samples<'_> {
+    type Value = Sample;
+    type Error = Infallible;
+
+    fn number(&self, number: &Decimal) -> Result<Sample, Infallible> {
+        Ok(Sample::rounded(number.to_f64(), 0.0))
+    }
+
+    fn pi(&self) -> Sample {
+        Sample::rounded(std::f64::consts::PI, 0.0)
+    }
+
+    fn parameter(&self, index: usize) -> Sample {
+        self.parameters[index]
+    }
+
+    fn definition(&self, index: usize) -> Sample {
+        self.definitions[index]
+    }
+
+    fn sum(&self, terms: Vec<Term<Sample>>) -> Result<Sample, Infallible> {
+        Ok(terms.into_iter().fold(Sample { value: 0.0, error: 0.0 }, |sum, Term { negative, value: term }| {
+            let value = if negative { sum.value - term.value } else { sum.value + term.value };
+            Sample::rounded(value, sum.error + term.error)
+        }))
+    }
+
+    fn product(&self, factors: Vec<Factor<Sample>>) -> Result<Sample, Infallible> {
+        Ok(factors.into_iter().fold(Sample { value: 1.0, error: 0.0 }, |product, Factor { inverse, value: factor }| {
+            let (value, slope) = match inverse {
+                true => (product.value / factor.value, product.value / factor.value.powi(2)),
+                false => (product.value * factor.value, product.value),
+            };
+            let share = if inverse { product.error / factor.value } else { product.error * factor.value };
+            Sample::rounded(value, share.abs() + slope.abs() * factor.error)
+        }))
+    }
+
+    fn power(&self, Sample { value, error }: Sample, exponent: i32) -> Result<Sample, Infallible> {
+        let slope = f64::from(exponent) * value.powi(exponent.saturating_sub(1));
+        // A power is calculated by a multiplication for each binary digit of its exponent.
+        let power = value.powi(exponent);
+        Ok(Sample::rounded(power, slope.abs() * error + 32.0 * f64::EPSILON * power.abs()))
+    }
+
+    fn call(&self, function: Function, Sample { value, error }: Sample) -> Result<Sample, Infallible> {
+        let (result, slope) = match function {
+            Function::Sin => (value.sin(), value.cos()),
+            Function::Cos => (value.cos(), value.sin()),
+            Function::Tan => (value.tan(), 1.0 + value.tan().powi(2)),
+            Function::Sqrt => (value.sqrt(), 0.5 / value.sqrt()),
+        };
+        // A slope of zero may have one beside it.
+        Ok(Sample::rounded(result, (slope.abs() + error) * error))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::syntax::Decimal;
 
-    fn number(digits: &str) -> Expr {
-        Expr::Number(Decimal { digits: digits.into(), exponent: 0 })
+    fn number(digits: &str) -> Formula {
+        Formula::Number(Decimal { digits: digits.into(), exponent: 0 })
     }
 
-    fn of(formula: &Expr) -> Sample {
+    fn of(formula: &Formula) -> Sample {
         Sample::of(formula, &Sample::spread(0, 2), &[])
     }
 
     #[test]
     fn what_is_zero_but_for_rounding_is_not_taken_for_another_number() {
-        let [x, y] = [0, 1].map(Expr::Parameter);
-        let sum = Expr::Sum(vec![(false, x.clone()), (false, y.clone())]);
+        let [x, y] = [0, 1].map(Formula::Parameter);
+        let sum = Formula::Sum(vec![Term::plus(x.clone()), Term::plus(y.clone())]);
         for exponent in [2, 7, 64] {
             // (x + y)^n / y^n - (x/y + 1)^n
-            let powers = [sum.clone(), y.clone()].map(|base| Expr::Power(Box::new(base), exponent));
+            let powers = [sum.clone(), y.clone()].map(|base| Formula::Power(Box::new(base), exponent));
             let [above, below] = powers;
-            let quotient = Expr::Product(vec![(false, x.clone()), (true, y.clone())]);
-            let same = Expr::Power(Box::new(Expr::Sum(vec![(false, quotient), (false, number("1"))])), exponent);
-            let whole = Expr::Product(vec![(false, above), (true, below)]);
-            let difference = Expr::Sum(vec![(false, whole.clone()), (true, same)]);
+            let quotient = Formula::Product(vec![Factor::times(x.clone()), Factor::over(y.clone())]);
+            let same =
+                Formula::Power(Box::new(Formula::Sum(vec![Term::plus(quotient), Term::plus(number("1"))])), exponent);
+            let whole = Formula::Product(vec![Factor::times(above), Factor::over(below)]);
+            let difference = Formula::Sum(vec![Term::plus(whole.clone()), Term::minus(same)]);
             assert!(!of(&difference).is_not_zero(), "{exponent}: {:?}", of(&difference));
-            let other = Expr::Sum(vec![(false, whole), (true, number("1"))]);
+            let other = Formula::Sum(vec![Term::plus(whole), Term::minus(number("1"))]);
             assert!(of(&other).is_not_zero());
         }
         let squares =
-            [Function::Sin, Function::Cos].map(|f| Expr::Power(Box::new(Expr::Call(f, Box::new(x.clone()))), 2));
-        let one = (true, number("1"));
-        let difference = Expr::Sum(squares.into_iter().map(|square| (false, square)).chain([one]).collect());
+            [Function::Sin, Function::Cos].map(|f| Formula::Power(Box::new(Formula::Call(f, Box::new(x.clone()))), 2));
+        let one = Term::minus(number("1"));
+        let difference = Formula::Sum(squares.into_iter().map(|square| Term::plus(square)).chain([one]).collect());
         assert!(!of(&difference).is_not_zero());
     }
 
     #[test]
     fn what_has_no_value_decides_nothing() {
-        let zero = Expr::Sum(vec![(false, Expr::Parameter(0)), (true, Expr::Parameter(0))]);
-        let infinite = Expr::Product(vec![(false, number("1")), (true, zero)]);
+        let zero = Formula::Sum(vec![Term::plus(Formula::Parameter(0)), Term::minus(Formula::Parameter(0))]);
+        let infinite = Formula::Product(vec![Factor::times(number("1")), Factor::over(zero)]);
         assert!(!of(&infinite).is_not_zero());
-        let imaginary = Expr::Call(Function::Sqrt, Box::new(Expr::Sum(vec![(true, number("1"))])));
+        let imaginary = Formula::Call(Function::Sqrt, Box::new(Formula::Sum(vec![Term::minus(number("1"))])));
         assert!(!of(&imaginary).is_not_zero());
     }
 }

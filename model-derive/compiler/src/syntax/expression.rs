@@ -5,9 +5,9 @@ use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 
-use super::number::Decimal;
 use super::tokens::{expected, operator, signed_integer};
 use super::unit::{Unit, unit};
+use crate::formula::Decimal;
 use crate::report::{Region, error};
 
 /// A formula with the stretch of source that it comes from.

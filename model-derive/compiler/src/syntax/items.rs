@@ -12,10 +12,10 @@ use super::declaration::{
 };
 use super::expression::expression;
 use super::mechanism;
-use super::number::Decimal;
 use super::parameters::{self, comparison, coordinate, parameter, value};
 use super::parts::Mechanism;
 use super::tokens::{declared, docs, expected, name, semicolon, skip_statement, text};
+use crate::formula::Decimal;
 use crate::nearest::nearest;
 use crate::report::{Region, Report, error};
 

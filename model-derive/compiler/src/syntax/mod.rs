@@ -2,10 +2,10 @@
 
 mod attributes;
 mod declaration;
+mod display;
 mod expression;
 mod items;
 mod mechanism;
-mod number;
 mod parameters;
 mod parts;
 mod tokens;
@@ -16,7 +16,6 @@ pub use declaration::{
     Printed, Published, Relation, Requirement, Value,
 };
 pub use expression::{Expression, Factor, Kind, Term, constant};
-pub use number::Decimal;
 pub use parts::{Freedom, Inertia, JointKind, Mechanism, Vector};
 pub use tokens::reserved;
 pub use unit::Unit;

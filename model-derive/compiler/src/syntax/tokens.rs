@@ -7,7 +7,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
 use super::declaration::Doc;
-use super::number::Decimal;
+use crate::formula::Decimal;
 use crate::report::{Region, Report, error};
 
 /// "expected `what`, found …" at the next token.

@@ -6,7 +6,8 @@ use proc_macro2::Ident;
 
 use super::counterexample::{Counterexample, Space};
 use crate::equations::Equations;
-use crate::model::{Expr, Matrices};
+use crate::formula::Formula;
+use crate::model::Matrices;
 use crate::report::{Region, Report};
 use crate::symbolic::{self, Depth, Place, Proof};
 use crate::syntax::{Declaration, MatrixName};
@@ -15,7 +16,7 @@ use crate::syntax::{Declaration, MatrixName};
 #[derive(Debug)]
 pub struct Claim {
     /// Each side with where it stands.
-    sides: [(Expr, Region); 2],
+    sides: [(Formula, Region); 2],
     kind: Kind,
 }
 
@@ -29,7 +30,7 @@ enum Kind {
 
 impl Claim {
     /// The claim of an assertion.
-    pub fn asserted(texts: [String; 2], sides: [(Expr, Region); 2]) -> Self {
+    pub fn asserted(texts: [String; 2], sides: [(Formula, Region); 2]) -> Self {
         Self { sides, kind: Kind::Asserted(texts) }
     }
 
@@ -68,7 +69,7 @@ pub fn mirrored(symmetric: &[MatrixName], matrices: &Matrices, entries: &[Region
 pub fn check(
     claims: &[Claim],
     parameters: &[String],
-    definitions: &[(Ident, Expr)],
+    definitions: &[(Ident, Formula)],
     space: &Space<'_>,
     report: &mut Report,
 ) {

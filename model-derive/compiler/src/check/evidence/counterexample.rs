@@ -3,7 +3,8 @@
 use super::intervals::Interval;
 use super::ranges::{Constants, Ranges};
 use crate::equations::Equations;
-use crate::model::{Bound, Domain, Expr, ParameterSet, Requirement};
+use crate::formula::Formula;
+use crate::model::{Bound, Domain, ParameterSet, Requirement};
 
 /// Where two formulas differ, beyond any rounding.
 #[derive(Debug)]
@@ -38,10 +39,10 @@ impl Space<'_> {
     /// If none is found, the number of values that were tried.
     pub fn counterexample(
         &self,
-        definitions: &[(proc_macro2::Ident, Expr)],
+        definitions: &[(proc_macro2::Ident, Formula)],
         pair: &Equations,
-        left: &Expr,
-        right: &Expr,
+        left: &Formula,
+        right: &Formula,
     ) -> Result<Counterexample, usize> {
         let conditions = self.requirements.iter().map(|requirement| requirement.value.clone());
         let outputs = [left.clone(), right.clone()].into_iter().chain(conditions).collect();
@@ -110,7 +111,7 @@ fn parameters(equations: &Equations) -> Vec<usize> {
     let mut used = vec![false; equations.parameters];
     for expr in equations.definitions.iter().chain(&equations.outputs) {
         expr.walk(&mut |part| {
-            if let Expr::Parameter(index) = part {
+            if let Formula::Parameter(index) = part {
                 used[*index] = true;
             }
         });

@@ -11,8 +11,9 @@ use crate::check::definitions::Resolved;
 use crate::check::names::{Meaning, Scope};
 use crate::check::resolve;
 use crate::equations::Equations;
+use crate::formula::Formula;
 use crate::kinematics::Kinematics;
-use crate::model::{Domain, Expr, Matrices, Origin, Requirement};
+use crate::model::{Domain, Matrices, Origin, Requirement};
 use crate::report::{Region, Report};
 use crate::symbolic::{self, Depth, Proof, Sign};
 use crate::syntax::{Declaration, Expression, Kind};
@@ -22,12 +23,12 @@ pub struct Checked<'a> {
     pub declaration: &'a Declaration,
     pub resolved: &'a Resolved,
     pub domains: &'a [Domain],
-    pub definitions: &'a [(Ident, Expr)],
+    pub definitions: &'a [(Ident, Formula)],
     pub requirements: &'a [Requirement],
     pub matrices: &'a Matrices,
-    pub kinematics: Option<&'a Kinematics<Expr>>,
+    pub kinematics: Option<&'a Kinematics<Formula>>,
     /// Both sides of each assertion.
-    pub assertions: &'a [[Expr; 2]],
+    pub assertions: &'a [[Formula; 2]],
 }
 
 /// What a formula needs to have a value.
@@ -88,7 +89,7 @@ struct Search<'a> {
     known: Vec<Vec<Interval>>,
     found: Vec<Requirement>,
     /// What the matrices take the root of, with where they do.
-    radicands: Vec<(Region, Expr, String)>,
+    radicands: Vec<(Region, Formula, String)>,
 }
 
 impl<'a> Search<'a> {
@@ -98,7 +99,7 @@ impl<'a> Search<'a> {
             ranges.add_fact(value, (*domain).into());
             // The definition's own formula has the same values.
             let mut value = value;
-            while let Expr::Definition(index) = value {
+            while let Formula::Definition(index) = value {
                 value = &checked.definitions[*index].1;
                 ranges.add_fact(value, (*domain).into());
             }
@@ -122,7 +123,7 @@ impl<'a> Search<'a> {
             let value = resolve::expression(&formula, self.scope, self.report).renumbered(&self.new);
             let values = self.ranges.of(&value);
             if !domain.nonzero && origin == Origin::Matrices {
-                self.radicands.push((region, value.clone(), resolve::text(&formula)));
+                self.radicands.push((region, value.clone(), formula.to_string()));
             }
             if meets(values, domain) {
                 continue;
@@ -134,7 +135,7 @@ impl<'a> Search<'a> {
             } else if !self.is_implied(&value, domain) {
                 self.ranges.add_fact(&value, domain.into());
                 self.known.push(self.samples.of(&value));
-                self.found.push(Requirement { text: resolve::text(&formula), region, value, domain, origin });
+                self.found.push(Requirement { text: formula.to_string(), region, value, domain, origin });
             }
         }
     }
@@ -185,16 +186,16 @@ impl<'a> Search<'a> {
     }
 
     /// Whether a formula is proved to be zero for all parameters.
-    fn is_zero(&self, value: &Expr) -> bool {
+    fn is_zero(&self, value: &Formula) -> bool {
         if !maybe_zero(&self.samples.of(value)) {
             return false;
         }
-        let proofs = symbolic::proofs(vec![self.equations(vec![value.clone(), Expr::zero()])], Depth::Formulas);
+        let proofs = symbolic::proofs(vec![self.equations(vec![value.clone(), Formula::zero()])], Depth::Formulas);
         proofs.is_ok_and(|proofs| proofs.contains(&Proof::Found))
     }
 
     /// Whether a formula is a multiple of one that a requirement bounds, and so has no values outside a domain.
-    fn is_implied(&self, value: &Expr, domain: Domain) -> bool {
+    fn is_implied(&self, value: &Formula, domain: Domain) -> bool {
         let values = self.samples.of(value);
         let known = self.checked.requirements.iter().chain(&self.found).zip(&self.known);
         let known: Vec<&Requirement> =
@@ -212,7 +213,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    fn equations(&self, outputs: Vec<Expr>) -> Equations {
+    fn equations(&self, outputs: Vec<Formula>) -> Equations {
         Equations::of_formulas(self.checked.domains.len(), self.checked.definitions, outputs)
     }
 }

@@ -15,10 +15,11 @@ use self::claims::Claim;
 use self::counterexample::Space;
 use super::definitions::Resolved;
 use super::names::Scope;
+use super::sets;
 use super::units::Dimensions;
-use super::{resolve, sets};
+use crate::formula::Formula;
 use crate::kinematics::Kinematics;
-use crate::model::{Domain, Expr, Matrices, ParameterSet, Requirement};
+use crate::model::{Domain, Matrices, ParameterSet, Requirement};
 use crate::report::{Region, Report};
 use crate::syntax::{Assertion, Declaration};
 
@@ -30,11 +31,11 @@ pub struct Evidence<'a> {
     pub dimensions: &'a Dimensions,
     pub domains: &'a [Domain],
     pub matrices: &'a Matrices,
-    pub kinematics: Option<&'a Kinematics<Expr>>,
+    pub kinematics: Option<&'a Kinematics<Formula>>,
     /// Where the entries of the matrices stand, row by row.
     pub entries: &'a [Region],
     /// Both sides of each assertion.
-    pub assertions: &'a [[Expr; 2]],
+    pub assertions: &'a [[Formula; 2]],
     pub sets: &'a [ParameterSet],
 }
 
@@ -81,8 +82,8 @@ impl Evidence<'_> {
         let asserted = self.declaration.assertions.iter().zip(self.assertions);
         claims.extend(asserted.map(|(Assertion { left, right, entry }, [a, b])| {
             let sides = [(a.clone(), left.region), (b.clone(), right.region)];
-            let name = entry.clone().unwrap_or_else(|| resolve::text(left));
-            Claim::asserted([name, resolve::text(right)], sides)
+            let name = entry.clone().unwrap_or_else(|| left.to_string());
+            Claim::asserted([name, right.to_string()], sides)
         }));
         claims
     }

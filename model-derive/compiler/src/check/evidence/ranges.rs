@@ -1,8 +1,11 @@
 //! The values that a formula can have.
 
+use std::convert::Infallible;
+use std::f64::consts::PI;
+
 use super::intervals::Interval;
-use crate::model::{Bound, Domain, Expr, Function};
-use crate::syntax::Decimal;
+use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
+use crate::model::{Bound, Domain};
 
 /// What is known of the values of parameters, definitions and other formulas.
 #[derive(Debug)]
@@ -13,7 +16,7 @@ pub struct Ranges {
     /// Of the first definitions, in the order of the model.
     definitions: Vec<Interval>,
     /// Of formulas that requirements bound.
-    facts: Vec<(Expr, Interval)>,
+    facts: Vec<(Formula, Interval)>,
 }
 
 /// How constants are read.
@@ -31,57 +34,90 @@ impl Ranges {
     }
 
     /// Notes that a formula has no values but these.
-    pub fn add_fact(&mut self, expr: &Expr, values: Interval) {
+    pub fn add_fact(&mut self, expr: &Formula, values: Interval) {
         self.facts.push((expr.clone(), values));
     }
 
     /// Takes in the next definition.
-    pub fn push_definition(&mut self, expr: &Expr) {
+    pub fn push_definition(&mut self, expr: &Formula) {
         let values = self.of(expr);
         self.definitions.push(values);
     }
 
     /// Holds every value that a formula can have, where it has one.
-    pub fn of(&self, expr: &Expr) -> Interval {
-        let values = match expr {
-            Expr::Number(number) => self.number(number),
-            Expr::Pi => match self.constants {
-                Constants::Nearest => Interval::point(std::f64::consts::PI),
-                Constants::Exact => Interval::closed(std::f64::consts::PI, std::f64::consts::PI.next_up()),
-            },
-            Expr::Parameter(index) => self.parameters[*index],
-            Expr::Definition(index) => self.definitions[*index],
-            Expr::Sum(terms) => {
-                terms.iter().map(|(minus, term)| if *minus { -self.of(term) } else { self.of(term) }).sum()
-            }
-            Expr::Product(factors) => powers(factors).iter().map(|(base, n)| self.of(base).power(*n)).product(),
-            Expr::Power(base, exponent) => self.of(base).power(*exponent),
-            Expr::Call(Function::Sin, argument) => self.of(argument).sin(),
-            Expr::Call(Function::Cos, argument) => self.of(argument).cos(),
-            Expr::Call(Function::Tan, argument) => self.of(argument).tan(),
-            Expr::Call(Function::Sqrt, argument) => self.of(argument).sqrt(),
-        };
-        let facts = self.facts.iter().filter(|(known, _)| known == expr);
-        facts.fold(values, |values, (_, fact)| values.intersection(*fact))
+    pub fn of(&self, formula: &Formula) -> Interval {
+        let Ok(values) = formula.fold(self);
+        values
     }
+}
 
-    fn number(&self, number: &Decimal) -> Interval {
+impl Algebra for Ranges {
+    type Value = Interval;
+    type Error = Infallible;
+
+    fn number(&self, number: &Decimal) -> Result<Interval, Infallible> {
         let nearest = number.to_f64();
-        match self.constants {
+        Ok(match self.constants {
             Constants::Exact if number.to_integer().is_none() => {
                 Interval::closed(nearest.next_down(), nearest.next_up())
             }
             _ => Interval::point(nearest),
+        })
+    }
+
+    fn pi(&self) -> Interval {
+        match self.constants {
+            Constants::Nearest => Interval::point(PI),
+            Constants::Exact => Interval::closed(PI, PI.next_up()),
         }
+    }
+
+    fn parameter(&self, index: usize) -> Interval {
+        self.parameters[index]
+    }
+
+    fn definition(&self, index: usize) -> Interval {
+        self.definitions[index]
+    }
+
+    fn sum(&self, terms: Vec<Term<Interval>>) -> Result<Interval, Infallible> {
+        Ok(terms.into_iter().map(|Term { negative, value }| if negative { -value } else { value }).sum())
+    }
+
+    fn product(&self, factors: Vec<Factor<Interval>>) -> Result<Interval, Infallible> {
+        let factor = |Factor { inverse, value }: Factor<Interval>| if inverse { value.power(-1) } else { value };
+        Ok(factors.into_iter().map(factor).product())
+    }
+
+    fn product_of(&self, factors: &[Factor]) -> Result<Interval, Infallible> {
+        self.product(powers(factors).into_iter().map(|(base, n)| Factor::times(self.of(base).power(n))).collect())
+    }
+
+    fn power(&self, base: Interval, exponent: i32) -> Result<Interval, Infallible> {
+        Ok(base.power(exponent))
+    }
+
+    fn call(&self, function: Function, argument: Interval) -> Result<Interval, Infallible> {
+        Ok(match function {
+            Function::Sin => argument.sin(),
+            Function::Cos => argument.cos(),
+            Function::Tan => argument.tan(),
+            Function::Sqrt => argument.sqrt(),
+        })
+    }
+
+    fn refine(&self, formula: &Formula, values: Interval) -> Interval {
+        let facts = self.facts.iter().filter(|(known, _)| known == formula);
+        facts.fold(values, |values, (_, fact)| values.intersection(*fact))
     }
 }
 
 /// Factors as powers, equal ones together, so that a square is not negative however it is written.
-fn powers(factors: &[(bool, Expr)]) -> Vec<(&Expr, i32)> {
-    let mut powers: Vec<(&Expr, i32)> = Vec::new();
-    for (inverse, factor) in factors {
-        let (base, exponent) = match factor {
-            Expr::Power(base, exponent) => (&**base, *exponent),
+fn powers(factors: &[Factor]) -> Vec<(&Formula, i32)> {
+    let mut powers: Vec<(&Formula, i32)> = Vec::new();
+    for Factor { inverse, value } in factors {
+        let (base, exponent) = match value {
+            Formula::Power(base, exponent) => (&**base, *exponent),
             other => (other, 1),
         };
         let exponent = if *inverse { -exponent } else { exponent };

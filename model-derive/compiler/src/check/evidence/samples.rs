@@ -4,7 +4,8 @@ use proc_macro2::Ident;
 
 use super::intervals::Interval;
 use super::ranges::{Constants, Ranges};
-use crate::model::{Bound, Domain, Expr};
+use crate::formula::Formula;
+use crate::model::{Bound, Domain};
 
 /// Values of the definitions at a few parameters inside the domains.
 #[derive(Debug)]
@@ -14,7 +15,7 @@ pub struct Samples(Vec<Ranges>);
 const COUNT: u32 = 2;
 
 impl Samples {
-    pub fn new(domains: &[Domain], definitions: &[(Ident, Expr)]) -> Self {
+    pub fn new(domains: &[Domain], definitions: &[(Ident, Formula)]) -> Self {
         let sample = |number| {
             let parameters = domains.iter().enumerate().map(|(index, domain)| inside(domain, fraction(index, number)));
             let mut ranges = Ranges::new(Constants::Exact, parameters.map(Interval::point).collect());
@@ -25,7 +26,7 @@ impl Samples {
     }
 
     /// Enclosures of the values of a formula.
-    pub fn of(&self, expr: &Expr) -> Vec<Interval> {
+    pub fn of(&self, expr: &Formula) -> Vec<Interval> {
         self.0.iter().map(|ranges| ranges.of(expr)).collect()
     }
 }

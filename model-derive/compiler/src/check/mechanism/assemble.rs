@@ -6,8 +6,8 @@ use super::named::{direction, named};
 use super::tree::{Role, Tree};
 use crate::check::names::Scope;
 use crate::check::resolve;
+use crate::formula::Formula;
 use crate::mechanics::{self, Motion, Root};
-use crate::model::Expr;
 use crate::report::Report;
 use crate::syntax::{Declaration, Freedom, Inertia, JointKind, Mechanism, Vector};
 
@@ -21,7 +21,7 @@ pub fn assemble(
     new: &[usize],
     scope: &mut Scope,
     report: &mut Report,
-) -> Option<mechanics::Mechanism<Expr>> {
+) -> Option<mechanics::Mechanism<Formula>> {
     let mut formulas = Formulas { new, scope, report };
     let joints: Vec<_> = mechanism
         .joints
@@ -131,38 +131,38 @@ fn freedom_name(mechanism: &Mechanism, freedom: Freedom) -> String {
     names.next().map_or(freedom.word().to_string(), |(_, name)| name.to_string())
 }
 
-fn origin() -> [Expr; 3] {
-    [(); 3].map(|()| Expr::zero())
+fn origin() -> [Formula; 3] {
+    [(); 3].map(|()| Formula::zero())
 }
 
-fn diagonal([x, y, z]: [Expr; 3]) -> [[Expr; 3]; 3] {
-    let zero = Expr::zero;
+fn diagonal([x, y, z]: [Formula; 3]) -> [[Formula; 3]; 3] {
+    let zero = Formula::zero;
     [[x, zero(), zero()], [zero(), y, zero()], [zero(), zero(), z]]
 }
 
 /// Where a joint is and what holds it.
 #[derive(Clone)]
 struct Held {
-    point: [Expr; 3],
-    axis: [Expr; 3],
-    stiffness: Option<Expr>,
-    damping: Option<Expr>,
+    point: [Formula; 3],
+    axis: [Formula; 3],
+    stiffness: Option<Formula>,
+    damping: Option<Formula>,
 }
 
 impl Held {
     fn at_origin(axis: usize) -> Self {
-        let axis = [0, 1, 2].map(|other| if other == axis { Expr::one() } else { Expr::zero() });
+        let axis = [0, 1, 2].map(|other| if other == axis { Formula::one() } else { Formula::zero() });
         Self { point: origin(), axis, stiffness: None, damping: None }
     }
 }
 
 struct Rolling {
-    mass: Expr,
-    centre: [Expr; 3],
-    radius: Expr,
-    tyre: Option<Expr>,
-    axial: Expr,
-    radial: Expr,
+    mass: Formula,
+    centre: [Formula; 3],
+    radius: Formula,
+    tyre: Option<Formula>,
+    axial: Formula,
+    radial: Formula,
 }
 
 struct Formulas<'a> {
@@ -173,15 +173,15 @@ struct Formulas<'a> {
 }
 
 impl Formulas<'_> {
-    fn of(&mut self, formula: &crate::syntax::Expression) -> Expr {
+    fn of(&mut self, formula: &crate::syntax::Expression) -> Formula {
         resolve::expression(formula, self.scope, self.report).renumbered(self.new)
     }
 
-    fn vector(&mut self, vector: &Vector) -> [Expr; 3] {
+    fn vector(&mut self, vector: &Vector) -> [Formula; 3] {
         vector.components.each_ref().map(|component| self.of(component))
     }
 
-    fn inertia(&mut self, inertia: &Inertia, body: &Ident) -> [[Expr; 3]; 3] {
+    fn inertia(&mut self, inertia: &Inertia, body: &Ident) -> [[Formula; 3]; 3] {
         match inertia {
             Inertia::None => diagonal(origin()),
             Inertia::Principal(moments) => diagonal(moments.each_ref().map(|moment| self.of(moment))),
@@ -197,9 +197,9 @@ impl Formulas<'_> {
                         "the inertia of `{body}` is not symmetric: its entry {} is `{}`, and {} is `{}`; expected the same \
                          formula",
                         name(row, column),
-                        resolve::text(above),
+                        above.to_string(),
                         name(column, row),
-                        resolve::text(below),
+                        below.to_string(),
                     );
                     self.report.error(below.region, message);
                 }

@@ -6,9 +6,8 @@ use proc_macro2::Ident;
 
 use super::tree::{Role, Tree};
 use super::written::Names;
-use crate::check::resolve;
+use crate::formula::{self, Factor, Formula};
 use crate::mechanics::{Fault, Ground};
-use crate::model::Expr;
 use crate::report::{Region, Report};
 use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
 
@@ -63,8 +62,8 @@ impl Place<'_> {
                     "the wheel `{}` is not on the ground, z = 0: its lowest point is at z = `{}`; expected its centre at \
                      z = `-{}`",
                     wheel.name,
-                    self.names.text(below),
-                    enclosed(&resolve::text(&wheel.radius)),
+                    self.text(below),
+                    enclosed(&wheel.radius.to_string()),
                 );
                 (height.region, message)
             }
@@ -180,14 +179,20 @@ impl Place<'_> {
     }
 
     /// A force over gravity, with that.
-    fn times_gravity(&self, force: &Expr) -> String {
+    fn times_gravity(&self, force: &Formula) -> String {
         let gravity = self.declaration.parameters.iter().position(|parameter| parameter.gravity.is_some());
-        let mut factors = vec![(false, gravity.map_or(Expr::one(), Expr::Parameter))];
+        let mut factors = vec![Factor::times(gravity.map_or(Formula::one(), Formula::Parameter))];
         match force {
-            Expr::Product(others) => factors.extend(others.iter().cloned()),
-            other => factors.push((false, other.clone())),
+            Formula::Product(others) => factors.extend(others.iter().cloned()),
+            other => factors.push(Factor::times(other.clone())),
         }
-        self.names.text(&Expr::Product(factors))
+        self.text(&Formula::Product(factors))
+    }
+
+    fn text(&self, formula: &Formula) -> String {
+        let Names { parameters, definitions, .. } = self.names;
+        let names = formula::Names { parameters: parameters.clone(), definitions: definitions.clone() };
+        names.text_with_signs_first(formula).to_string()
     }
 
     /// The name of the coordinate that is the motion of a joint.

@@ -18,9 +18,9 @@ use super::names::Scope;
 use super::resolve;
 use super::units::{self, Dimensions};
 use crate::equations::Equations;
+use crate::formula::Formula;
 use crate::kinematics::{Kinematics, Rate};
 use crate::mechanics::{self, Derived, Written};
-use crate::model::Expr;
 use crate::report::{Region, Report};
 use crate::symbolic::{Failure, Place};
 use crate::syntax::{Declaration, Definition, Expression, Freedom, JointKind, Matrix, Mechanism};
@@ -73,7 +73,7 @@ fn lower_mechanism(
         return;
     }
     let known = resolved.in_order(declaration);
-    let (known_names, known_values): (Vec<Ident>, Vec<Expr>) = known.into_iter().unzip();
+    let (known_names, known_values): (Vec<Ident>, Vec<Formula>) = known.into_iter().unzip();
     let parameters: Vec<Ident> = declaration.parameters.iter().map(|parameter| parameter.name.clone()).collect();
     let mut names = Names { parameters, definitions: known_names, span: mechanism.span };
     let attributes = mechanism.formulas().map(|formula| resolve::expression(formula, scope, &mut elsewhere));
@@ -89,7 +89,7 @@ fn lower_mechanism(
             let first = names.definitions.len();
             names.definitions.extend(unique(&derived, taken, mechanism));
             let values = known_values.into_iter().chain(derived.definitions.iter().map(|(_, value)| value.clone()));
-            let all: Vec<(Ident, Expr)> = names.definitions.iter().cloned().zip(values).collect();
+            let all: Vec<(Ident, Formula)> = names.definitions.iter().cloned().zip(values).collect();
             let results = results(&derived, mechanism, &tree);
             let needed = Equations::of_formulas(names.parameters.len(), &all, results).origins;
             let definitions = needed.into_iter().filter(|index| *index >= first).map(|index| Definition {
@@ -119,7 +119,7 @@ fn region(mechanism: &Mechanism, names: &Names, failure: &Failure) -> Region {
 }
 
 /// The formulas of the results that become a part of the model.
-fn results(derived: &Derived, mechanism: &Mechanism, tree: &Tree) -> Vec<Expr> {
+fn results(derived: &Derived, mechanism: &Mechanism, tree: &Tree) -> Vec<Formula> {
     let entries = derived.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten());
     let told = derived.rates.iter().filter(|rate| called(tree.joints[rate.joint].role, mechanism).is_some());
     let rates =
@@ -137,7 +137,7 @@ fn declared(declaration: &Declaration) -> HashSet<String> {
 
 /// Names for the definitions of the derivation that no other has.
 fn unique(derived: &Derived, mut taken: HashSet<String>, mechanism: &Mechanism) -> Vec<Ident> {
-    let name = |(name, _): &(String, Expr)| {
+    let name = |(name, _): &(String, Formula)| {
         let mut unique = name.clone();
         while !taken.insert(unique.clone()) {
             unique.push('_');
@@ -161,8 +161,8 @@ fn matrices(derived: &Derived, mechanism: &Mechanism, names: &Names) -> Vec<Matr
 }
 
 fn kinematics(derived: &Derived, mechanism: &Mechanism, tree: &Tree, names: &Names) -> Kinematics<Expression> {
-    let formula = |expr: &Expr| names.expression(expr);
-    let all = |row: &[Expr]| row.iter().map(formula).collect();
+    let formula = |expr: &Formula| names.expression(expr);
+    let all = |row: &[Formula]| row.iter().map(formula).collect();
     let rates = derived.rates.iter().filter_map(|rate| {
         let (name, docs) = called(tree.joints[rate.joint].role, mechanism)?;
         Some(Rate {

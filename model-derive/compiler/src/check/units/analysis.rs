@@ -3,7 +3,6 @@
 use super::declared::{Dimensions, Quantity};
 use super::dimension::Dimension;
 use crate::check::names::{Meaning, Scope};
-use crate::check::resolve::text;
 use crate::report::{Region, Report};
 use crate::syntax::{Assertion, Declaration, Expression, Kind, Term};
 
@@ -184,7 +183,7 @@ impl Analysis<'_> {
 
 /// A formula as text for a message, which a long one would bury.
 pub fn short(formula: &Expression) -> String {
-    let text = text(formula);
+    let text = formula.to_string();
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text,

@@ -37,27 +37,27 @@ mod tests {
     use super::super::{Engine, Form};
     use super::shapes::shapes_of;
     use super::*;
-    use crate::model::{Expr, Function};
+    use crate::formula::{Factor, Formula, Function, Term};
     use crate::program::Counts;
 
-    fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
-        Expr::Sum(terms.into_iter().map(|term| (false, term)).collect())
+    fn sum(terms: impl IntoIterator<Item = Formula>) -> Formula {
+        Formula::Sum(terms.into_iter().map(Term::plus).collect())
     }
 
-    fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
-        Expr::Product(factors.into_iter().map(|factor| (false, factor)).collect())
+    fn product(factors: impl IntoIterator<Item = Formula>) -> Formula {
+        Formula::Product(factors.into_iter().map(Factor::times).collect())
     }
 
-    fn over(product: Expr, divisor: Expr) -> Expr {
-        Expr::Product(vec![(false, product), (true, divisor)])
+    fn over(product: Formula, divisor: Formula) -> Formula {
+        Formula::Product(vec![Factor::times(product), Factor::over(divisor)])
     }
 
-    fn call(function: Function, index: usize) -> Expr {
-        Expr::Call(function, Box::new(Expr::Parameter(index)))
+    fn call(function: Function, index: usize) -> Formula {
+        Formula::Call(function, Box::new(Formula::Parameter(index)))
     }
 
     /// The program of equations in four parameters, whose values must be the expected ones.
-    fn compiled(definitions: Vec<Expr>, outputs: Vec<Expr>, expected: impl Fn(&[f64; 4]) -> Vec<f64>) -> Counts {
+    fn compiled(definitions: Vec<Formula>, outputs: Vec<Formula>, expected: impl Fn(&[f64; 4]) -> Vec<f64>) -> Counts {
         let origins = (0..definitions.len()).collect();
         let equations = Equations { parameters: 4, definitions, origins, outputs };
         let program = compile(vec![equations]).expect("it compiles").remove(0);
@@ -75,14 +75,16 @@ mod tests {
     #[test]
     fn a_division_that_cancels_out_is_not_done() {
         // The parallel-axis theorem about a centre of mass: m (a - c)^2 + n (b - c)^2 + (m + n) c^2 is m a^2 + n b^2.
-        let [m, n, a, b] = [0, 1, 2, 3].map(Expr::Parameter);
+        let [m, n, a, b] = [0, 1, 2, 3].map(Formula::Parameter);
         let mass = sum([m.clone(), n.clone()]);
         let moment = sum([product([m.clone(), a.clone()]), product([n.clone(), b.clone()])]);
-        let centre = over(moment, Expr::Definition(0));
-        let arm = |end: Expr| Expr::Power(Box::new(Expr::Sum(vec![(false, end), (true, Expr::Definition(1))])), 2);
+        let centre = over(moment, Formula::Definition(0));
+        let arm = |end: Formula| {
+            Formula::Power(Box::new(Formula::Sum(vec![Term::plus(end), Term::minus(Formula::Definition(1))])), 2)
+        };
         let inertia = sum([product([m, arm(a)]), product([n, arm(b)])]);
-        let shifted = product([Expr::Definition(0), Expr::Power(Box::new(Expr::Definition(1)), 2)]);
-        let output = sum([Expr::Definition(2), shifted]);
+        let shifted = product([Formula::Definition(0), Formula::Power(Box::new(Formula::Definition(1)), 2)]);
+        let output = sum([Formula::Definition(2), shifted]);
         let counts = compiled(vec![mass, centre, inertia], vec![output], |[m, n, a, b]| vec![m * a * a + n * b * b]);
         assert_eq!(counts, Counts { additions: 1, multiplications: 4, ..Counts::default() });
     }
@@ -90,10 +92,10 @@ mod tests {
     #[test]
     fn a_definition_goes_into_the_one_formula_that_gets_shorter_by_it() {
         // With q = c/w, which the other formula needs: q x + y/w is (c x + y)/w.
-        let [c, w, x, y] = [0, 1, 2, 3].map(Expr::Parameter);
+        let [c, w, x, y] = [0, 1, 2, 3].map(Formula::Parameter);
         let ratio = over(c, w.clone());
-        let merged = sum([product([Expr::Definition(0), x.clone()]), over(y.clone(), w)]);
-        let other = sum([product([Expr::Definition(0), y]), x]);
+        let merged = sum([product([Formula::Definition(0), x.clone()]), over(y.clone(), w)]);
+        let other = sum([product([Formula::Definition(0), y]), x]);
         let counts = compiled(vec![ratio], vec![merged, other], |[c, w, x, y]| vec![(c * x + y) / w, c / w * y + x]);
         assert!(counts.total() <= 7 && counts.divisions == 1, "{counts}");
     }
@@ -101,11 +103,11 @@ mod tests {
     #[test]
     fn every_shape_of_a_formula_is_equal_to_it() {
         let holds = enter(|engine: &Engine| {
-            let [x, y, z] = [0, 1, 2].map(Expr::Parameter);
+            let [x, y, z] = [0, 1, 2].map(Formula::Parameter);
             let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| call(function, 3));
             let arm = sum([product([x.clone(), cosine.clone()]), product([y.clone(), sine.clone()])]);
             let formulas = [
-                product([z.clone(), Expr::Power(Box::new(arm.clone()), 2)]),
+                product([z.clone(), Formula::Power(Box::new(arm.clone()), 2)]),
                 sum([over(product([x.clone(), cosine]), z.clone()), over(arm, z.clone()), sine]),
                 over(sum([product([x.clone(), y.clone()]), product([x.clone(), z.clone()])]), sum([x, y])),
             ];

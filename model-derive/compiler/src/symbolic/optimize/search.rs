@@ -7,7 +7,7 @@ use super::Place;
 use super::shapes::{Shape, Shapes};
 use super::system::{Choices, System};
 use crate::equations::Equations;
-use crate::model::Expr;
+use crate::formula::Formula;
 use crate::program::{Counts, Program, passes};
 
 /// In models with more definitions than this one program is built, of the formulas as they are written, and nothing is
@@ -226,7 +226,7 @@ impl Search<'_> {
 }
 
 /// The definitions that a formula uses, each once.
-fn used(expr: &Expr) -> Vec<usize> {
+fn used(expr: &Formula) -> Vec<usize> {
     let mut used = mentioned(expr);
     used.sort_unstable();
     used.dedup();
@@ -234,10 +234,10 @@ fn used(expr: &Expr) -> Vec<usize> {
 }
 
 /// The definitions that a formula uses, as often as it does.
-fn mentioned(expr: &Expr) -> Vec<usize> {
+fn mentioned(expr: &Formula) -> Vec<usize> {
     let mut mentioned = Vec::new();
     expr.walk(&mut |part| {
-        if let Expr::Definition(index) = part {
+        if let Formula::Definition(index) = part {
             mentioned.push(*index);
         }
     });
@@ -245,19 +245,19 @@ fn mentioned(expr: &Expr) -> Vec<usize> {
 }
 
 /// Whether a formula is a product that divides by something.
-fn divides(expr: &Expr) -> bool {
+fn divides(expr: &Formula) -> bool {
     match expr {
-        Expr::Product(factors) => factors.iter().any(|(inverse, factor)| *inverse || divides(factor)),
+        Formula::Product(factors) => factors.iter().any(|factor| factor.inverse || divides(&factor.value)),
         _ => false,
     }
 }
 
 /// The definitions that a formula divides by.
-fn divisors(expr: &Expr) -> Vec<usize> {
+fn divisors(expr: &Formula) -> Vec<usize> {
     let mut divisors = Vec::new();
     expr.walk(&mut |part| {
-        if let Expr::Product(factors) = part {
-            divisors.extend(factors.iter().filter(|(inverse, _)| *inverse).flat_map(|(_, factor)| used(factor)));
+        if let Formula::Product(factors) = part {
+            divisors.extend(factors.iter().filter(|factor| factor.inverse).flat_map(|factor| used(&factor.value)));
         }
     });
     divisors
