@@ -19,8 +19,9 @@ pub fn matrices(model: &Model, parameters: &[BigRational]) -> Vec<(String, Vec<V
         let value = fractions.of(formula);
         fractions.definitions.push(value);
     }
-    let rows = |rows: &[Vec<Formula>]| rows.iter().map(|row| row.iter().map(|entry| fractions.of(entry)).collect());
-    model.matrices.iter().map(|(name, matrix)| (name.name().to_owned(), rows(matrix).collect())).collect()
+    let row = |row: &Vec<Formula>| row.iter().map(|entry| fractions.of(entry)).collect();
+    let rows = |rows: &[Vec<Formula>]| rows.iter().map(row).collect();
+    model.matrices.iter().map(|(name, matrix)| (name.name().to_owned(), rows(matrix))).collect()
 }
 
 struct Fractions<'a> {
