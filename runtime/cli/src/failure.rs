@@ -13,12 +13,17 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// A single mistake in what was asked for.
+    /// A single problem with what was asked for.
     pub fn usage(message: impl Into<String>) -> Self {
-        Self::Input(vec![Problem { place: Place::Nowhere, message: message.into() }])
+        Self::at(Place::Nowhere, message)
     }
 
-    /// The exit code that tells a mistake of the user's from a run that failed.
+    /// A single problem at a place.
+    pub fn at(place: Place, message: impl Into<String>) -> Self {
+        Self::Input(vec![Problem { place, message: message.into() }])
+    }
+
+    /// The exit code that tells a problem with the input from a run that failed.
     pub fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),
@@ -63,6 +68,8 @@ pub enum Place {
     /// A file as a whole.
     File(String),
 }
+
+impl std::error::Error for Problem {}
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

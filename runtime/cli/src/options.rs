@@ -1,6 +1,5 @@
 //! Options that several subcommands share, each with a type of its own.
 
-use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -71,14 +70,14 @@ struct Setting {
 }
 
 impl FromStr for Setting {
-    type Err = Mistake;
+    type Err = Problem;
 
-    fn from_str(text: &str) -> Result<Self, Mistake> {
+    fn from_str(text: &str) -> Result<Self, Problem> {
         match text.split_once('=') {
             Some((name, value)) if !name.trim().is_empty() => {
                 Ok(Self { written: text.to_owned(), name: name.trim().to_owned(), value: value.to_owned() })
             }
-            _ => Err(Mistake("expected NAME=VALUE, such as mB=90".to_owned())),
+            _ => Err(problem("expected NAME=VALUE, such as mB=90")),
         }
     }
 }
@@ -88,10 +87,10 @@ impl FromStr for Setting {
 pub struct Speeds(pub Vec<f64>);
 
 impl FromStr for Speeds {
-    type Err = Mistake;
+    type Err = Problem;
 
-    fn from_str(text: &str) -> Result<Self, Mistake> {
-        speeds::parse(text).map(Self).map_err(Mistake)
+    fn from_str(text: &str) -> Result<Self, Problem> {
+        speeds::parse(text).map(Self).map_err(problem)
     }
 }
 
@@ -108,13 +107,9 @@ pub enum Format {
 pub struct Picture(PathBuf);
 
 impl Picture {
-    fn new(path: PathBuf) -> Result<Self, Mistake> {
+    fn new(path: PathBuf) -> Result<Self, Problem> {
         let is = |known: &str| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(known));
-        if is("svg") || is("png") {
-            Ok(Self(path))
-        } else {
-            Err(Mistake("the name must end in .svg or .png".to_owned()))
-        }
+        if is("svg") || is("png") { Ok(Self(path)) } else { Err(problem("the name must end in .svg or .png")) }
     }
 
     /// # Errors
@@ -130,7 +125,7 @@ impl Picture {
     /// That it cannot be drawn as it was asked for.
     pub fn problem(&self, message: impl Into<String>) -> Failure {
         let place = Place::Option(format!("--plot {}", self.0.display()));
-        Failure::Input(vec![Problem { place, message: message.into() }])
+        Failure::at(place, message)
     }
 
     /// Writes a drawing, and tells so.
@@ -152,14 +147,7 @@ impl ValueParserFactory for Picture {
     }
 }
 
-/// What is wrong with the value of an option, where it is told as everything is that is wrong with the input.
-#[derive(Debug)]
-pub struct Mistake(String);
-
-impl fmt::Display for Mistake {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
+/// What is wrong with the value of an option. Which option it is, is known where the command line is read.
+fn problem(message: impl Into<String>) -> Problem {
+    Problem { place: Place::Nowhere, message: message.into() }
 }
-
-impl std::error::Error for Mistake {}

@@ -16,7 +16,6 @@ use clap::error::{ContextKind, ContextValue};
 use clap::{Parser, Subcommand};
 
 use crate::failure::{Failure, Place, Problem};
-use crate::options::Mistake;
 use crate::sweep;
 use crate::terminal::{ERROR, note};
 
@@ -93,12 +92,12 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
 /// # Errors
 /// What is wrong with the value of an option.
 fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Arguments, Failure> {
-    Arguments::try_parse_from(arguments).map_err(|error| mistake(&error).unwrap_or_else(|| error.exit()))
+    Arguments::try_parse_from(arguments).map_err(|error| problem(&error).unwrap_or_else(|| error.exit()))
 }
 
-/// A mistake that is told as those in files are: by the option as it was given.
-fn mistake(error: &clap::Error) -> Option<Failure> {
-    let mistake: &Mistake = error.source()?.downcast_ref()?;
+/// A problem that is told as those in files are: by the option as it was given.
+fn problem(error: &clap::Error) -> Option<Failure> {
+    let problem: &Problem = error.source()?.downcast_ref()?;
     let text = |kind| match error.get(kind) {
         Some(ContextValue::String(text)) => Some(text),
         _ => None,
@@ -106,8 +105,7 @@ fn mistake(error: &clap::Error) -> Option<Failure> {
     // `--set <NAME=VALUE>`
     let (argument, value) = (text(ContextKind::InvalidArg)?, text(ContextKind::InvalidValue)?);
     let option = argument.split(' ').next()?;
-    let place = Place::Option(format!("{option} {value}"));
-    Some(Failure::Input(vec![Problem { place, message: mistake.to_string() }]))
+    Some(Failure::at(Place::Option(format!("{option} {value}")), &problem.message))
 }
 
 #[cfg(test)]

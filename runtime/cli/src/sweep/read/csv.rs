@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use csv::{ByteRecord, Reader, ReaderBuilder, Trim};
 
-use super::lines::{BadLine, Lines};
+use super::lines::{LineProblem, Lines};
 use super::rows::{Cell, Rows};
-use crate::failure::{Failure, Place, Problem};
+use crate::failure::{Failure, Place};
 
 /// The rows of a file.
 pub struct Records {
@@ -34,10 +34,7 @@ fn fail(path: &Path, error: csv::Error) -> Failure {
 fn cannot_read(path: &Path, error: std::io::Error) -> Failure {
     let label = path.display().to_string();
     match error.get_ref().and_then(|error| error.downcast_ref()) {
-        Some(BadLine { line, message }) => {
-            let place = Place::Line(label, *line);
-            Failure::Input(vec![Problem { place, message: (*message).to_owned() }])
-        }
+        Some(LineProblem { line, message }) => Failure::at(Place::Line(label, *line), *message),
         None => Failure::Run(format!("cannot read {label}: {error}")),
     }
 }

@@ -8,18 +8,18 @@ const MAX_LINE: usize = 1 << 20;
 
 /// What is wrong with a line.
 #[derive(Debug)]
-pub struct BadLine {
+pub struct LineProblem {
     pub line: usize,
     pub message: &'static str,
 }
 
-impl fmt::Display for BadLine {
+impl fmt::Display for LineProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "line {}: {}", self.line, self.message)
     }
 }
 
-impl std::error::Error for BadLine {}
+impl std::error::Error for LineProblem {}
 
 /// Where in a line a byte stands. Quotes count as in the `csv` crate: only at the very beginning of a field.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -53,7 +53,7 @@ impl<R: Read> Lines<R> {
     }
 
     fn fail<T>(&self, message: &'static str) -> Result<T> {
-        Err(Error::new(ErrorKind::InvalidData, BadLine { line: self.line, message }))
+        Err(Error::new(ErrorKind::InvalidData, LineProblem { line: self.line, message }))
     }
 
     /// Whether the byte is kept.

@@ -40,8 +40,7 @@ impl File {
         let label = path.display().to_string();
         // Files are read more than once, and reading others may never end.
         if std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-            let message = "expected a regular file".to_owned();
-            return Err(Failure::Input(vec![Problem { place: Place::Option(format!("--designs {label}")), message }]));
+            return Err(Failure::at(Place::Option(format!("--designs {label}")), "expected a regular file"));
         }
         let names = match format {
             Format::Csv => csv::names(path)?,
@@ -77,8 +76,8 @@ impl File {
         }
         let file = Self { path: path.to_owned(), format, info, columns };
         if file.designs(&mut file.records()?, 1)?.rows == 0 {
-            let message = "there is no design: no row follows the names of the columns".to_owned();
-            return Err(Failure::Input(vec![Problem { place: Place::File(label), message }]));
+            let message = "there is no design: no row follows the names of the columns";
+            return Err(Failure::at(Place::File(label), message));
         }
         Ok(file)
     }

@@ -54,7 +54,7 @@ pub struct Journal {
 }
 
 /// What keeps a journal from being opened.
-pub enum Refusal {
+pub enum OpenFailure {
     /// Another process has it.
     Busy,
     /// It is of another sweep, of which so many designs are done.
@@ -64,7 +64,7 @@ pub enum Refusal {
     Io(std::io::Error),
 }
 
-impl From<std::io::Error> for Refusal {
+impl From<std::io::Error> for OpenFailure {
     fn from(error: std::io::Error) -> Self {
         Self::Io(error)
     }
@@ -79,11 +79,11 @@ impl Journal {
         fingerprint: u64,
         bytes: impl FnOnce() -> Option<u64>,
         restart: bool,
-    ) -> Result<Self, Refusal> {
+    ) -> Result<Self, OpenFailure> {
         let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path)?;
         match file.try_lock() {
             Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(Refusal::Busy),
+            Err(TryLockError::WouldBlock) => return Err(OpenFailure::Busy),
             Err(TryLockError::Error(error)) => return Err(error.into()),
         }
         let bytes = bytes();
@@ -103,7 +103,7 @@ impl Journal {
             }
             Some(line) if line != first.as_bytes() => {
                 let designs = |line| std::str::from_utf8(line).ok()?.split(' ').next()?.parse().ok();
-                return Err(Refusal::Foreign(lines.filter_map(designs).next_back().unwrap_or_default()));
+                return Err(OpenFailure::Foreign(lines.filter_map(designs).next_back().unwrap_or_default()));
             }
             Some(_) => {
                 let length = first.len() + journal.replay(lines, bytes)?;
@@ -118,12 +118,12 @@ impl Journal {
     }
 
     /// Takes in the lines below the first one as far as they count; how many bytes they have.
-    fn replay<'a>(&mut self, lines: impl Iterator<Item = &'a [u8]>, bytes: Option<u64>) -> Result<usize, Refusal> {
+    fn replay<'a>(&mut self, lines: impl Iterator<Item = &'a [u8]>, bytes: Option<u64>) -> Result<usize, OpenFailure> {
         let mut length = 0;
         for (index, line) in lines.enumerate() {
             // What is not text was not written here.
             let text = std::str::from_utf8(line).unwrap_or_default();
-            match self.read(text).ok_or(Refusal::Broken(index + 2))? {
+            match self.read(text).ok_or(OpenFailure::Broken(index + 2))? {
                 (Line::Batch(next), checksum) if bytes.is_none_or(|bytes| next.bytes <= bytes) => {
                     self.batches.push(next);
                     self.checksum = checksum;

@@ -5,8 +5,8 @@ use std::io::{ErrorKind, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use super::journal::{Journal, Progress, Refusal, Stamp};
-use crate::failure::{Failure, Place, Problem};
+use super::journal::{Journal, OpenFailure, Progress, Stamp};
+use crate::failure::{Failure, Place};
 use crate::sweep::plan::Plan;
 use crate::sweep::table::{Format, Heading, parquet_message};
 use crate::sweep::write::parquet;
@@ -44,17 +44,17 @@ impl Store {
         };
         let journal =
             Journal::open(&journal_path, plan.fingerprint, length, restart).map_err(|refusal| match refusal {
-                Refusal::Busy => Failure::Run(format!("another sweep is writing {}", path.display())),
-                Refusal::Foreign(designs) => {
+                OpenFailure::Busy => Failure::Run(format!("another sweep is writing {}", path.display())),
+                OpenFailure::Foreign(designs) => {
                     let journal = journal_path.display();
                     let done = format!("{journal} is of another sweep, of which {designs} designs are done");
                     refused(path, &format!("{done}; --restart drops it"))
                 }
-                Refusal::Broken(line) => {
+                OpenFailure::Broken(line) => {
                     let journal = journal_path.display();
                     refused(path, &format!("{journal}:{line} is not as it was written; --restart begins anew"))
                 }
-                Refusal::Io(error) => io(&journal_path, error),
+                OpenFailure::Io(error) => io(&journal_path, error),
             })?;
         if renamed {
             // Killed between the last name and the end of the journal; or what was computed is gone.
@@ -155,6 +155,5 @@ fn io(path: &Path, error: std::io::Error) -> Failure {
 }
 
 fn refused(path: &Path, message: &str) -> Failure {
-    let place = Place::Option(format!("--output {}", path.display()));
-    Failure::Input(vec![Problem { place, message: message.to_owned() }])
+    Failure::at(Place::Option(format!("--output {}", path.display())), message)
 }
