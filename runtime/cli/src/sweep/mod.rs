@@ -1,5 +1,6 @@
 //! Many designs at once: from a plan to a table of their stability, and to a map of it.
 
+mod destination;
 mod evaluate;
 mod generate;
 mod map;
@@ -10,7 +11,6 @@ mod progress;
 mod read;
 mod source;
 mod table;
-mod target;
 mod write;
 
 use std::time::Instant;
@@ -20,12 +20,12 @@ use rayon::prelude::*;
 
 pub use self::options::Options;
 
+use self::destination::Destination;
 use self::map::Map;
 use self::plan::{Plan, validate};
 use self::progress::Progress;
 use self::source::Batches;
 use self::table::{Designs, Results};
-use self::target::Target;
 use crate::failure::Failure;
 use crate::input;
 use crate::plot;
@@ -41,10 +41,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let plan = Plan::new(&design, options)?;
     options.map.as_deref().map(plot::check).transpose()?;
     let mut map = options.map.as_ref().map(|_| Map::default());
-    let mut target = Target::open(options, &plan)?;
-    let done = target.designs();
+    let mut destination = Destination::open(options, &plan)?;
+    let done = destination.designs();
     let mut batches = Batches::new(&plan.source)?;
-    let mut progress = Progress::new(batches.total, target.is_stdout());
+    let mut progress = Progress::new(batches.total, destination.is_stdout());
     let mut first = 0;
     loop {
         // Designs whose results are written are computed again only for a map.
@@ -66,7 +66,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             if let Some(map) = &mut map {
                 results.iter().for_each(|results| map.add(results));
             }
-            if !is_written && !target.write(&plan, designs, results)? {
+            if !is_written && !destination.write(&plan, designs, results)? {
                 return Ok(());
             }
         } else {
@@ -74,7 +74,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         }
         first += rows as u64;
     }
-    let errors = target.finish(&plan)?;
+    let errors = destination.finish(&plan)?;
     progress.finish();
     if done > 0 {
         note(Style::new(), "resumed", &format!("{} of {first} designs were done", done.min(first)));

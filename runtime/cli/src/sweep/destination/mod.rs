@@ -15,7 +15,7 @@ use super::write::{csv, parquet};
 use crate::failure::Failure;
 
 /// Where the results go, and how many designs without results went there.
-pub struct Target {
+pub struct Destination {
     kind: Kind,
     errors: u64,
 }
@@ -29,7 +29,7 @@ enum Kind {
     Nowhere,
 }
 
-impl Target {
+impl Destination {
     /// # Errors
     /// If it may not or cannot be written.
     pub fn open(options: &Options, plan: &Plan) -> Result<Self, Failure> {
@@ -39,15 +39,15 @@ impl Target {
             None => Kind::Stdout,
         };
         let errors = if let Kind::File(store) = &kind { store.progress().errors } else { 0 };
-        let mut target = Self { kind, errors };
-        let is_empty = match &target.kind {
+        let mut destination = Self { kind, errors };
+        let is_empty = match &destination.kind {
             Kind::File(store) => store.progress().bytes == 0,
             _ => true,
         };
         if plan.format == Format::Csv && is_empty {
-            target.put(&[csv::header(&plan.headings)], 0, 0)?;
+            destination.put(&[csv::header(&plan.headings)], 0, 0)?;
         }
-        Ok(target)
+        Ok(destination)
     }
 
     /// How many designs are written.
