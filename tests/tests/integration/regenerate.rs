@@ -47,6 +47,12 @@ impl Drop for Folder {
 const MEND: &str = "run `cargo regenerate` and commit the result";
 
 #[test]
+fn what_is_checked_in_is_up_to_date() {
+    let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated");
+    regenerate(&generated, true).unwrap_or_else(|stale| panic!("{stale}"));
+}
+
+#[test]
 fn what_was_written_is_up_to_date() {
     let folder = Folder::new("written");
     let done = regenerate(folder.path(), false).expect("it can be written");

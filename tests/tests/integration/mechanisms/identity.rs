@@ -80,7 +80,9 @@ fn both_are_equal_in_exact_fractions_at_a_hundred_random_designs() {
     let (written, derived) = (written(), derived());
     let count = written.parameters.len();
     let designs = proptest::collection::vec(fraction(), count);
-    let mut runner = proptest::test_runner::TestRunner::new(carvallo_tests::designs::config(100));
+    let config = carvallo_tests::designs::config(100);
+    let cases = config.cases;
+    let mut runner = proptest::test_runner::TestRunner::new(config);
     let compared = std::cell::Cell::new(0);
     let same = runner.run(&designs, |design| {
         let both = [&written, &derived].map(|model| fractions::matrices(model, &design));
@@ -89,5 +91,5 @@ fn both_are_equal_in_exact_fractions_at_a_hundred_random_designs() {
         Ok(())
     });
     same.expect("equal fractions");
-    assert_eq!(compared.get(), 100);
+    assert_eq!(compared.get(), cases);
 }
