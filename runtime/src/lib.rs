@@ -43,6 +43,7 @@
 
 #[cfg(feature = "batch")]
 pub mod batch;
+mod characteristic;
 mod eigenvalues;
 #[cfg(all(any(doc, doctest), feature = "derive", feature = "std", feature = "batch"))]
 pub mod guide;

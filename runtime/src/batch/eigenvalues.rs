@@ -5,7 +5,8 @@ use fearless_simd::{Simd, dispatch};
 use nalgebra::Complex;
 
 use super::{Batch, BatchError, Lanes};
-use crate::eigenvalues::{Four, Rows, quick_eigenvalues};
+use crate::characteristic::determinant::Rows;
+use crate::eigenvalues::{Four, quick_eigenvalues};
 use crate::system::{Coefficients, System, SystemError};
 
 /// What there is for each system: its four eigenvalues in 1/s, sorted by real part, then by imaginary part, or what is

@@ -5,6 +5,7 @@ use nalgebra::Complex;
 use super::francis::{self, SWEEPS_PER_EIGENVALUE};
 use super::hessenberg::{Row, balance, reduce};
 use super::quadratic::Quadratic;
+use crate::characteristic::units::{ldexp_complex, time_unit};
 use crate::number::Number;
 use crate::numeric::{exponent, ldexp};
 use crate::system::{Matrix, System, SystemError};
@@ -45,7 +46,7 @@ fn any_number<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; 
     }
     // Time in units that bring stiffness and damping to at most one.
     let largest = |matrix: &Matrix<f64, N>| exponent(matrix.iter().fold(0.0, |max: f64, entry| max.max(entry.abs())));
-    let unit = largest(&stiffness).map(|e| (e + 1).div_euclid(2)).max(largest(&damping)).unwrap_or(0);
+    let unit = time_unit(largest(&damping), largest(&stiffness));
     let stiffness = stiffness.map(|entry| ldexp(entry, -2 * unit));
     let damping = damping.map(|entry| ldexp(entry, -unit));
     let mut found = [[Complex::new(0.0, 0.0); 2]; N];
@@ -56,7 +57,7 @@ fn any_number<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; 
     } else {
         damped(&stiffness, &damping, found.as_flattened_mut())?;
     }
-    let eigenvalues = found.map(|two| two.map(|root| Complex::new(ldexp(root.re, unit), ldexp(root.im, unit))));
+    let eigenvalues = found.map(|two| two.map(|root| ldexp_complex(root, unit)));
     if eigenvalues.as_flattened().iter().any(|root| !(root.re.is_finite() && root.im.is_finite())) {
         return Err(SystemError::OutOfRange { quantity: "an eigenvalue" });
     }

@@ -29,6 +29,12 @@ impl ComplexDoubleDouble {
     }
 }
 
+impl From<f64> for ComplexDoubleDouble {
+    fn from(re: f64) -> Self {
+        Self::real(re.into())
+    }
+}
+
 impl Neg for ComplexDoubleDouble {
     type Output = Self;
     fn neg(self) -> Self {

@@ -2,67 +2,83 @@
 
 use super::tracked::Tracked;
 
-/// The product of two polynomials; `C` is `A + B - 1`.
-#[inline]
-pub(crate) fn product<const A: usize, const B: usize, const C: usize>(
-    a: &[Tracked; A],
-    b: &[Tracked; B],
-) -> [Tracked; C] {
-    const { assert!(C + 1 == A + B) }
-    let mut product = [Tracked::ZERO; C];
-    for i in 0..A {
-        for j in 0..B {
-            let term = a[i] * b[j];
-            product[i + j] = if i == 0 || j == B - 1 { term } else { product[i + j] + term };
-        }
-    }
-    product
+/// The coefficients of a polynomial whose degree is known when the program is compiled.
+pub(crate) trait Fixed: Copy + AsRef<[Tracked]> + AsMut<[Tracked]> {
+    /// The number of coefficients.
+    const COUNT: usize;
+    const ZERO: Self;
 }
 
-/// The square of a polynomial; `C` is `2 A - 1`.
+impl<const N: usize> Fixed for [Tracked; N] {
+    const COUNT: usize = N;
+    const ZERO: Self = [Tracked::ZERO; N];
+}
+
+/// The product of two polynomials, which has as many coefficients as both together, less one.
 #[inline]
-pub(crate) fn square<const A: usize, const C: usize>(a: &[Tracked; A]) -> [Tracked; C] {
-    const { assert!(C + 1 == 2 * A) }
-    let mut square = [Tracked::ZERO; C];
-    for power in 0..C {
+pub(crate) fn product<A: Fixed, B: Fixed, C: Fixed>(a: &A, b: &B) -> C {
+    const { assert!(C::COUNT + 1 == A::COUNT + B::COUNT) }
+    let mut result = C::ZERO;
+    let (a, b, product) = (a.as_ref(), b.as_ref(), result.as_mut());
+    for i in 0..A::COUNT {
+        for j in 0..B::COUNT {
+            let term = a[i] * b[j];
+            product[i + j] = if i == 0 || j == B::COUNT - 1 { term } else { product[i + j] + term };
+        }
+    }
+    result
+}
+
+/// The square of a polynomial.
+#[inline]
+pub(crate) fn square<A: Fixed, C: Fixed>(a: &A) -> C {
+    const { assert!(C::COUNT + 1 == 2 * A::COUNT) }
+    let mut result = C::ZERO;
+    let (a, square) = (a.as_ref(), result.as_mut());
+    for power in 0..C::COUNT {
         // The terms before the middle one come twice.
+        let first = (power + 1).saturating_sub(A::COUNT);
         let mut sum = Tracked::ZERO;
-        for i in (power + 1).saturating_sub(A)..power.div_ceil(2) {
+        for i in first..power.div_ceil(2) {
             let term = a[i] * a[power - i];
-            sum = if i == (power + 1).saturating_sub(A) { term } else { sum + term };
+            sum = if i == first { term } else { sum + term };
         }
         sum = sum.doubled();
         square[power] = if power % 2 == 1 {
             sum
-        } else if power == 0 || power == C - 1 {
+        } else if power == 0 || power == C::COUNT - 1 {
             a[power / 2] * a[power / 2]
         } else {
             sum + a[power / 2] * a[power / 2]
         };
     }
-    square
+    result
 }
 
+/// The sum of two polynomials, of which the first may have more coefficients: those of the second are added from the power
+/// `shift` on.
 #[inline]
-pub(crate) fn add<const N: usize>(a: [Tracked; N], b: [Tracked; N]) -> [Tracked; N] {
-    core::array::from_fn(|i| a[i] + b[i])
+pub(crate) fn add<A: Fixed, B: Fixed>(mut a: A, b: B, shift: usize) -> A {
+    for (a, &b) in a.as_mut()[shift..].iter_mut().zip(b.as_ref()) {
+        *a = *a + b;
+    }
+    a
 }
 
+/// Each coefficient through a function.
 #[inline]
-pub(crate) fn sub<const N: usize>(a: [Tracked; N], b: [Tracked; N]) -> [Tracked; N] {
-    core::array::from_fn(|i| a[i] - b[i])
-}
-
-#[inline]
-pub(crate) fn times<const N: usize>(a: [Tracked; N], factor: f64) -> [Tracked; N] {
-    a.map(|a| a.times(factor))
+pub(crate) fn map<A: Fixed>(mut a: A, f: impl Fn(Tracked) -> Tracked) -> A {
+    for coefficient in a.as_mut() {
+        *coefficient = f(*coefficient);
+    }
+    a
 }
 
 /// The same polynomial with more coefficients.
 #[inline]
-pub(crate) fn padded<const A: usize, const B: usize>(a: [Tracked; A]) -> [Tracked; B] {
-    let mut padded = [Tracked::ZERO; B];
-    padded[..A].copy_from_slice(&a);
+pub(crate) fn padded<A: Fixed, B: Fixed>(a: A) -> B {
+    let mut padded = B::ZERO;
+    padded.as_mut()[..A::COUNT].copy_from_slice(a.as_ref());
     padded
 }
 

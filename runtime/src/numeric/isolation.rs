@@ -146,8 +146,9 @@ mod tests {
 
     /// The polynomial with these roots.
     fn from_roots([r0, r1, r2, r3, r4, r5]: [f64; 6]) -> [Tracked; 7] {
-        let pairs = [[r0, r1], [r2, r3], [r4, r5]].map(|[x, y]| product::<2, 2, 3>(&linear(x), &linear(y)));
-        product::<5, 3, 7>(&product(&pairs[0], &pairs[1]), &pairs[2])
+        let pairs: [[Tracked; 3]; 3] = [[r0, r1], [r2, r3], [r4, r5]].map(|[x, y]| product(&linear(x), &linear(y)));
+        let four: [Tracked; 5] = product(&pairs[0], &pairs[1]);
+        product(&four, &pairs[2])
     }
 
     fn isolate<const N: usize>(polynomial: &[Tracked; N]) -> Option<Vec<f64>> {

@@ -8,7 +8,7 @@ mod scale;
 #[cfg(feature = "std")]
 pub(crate) use complex_double_double::ComplexDoubleDouble;
 pub(crate) use double_double::DoubleDouble;
-pub(crate) use scale::{equilibrate, exponent, ldexp};
+pub(crate) use scale::{exponent, ldexp};
 
 #[cfg(feature = "std")]
 pub(crate) mod fixed;
@@ -23,6 +23,8 @@ mod roots;
 #[cfg(feature = "std")]
 pub(crate) mod rounded;
 #[cfg(feature = "std")]
+mod taylor;
+#[cfg(feature = "std")]
 mod tracked;
 
 #[cfg(feature = "std")]
@@ -30,4 +32,6 @@ pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
 pub(crate) use roots::{Root, candidates, positive_roots};
 #[cfg(feature = "std")]
-pub(crate) use tracked::{NOISE, Tracked};
+pub(crate) use taylor::taylor;
+#[cfg(feature = "std")]
+pub(crate) use tracked::{Exact, NOISE, Tracked};

@@ -104,3 +104,24 @@ impl Mul<f64> for &Polynomial {
         Polynomial::new(self.0.iter().map(|&c| c * factor.into()))
     }
 }
+
+impl Add for Polynomial {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        &self + &other
+    }
+}
+
+impl Sub for Polynomial {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        &self - &other
+    }
+}
+
+impl Mul for Polynomial {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        &self * &other
+    }
+}

@@ -1,5 +1,6 @@
 //! Polynomials in plain `f64`, with bounds on what rounding may do to them.
 
+use super::taylor::taylor;
 use super::tracked::{NOISE, Tracked};
 
 /// A polynomial with coefficients in `f64`, ascending, with a size for each: coefficients err by a rounding of their size.
@@ -41,12 +42,6 @@ impl<const N: usize> Rounded<N> {
     /// The value at x, the first derivative, and half of the second one.
     #[inline]
     pub(crate) fn taylor(&self, x: f64) -> [f64; 3] {
-        let [mut value, mut slope, mut half_curvature] = [0.0; 3];
-        for i in (0..N).rev() {
-            half_curvature = half_curvature * x + slope;
-            slope = slope * x + value;
-            value = value * x + self.value[i];
-        }
-        [value, slope, half_curvature]
+        taylor(self.value.into_iter(), x)
     }
 }

@@ -1,4 +1,4 @@
-//! Sums that know when they have cancelled.
+//! Numbers that know when they have cancelled.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -19,12 +19,6 @@ pub(crate) struct Tracked {
 
 impl Tracked {
     pub(crate) const ZERO: Self = Self { value: DoubleDouble::ZERO, size: 0.0 };
-
-    /// `a b`.
-    #[inline]
-    pub(crate) fn product(a: f64, b: f64) -> Self {
-        DoubleDouble::product(a, b).into()
-    }
 
     /// The product with one `f64`.
     #[inline]
@@ -94,5 +88,25 @@ impl Mul for Tracked {
     #[inline]
     fn mul(self, other: Self) -> Self {
         Self { value: self.value * other.value, size: self.size * other.size }
+    }
+}
+
+/// A number without error, whose product with another one is exact and with any other number takes little.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Exact(pub(crate) f64);
+
+impl Mul for Exact {
+    type Output = Tracked;
+    #[inline]
+    fn mul(self, other: Self) -> Tracked {
+        DoubleDouble::product(self.0, other.0).into()
+    }
+}
+
+impl Mul<Tracked> for Exact {
+    type Output = Tracked;
+    #[inline]
+    fn mul(self, other: Tracked) -> Tracked {
+        other.times(self.0)
     }
 }

@@ -6,7 +6,8 @@ use nalgebra::Complex;
 
 use super::Sensitivity;
 use super::condition::Condition;
-use super::scaled::{Entries, Scaled};
+use super::scaled::Scaled;
+use crate::characteristic::determinant::{ByPower, Rows};
 use crate::numeric::{ComplexDoubleDouble, DoubleDouble, ldexp};
 use crate::stability::{CriticalKind, CriticalSpeed};
 use crate::system::SystemError;
@@ -66,8 +67,8 @@ impl Sensitivity<2> {
     /// # Errors
     /// If a derivative leaves the range of `f64`.
     pub fn critical_speed(&self, critical: &CriticalSpeed) -> Result<CriticalDerivative, SystemError> {
-        let scaled = Scaled::new(&self.coefficients, self.gravity);
-        let (condition, speed) = match condition(&scaled, critical) {
+        let scaled = Scaled::new(&self.coefficients, self.gravity)?;
+        let (condition, speed) = match find_condition(&scaled, critical) {
             Ok(found) => found,
             Err(reason) => return Ok(CriticalDerivative::None(reason)),
         };
@@ -83,16 +84,16 @@ impl Sensitivity<2> {
             if self.gravity_parameter == Some(parameter) {
                 direction.kc += self.coefficients.k0;
             }
-            let direction = scaled.scaled(&direction);
+            let direction = scaled.units.scale_coefficients(&direction);
             let keeps_zeros = scaled.keeps_zeros(condition.zeros, &direction, speed);
             let direction = scaled.direction(&direction, speed.to_f64());
             let (by_speed, size) = dot(&answers.speed, &direction);
             if !keeps_zeros || by_speed.im.abs() > NEGLIGIBLE * size {
                 return Ok(CriticalDerivative::None(NotDifferentiable::Coincidence));
             }
-            speeds.push(finite(by_speed.re, scaled.speed_unit)?);
+            speeds.push(finite(by_speed.re, scaled.units.speed)?);
             let (eigenvalue, _) = dot(&answers.eigenvalue, &direction);
-            let part = |part: f64| finite(part, scaled.time_unit);
+            let part = |part: f64| finite(part, scaled.units.time);
             eigenvalues.push(Complex::new(part(eigenvalue.re)?, part(eigenvalue.im)?));
         }
         Ok(CriticalDerivative::Smooth { speed: speeds, eigenvalue: eigenvalues, condition: condition.condition() })
@@ -100,7 +101,7 @@ impl Sensitivity<2> {
 }
 
 /// The sum of derivatives times changes, and the size of its terms.
-fn dot(derivatives: &Entries<Complex<f64>>, changes: &Entries<f64>) -> (Complex<f64>, f64) {
+fn dot(derivatives: &ByPower<Rows<Complex<f64>>>, changes: &ByPower<Rows>) -> (Complex<f64>, f64) {
     let pairs = derivatives.as_flattened().as_flattened().iter().zip(changes.as_flattened().as_flattened());
     pairs.fold((Complex::new(0.0, 0.0), 0.0), |(sum, size), (derivative, change)| {
         let term = derivative * *change;
@@ -109,7 +110,7 @@ fn dot(derivatives: &Entries<Complex<f64>>, changes: &Entries<f64>) -> (Complex<
 }
 
 /// The condition of a critical speed at the speed itself, which is polished, in the units of the condition.
-fn condition(scaled: &Scaled, critical: &CriticalSpeed) -> Result<(Condition, DoubleDouble), NotDifferentiable> {
+fn find_condition(scaled: &Scaled, critical: &CriticalSpeed) -> Result<(Condition, DoubleDouble), NotDifferentiable> {
     /// Newton's iteration doubles the digits: it starts with those of `f64`, or half of them where rounding was large.
     const STEPS: usize = 2;
     /// After a step as small as this, relative, all digits of `f64` are right.
@@ -117,8 +118,8 @@ fn condition(scaled: &Scaled, critical: &CriticalSpeed) -> Result<(Condition, Do
     /// What moves farther than this, relative, is not converging.
     const NEAR: f64 = 1e-6;
     let kind = critical.kind;
-    let mut speed = DoubleDouble::from(ldexp(critical.speed, -scaled.speed_unit));
-    let part = |part: f64| DoubleDouble::from(ldexp(part, -scaled.time_unit));
+    let mut speed = DoubleDouble::from(ldexp(critical.speed, -scaled.units.speed));
+    let part = |part: f64| DoubleDouble::from(ldexp(part, -scaled.units.time));
     let mut s = match kind {
         CriticalKind::Capsize => ComplexDoubleDouble::ZERO,
         _ => ComplexDoubleDouble { re: part(critical.eigenvalue.re), im: part(critical.eigenvalue.im) },

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::null_vectors::{NullVectors, null_vectors};
+use super::null_vectors::{NullVectors, find_null_vectors};
 use super::pencil::{ComplexMatrix, Direction, Pencil, Weights};
 use super::unfolding::{self, Neighbours};
 use super::{Gradient, Sensitivity};
@@ -62,8 +62,8 @@ impl<const N: usize> Sensitivity<N> {
     pub fn eigenvalues(&self, speed: f64) -> Result<Vec<EigenvalueSensitivity>, SystemError> {
         let system = self.coefficients.at(speed, self.gravity)?;
         let values = system.eigenvalues()?;
-        let pencil = Pencil::new(&system);
-        let directions: Vec<_> = self.directions(speed)?.iter().map(|direction| pencil.scaled(direction)).collect();
+        let pencil = Pencil::new(&system)?;
+        let directions: Vec<_> = self.directions(speed)?.iter().map(|direction| pencil.scale(direction)).collect();
         let scaled: Vec<_> = values.iter().map(|&value| pencil.to_unit(value)).collect();
         let derivative = |index: usize| {
             let neighbours = Neighbours::of(&scaled, index);
@@ -116,7 +116,7 @@ struct Eigenvectors<const N: usize> {
 impl<const N: usize> Eigenvectors<N> {
     fn new(pencil: &Pencil<N>, s: Complex<f64>) -> Self {
         let (matrix, size) = (pencil.at(s), pencil.size(s));
-        let NullVectors { right, left } = null_vectors(&matrix, &size);
+        let NullVectors { right, left } = find_null_vectors(&matrix, &size);
         let outer = left * right.transpose();
         Self {
             s,

@@ -18,7 +18,7 @@ pub(super) struct NullVectors<const N: usize> {
 /// Rows and columns are first brought to a common size by the sizes of the terms of their entries, so that their units do
 /// not matter to the choice of pivots. The last pivot, which should be zero, is left out; with it left out, both vectors
 /// are exact null vectors of a matrix that differs from the given one in that pivot alone.
-pub(super) fn null_vectors<const N: usize>(matrix: &ComplexMatrix<N>, size: &Matrix<f64, N>) -> NullVectors<N> {
+pub(super) fn find_null_vectors<const N: usize>(matrix: &ComplexMatrix<N>, size: &Matrix<f64, N>) -> NullVectors<N> {
     let inverse = |size: f64| if size > 0.0 { 1.0 / size } else { 1.0 };
     let rows: [f64; N] = core::array::from_fn(|i| inverse(size.row(i).max()));
     let columns: [f64; N] =
@@ -72,7 +72,7 @@ pub(super) fn null_vectors<const N: usize>(matrix: &ComplexMatrix<N>, size: &Mat
 mod tests {
     use nalgebra::Complex;
 
-    use super::null_vectors;
+    use super::find_null_vectors;
     use crate::system::Matrix;
 
     /// A matrix of rank 2, whose second row is the sum of the first and i times the third.
@@ -82,7 +82,7 @@ mod tests {
         let (first, third) = ([z(1.0, 2.0), z(0.0, -1.0), z(3.0, 0.5)], [z(-2.0, 0.0), z(4.0, 1.0), z(0.25, 0.0)]);
         let rows = [first, core::array::from_fn(|j| first[j] + z(0.0, 1.0) * third[j]), third];
         let matrix = Matrix::<Complex<f64>, 3>::from_fn(|i, j| rows[i][j]);
-        let vectors = null_vectors(&matrix, &matrix.map(|entry| entry.norm()));
+        let vectors = find_null_vectors(&matrix, &matrix.map(|entry| entry.norm()));
         assert!((matrix * vectors.right).norm() < 1e-15 * vectors.right.norm());
         assert!((vectors.left.transpose() * matrix).norm() < 1e-15 * vectors.left.norm());
         let expected = [z(-1.0, 0.0), z(1.0, 0.0), z(0.0, -1.0)];
@@ -97,7 +97,8 @@ mod tests {
         let matrix = Matrix::<Complex<f64>, 2>::new(1.0.into(), 3.0.into(), 2.0.into(), 6.0.into());
         let unit = 2f64.powi(300);
         let scaled = Matrix::from_fn(|i, j| matrix[(i, j)] * [unit, 1.0 / unit][i] * [1.0, unit][j]);
-        let [plain, scaled] = [matrix, scaled].map(|matrix| null_vectors(&matrix, &matrix.map(|entry| entry.norm())));
+        let [plain, scaled] =
+            [matrix, scaled].map(|matrix| find_null_vectors(&matrix, &matrix.map(|entry| entry.norm())));
         let ratio = |vector: &nalgebra::SVector<Complex<f64>, 2>| vector[0] / vector[1];
         assert_eq!(ratio(&scaled.right), ratio(&plain.right) * unit);
         assert_eq!(ratio(&scaled.left), ratio(&plain.left) / unit / unit);

@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 use nalgebra::SMatrix;
 
-use crate::numeric::{exponent, ldexp};
+use crate::characteristic::units::{Units, ldexp_complex};
 use crate::system::{Matrix, System, SystemError};
 
 pub(super) type ComplexMatrix<const N: usize> = SMatrix<Complex<f64>, N, N>;
@@ -65,40 +65,27 @@ impl<const N: usize> Weights<N> {
 
 /// The polynomial with rows, columns and time measured in powers of two that bring all entries to at most one.
 pub(super) struct Pencil<const N: usize> {
-    m: Matrix<f64, N>,
-    c: Matrix<f64, N>,
-    k: Matrix<f64, N>,
-    rows: [i32; N],
-    columns: [i32; N],
-    /// The exponent of the power of two in 1/s that eigenvalues are measured in.
-    unit: i32,
+    system: System<N>,
+    units: Units<N>,
 }
 
 impl<const N: usize> Pencil<N> {
-    pub(super) fn new(system: &System<N>) -> Self {
-        let (rows, columns) = equilibrate(&system.m);
-        let largest = |matrix: &Matrix<f64, N>| {
-            let places = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
-            places.filter_map(|(i, j)| Some(exponent(matrix[(i, j)])? + rows[i] + columns[j])).max()
-        };
-        let unit = largest(&system.c).max(largest(&system.k).map(|e| (e + 1).div_euclid(2))).unwrap_or(0);
-        let mut pencil = Self { m: system.m, c: system.c, k: system.k, rows, columns, unit };
-        let Direction { m, c, k } = pencil.scaled(&Direction { m: system.m, c: system.c, k: system.k });
-        (pencil.m, pencil.c, pencil.k) = (m, c, k);
-        pencil
+    /// # Errors
+    /// If a row or a column of M is zero.
+    pub(super) fn new(system: &System<N>) -> Result<Self, SystemError> {
+        let units = Units::of_system(system)?;
+        Ok(Self { system: units.scale_system(system), units })
     }
 
     /// A direction in the units of the polynomial.
-    pub(super) fn scaled(&self, direction: &Direction<N>) -> Direction<N> {
-        let scaled = |matrix: &Matrix<f64, N>, power: i32| {
-            Matrix::from_fn(|i, j| ldexp(matrix[(i, j)], self.rows[i] + self.columns[j] - power * self.unit))
-        };
-        Direction { m: scaled(&direction.m, 0), c: scaled(&direction.c, 1), k: scaled(&direction.k, 2) }
+    pub(super) fn scale(&self, &Direction { m, c, k }: &Direction<N>) -> Direction<N> {
+        let System { m, c, k } = self.units.scale_system(&System { m, c, k });
+        Direction { m, c, k }
     }
 
     /// An eigenvalue in 1/s in the unit of the polynomial.
     pub(super) fn to_unit(&self, eigenvalue: Complex<f64>) -> Complex<f64> {
-        Complex::new(ldexp(eigenvalue.re, -self.unit), ldexp(eigenvalue.im, -self.unit))
+        ldexp_complex(eigenvalue, -self.units.time)
     }
 
     /// From the unit of the polynomial, to a power, back to 1/s.
@@ -106,7 +93,7 @@ impl<const N: usize> Pencil<N> {
     /// # Errors
     /// If it leaves the range of `f64`.
     pub(super) fn per_second(&self, value: Complex<f64>, power: i32) -> Result<Complex<f64>, SystemError> {
-        let value = Complex::new(ldexp(value.re, power * self.unit), ldexp(value.im, power * self.unit));
+        let value = ldexp_complex(value, power * self.units.time);
         if value.re.is_finite() && value.im.is_finite() {
             Ok(value)
         } else {
@@ -116,24 +103,19 @@ impl<const N: usize> Pencil<N> {
 
     /// Q(s).
     pub(super) fn at(&self, s: Complex<f64>) -> ComplexMatrix<N> {
-        Matrix::from_fn(|i, j| (s * self.m[(i, j)] + self.c[(i, j)]) * s + self.k[(i, j)])
+        Matrix::from_fn(|i, j| (s * self.system.m[(i, j)] + self.system.c[(i, j)]) * s + self.system.k[(i, j)])
     }
 
     /// Q'(s) = 2 s M + C.
     pub(super) fn slope(&self, s: Complex<f64>) -> ComplexMatrix<N> {
-        Matrix::from_fn(|i, j| s * 2.0 * self.m[(i, j)] + self.c[(i, j)])
+        Matrix::from_fn(|i, j| s * 2.0 * self.system.m[(i, j)] + self.system.c[(i, j)])
     }
 
     /// The sizes of the terms that the entries of Q(s) are summed from.
     pub(super) fn size(&self, s: Complex<f64>) -> Matrix<f64, N> {
         let s = s.norm();
-        Matrix::from_fn(|i, j| (s * self.m[(i, j)].abs() + self.c[(i, j)].abs()) * s + self.k[(i, j)].abs())
+        Matrix::from_fn(|i, j| {
+            (s * self.system.m[(i, j)].abs() + self.system.c[(i, j)].abs()) * s + self.system.k[(i, j)].abs()
+        })
     }
-}
-
-/// Exponents r and c that bring the largest entry of each row and column of `2^(r_i + c_j) m_ij` into [1/2, 1).
-pub(super) fn equilibrate<const N: usize>(m: &Matrix<f64, N>) -> ([i32; N], [i32; N]) {
-    let rows: [i32; N] = core::array::from_fn(|i| -(0..N).filter_map(|j| exponent(m[(i, j)])).max().unwrap_or(0));
-    let column = |j: usize| (0..N).filter_map(|i| Some(exponent(m[(i, j)])? + rows[i])).max();
-    (rows, core::array::from_fn(|j| -column(j).unwrap_or(0)))
 }

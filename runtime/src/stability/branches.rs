@@ -2,8 +2,8 @@
 
 use nalgebra::Complex;
 
-use super::characteristic::Characteristic;
-use super::double_root;
+use super::along_speed::Characteristic;
+use super::careful::double_roots;
 use crate::numeric::{DoubleDouble, Polynomial, positive_roots};
 use crate::system::SystemError;
 
@@ -57,7 +57,7 @@ enum Key {
 /// If an end leaves the range of `f64`.
 pub(super) fn stretches(characteristic: &Characteristic) -> Result<Vec<Stretch>, SystemError> {
     let half = DoubleDouble::from(0.5);
-    let meetings = double_root::speeds(characteristic);
+    let meetings = double_roots::find_speeds(characteristic);
     // At rest, too, two pairs may be symmetric about the imaginary axis, or both on it.
     let mut crossings = vec![DoubleDouble::ZERO];
     crossings.extend(positive_roots(&crossing(characteristic)).iter().map(|root| root.at));

@@ -1,21 +1,19 @@
 //! Stability along speed, for models with two coordinates.
 
+mod along_speed;
 mod branches;
-mod characteristic;
+mod careful;
 mod critical;
-mod double_root;
 mod fast;
-mod imaginary;
 mod modes;
 mod ranges;
-mod search;
 mod verdict;
 
-use characteristic::Characteristic;
+use along_speed::Characteristic;
 use ranges::Verdicts;
 
 use crate::number::Scalar;
-use crate::system::{Coefficients, SystemError};
+use crate::system::{Coefficients, SystemError, require_speed};
 
 pub use critical::{Change, CriticalKind, CriticalSpeed};
 pub use modes::{Mode, ModeValue, Modes};
@@ -77,23 +75,24 @@ impl Stability {
         Self::careful(coefficients, gravity)
     }
 
-    /// What [`Stability::new`] gives where it is certain in `f64`; for tests of one against the other.
+    /// What [`Stability::new`] gives where it is certain in `f64`.
+    ///
+    /// Nobody has to choose between this and [`Stability::careful`]. Both are public, but hidden, for the tests that hold
+    /// them against each other and against exact arithmetic: these need crates that depend on this one.
     #[doc(hidden)]
     pub fn fast<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Option<Self> {
-        fast::stability(coefficients, gravity)
+        fast::find_stability(coefficients, gravity).map(Self::from_verdicts)
     }
 
-    /// What [`Stability::new`] gives where `f64` is not enough; for tests of one against the other.
+    /// What [`Stability::new`] gives where `f64` is not enough.
     #[doc(hidden)]
     pub fn careful<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
         let characteristic = Characteristic::new(coefficients, gravity)?;
-        let found = search::search(&characteristic)?;
-        let verdicts = Verdicts::new(&characteristic, &found);
-        Ok(Self {
-            critical_speeds: found.iter().map(|found| found.critical).collect(),
-            stable_ranges: verdicts.stable_ranges(),
-            verdicts,
-        })
+        careful::find_stability(&characteristic).map(Self::from_verdicts)
+    }
+
+    fn from_verdicts((critical_speeds, verdicts): (Vec<CriticalSpeed>, Verdicts)) -> Self {
+        Self { critical_speeds, stable_ranges: verdicts.stable_ranges(), verdicts }
     }
 
     /// Whether the motion is stable at a speed in m/s.
@@ -107,11 +106,6 @@ impl Stability {
         require_speed(speed)?;
         Ok(self.verdicts.at(speed))
     }
-}
-
-fn require_speed(speed: f64) -> Result<(), SystemError> {
-    crate::system::require_finite("speed", speed)?;
-    if speed < 0.0 { Err(SystemError::NegativeSpeed { speed }) } else { Ok(()) }
 }
 
 #[cfg(test)]

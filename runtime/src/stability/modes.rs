@@ -4,11 +4,10 @@ use core::fmt;
 
 use nalgebra::Complex;
 
+use super::along_speed::Characteristic;
 use super::branches::{Stretch, stretches};
-use super::characteristic::Characteristic;
-use super::require_speed;
 use crate::number::Scalar;
-use crate::system::{Coefficients, SystemError};
+use crate::system::{Coefficients, SystemError, require_speed};
 
 /// A mode of the uncontrolled bicycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

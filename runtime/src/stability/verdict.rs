@@ -4,6 +4,8 @@ use core::fmt;
 
 use nalgebra::Complex;
 
+use crate::characteristic::conditions::{QuarticConditions, hurwitz_of_cubic};
+use crate::characteristic::powers::Powers;
 use crate::numeric::Tracked;
 
 /// Whether the motion is stable at one speed.
@@ -61,30 +63,33 @@ impl Verdict {
             Self::Unstable
         }
     }
-}
 
-/// The verdict on a polynomial of degree up to four, by its coefficients, ascending, the last one positive.
-pub(super) fn verdict(coefficients: &[Tracked]) -> Verdict {
-    let zeros = coefficients.iter().take_while(|p| p.sign() == 0).count();
-    let without_zeros = &coefficients[zeros..];
-    if without_zeros.iter().any(|p| p.sign() < 0) {
-        return Verdict::Unstable;
-    }
-    // Zero if a pair is on the imaginary axis, given that no coefficient is negative and the first one is positive.
-    let axis = match *without_zeros {
-        [_, p1, _] => p1.sign(),
-        [p0, p1, p2, p3] => (p1 * p2 - p0 * p3).sign(),
-        [p0, p1, p2, p3, p4] if p1.sign() == 0 && p3.sign() == 0 => {
-            // A quadratic in s^2, whose roots must be real.
-            if p2.sign() > 0 && (p2 * p2 - p0 * p4 * 4.0.into()).sign() >= 0 { 0 } else { -1 }
+    /// The verdict on a polynomial of degree up to four, by its coefficients, ascending, the last one positive.
+    pub(super) fn of_polynomial(coefficients: &[Tracked]) -> Self {
+        let zeros = coefficients.iter().take_while(|p| p.sign() == 0).count();
+        let without_zeros = &coefficients[zeros..];
+        if without_zeros.iter().any(|p| p.sign() < 0) {
+            return Self::Unstable;
         }
-        [p0, p1, p2, p3, p4] => (p1 * p2 * p3 - p1 * p1 * p4 - p0 * p3 * p3).sign(),
-        _ => 1,
-    };
-    match axis {
-        1 if zeros == 0 => Verdict::Stable,
-        0 | 1 => Verdict::Marginal,
-        _ => Verdict::Unstable,
+        // Zero if a pair is on the imaginary axis, given that no coefficient is negative and the first one is positive.
+        let axis = match *without_zeros {
+            [_, p1, _] => p1.sign(),
+            [p0, p1, p2, p3] => hurwitz_of_cubic([p0, p1, p2, p3]).sign(),
+            [p0, p1, p2, p3, p4] if p1.sign() == 0 && p3.sign() == 0 => {
+                // A quadratic in s^2, whose roots must be real.
+                if p2.sign() > 0 && (p2 * p2 - p0 * p4 * 4.0.into()).sign() >= 0 { 0 } else { -1 }
+            }
+            [p0, p1, p2, p3, p4] => {
+                let [hurwitz] = QuarticConditions::new(&Powers::of_numbers([p0, p1, p2, p3, p4])).hurwitz();
+                hurwitz.sign()
+            }
+            _ => 1,
+        };
+        match axis {
+            1 if zeros == 0 => Self::Stable,
+            0 | 1 => Self::Marginal,
+            _ => Self::Unstable,
+        }
     }
 }
 
@@ -92,7 +97,7 @@ pub(super) fn verdict(coefficients: &[Tracked]) -> Verdict {
 mod tests {
     use nalgebra::Complex;
 
-    use super::{Verdict, verdict};
+    use super::Verdict;
     use crate::numeric::Tracked;
 
     /// Ascending coefficients of the product of factors.
@@ -107,7 +112,7 @@ mod tests {
             }
             product = next;
         }
-        verdict(&product.into_iter().map(Tracked::from).collect::<Vec<_>>())
+        Verdict::of_polynomial(&product.into_iter().map(Tracked::from).collect::<Vec<_>>())
     }
 
     #[test]

@@ -81,3 +81,10 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
 pub(crate) fn require_finite(quantity: &'static str, value: f64) -> Result<(), SystemError> {
     if value.is_finite() { Ok(()) } else { Err(SystemError::NotFinite { quantity, value }) }
 }
+
+/// Whether a speed is one of those from zero that an analysis along the speed runs over.
+#[cfg(feature = "std")]
+pub(crate) fn require_speed(speed: f64) -> Result<(), SystemError> {
+    require_finite("speed", speed)?;
+    if speed < 0.0 { Err(SystemError::NegativeSpeed { speed }) } else { Ok(()) }
+}

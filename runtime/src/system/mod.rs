@@ -7,7 +7,7 @@ mod state_space;
 
 pub use at_speed::System;
 #[cfg(feature = "std")]
-pub(crate) use at_speed::require_finite;
+pub(crate) use at_speed::{require_finite, require_speed};
 pub use coefficients::{Coefficients, Matrix, MatrixName};
 pub use error::SystemError;
 pub use state_space::StateSpace;

@@ -5,34 +5,41 @@
 //! double-double. Wherever a sign is not certain (nearly multiple roots, speeds that nearly coincide, terms that cancel)
 //! there is no answer, and the careful search in double-double has to find one.
 
-mod characteristic;
-mod double_root;
-mod root;
-mod search;
+mod certain_speeds;
+mod conditions;
+mod meeting;
 mod signs;
+mod simple_root;
 
 use arrayvec::ArrayVec;
 
-use super::Stability;
+use super::critical::CriticalSpeed;
 use super::ranges::Verdicts;
-use super::verdict::{Verdict, verdict};
+use super::verdict::Verdict;
 use crate::number::Scalar;
 use crate::system::Coefficients;
-use characteristic::{Conditions, Matrices, Variable};
-use search::All;
+use certain_speeds::CertainSpeeds;
+use conditions::{Conditions, Variable};
 use signs::Signs;
 
-/// All critical speeds and stable ranges; `None` if they are not certain.
-pub(super) fn stability<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Option<Stability> {
-    let matrices = Matrices::new(coefficients, gravity)?;
-    if matrices.are_undamped_at_rest() { matrices.of_square().stability() } else { matrices.of_speed().stability() }
+/// All critical speeds, ascending, and the verdicts between and at them; `None` if they are not certain.
+pub(super) fn find_stability<T: Scalar>(
+    coefficients: &Coefficients<T, 2>,
+    gravity: f64,
+) -> Option<(Vec<CriticalSpeed>, Verdicts)> {
+    let matrices = conditions::moderate_matrices(coefficients, gravity)?;
+    if matrices.are_undamped_at_rest() {
+        conditions::in_square(&matrices).find_stability()
+    } else {
+        conditions::in_speed(&matrices).find_stability()
+    }
 }
 
 impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
-    fn stability(&self) -> Option<Stability> {
+    fn find_stability(&self) -> Option<(Vec<CriticalSpeed>, Verdicts)> {
         let signs = Signs::new(self);
-        let mut found = All::new();
-        self.search(&signs, &mut found)?;
+        let mut found = CertainSpeeds::new();
+        self.find_certain_speeds(&signs, &mut found)?;
         let bounds = found.iter().filter_map(|found| Some((found.critical.speed, found.there?)));
         let bounds: ArrayVec<(f64, Verdict), 24> = bounds.collect();
         let verdicts = Verdicts::between(self.at_rest(), &bounds, |speed| {
@@ -42,11 +49,7 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
             };
             signs.verdict(false, x)
         })?;
-        Some(Stability {
-            critical_speeds: found.iter().map(|found| found.critical).collect(),
-            stable_ranges: verdicts.stable_ranges(),
-            verdicts,
-        })
+        Some((found.iter().map(|found| found.critical).collect(), verdicts))
     }
 
     fn at_rest(&self) -> Verdict {
@@ -54,6 +57,6 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
         if self.variable == Variable::Square {
             (p[1], p[3]) = (0.0.into(), 0.0.into());
         }
-        verdict(&p)
+        Verdict::of_polynomial(&p)
     }
 }

@@ -1,7 +1,7 @@
 //! Verdicts from signs that are certain in `f64`.
 
 use super::super::verdict::Verdict;
-use super::characteristic::Conditions;
+use super::conditions::Conditions;
 use crate::numeric::rounded::Rounded;
 
 /// The coefficients of the characteristic polynomial and the Hurwitz determinant.

@@ -1,6 +1,6 @@
 //! Roots of polynomials along speed in about twice the precision of `f64`.
 
-use super::characteristic::Variable;
+use super::conditions::Variable;
 use crate::number::Number;
 use crate::numeric::fixed::at;
 use crate::numeric::isolation::Bracket;

@@ -1,8 +1,8 @@
 //! The imaginary eigenvalues at a root of the Hurwitz determinant.
 
-use super::characteristic::Characteristic;
 use crate::number::real::Real;
 use crate::numeric::{DoubleDouble, Root, Tracked};
+use crate::stability::along_speed::Characteristic;
 
 /// A pair of eigenvalues +-i omega, both scaled.
 pub(super) struct Pair {
@@ -21,7 +21,7 @@ const BLUR: f64 = 1e-10;
 ///
 /// The determinant is, up to a positive factor, a product of sums of two eigenvalues each. Two of these have a sign that
 /// may change: the real part of the pair and, for a quartic, the sum `-p_3 / p_4` of the other two eigenvalues.
-pub(super) fn imaginary_pairs(characteristic: &Characteristic, root: Root) -> Vec<Pair> {
+pub(super) fn find_imaginary_pairs(characteristic: &Characteristic, root: Root) -> Vec<Pair> {
     let p: Vec<Tracked> = characteristic.coefficients().iter().map(|p| p.at(root.at)).collect();
     let pair = |numerator: Tracked, denominator: Tracked, rest: Vec<Tracked>, sign: i8| {
         let is_imaginary = numerator.sign() * denominator.sign() > 0;
@@ -33,7 +33,7 @@ pub(super) fn imaginary_pairs(characteristic: &Characteristic, root: Root) -> Ve
     let is_zero = |p: Tracked| p.sign() == 0 || is_touched && p.value.abs().to_f64() <= BLUR * p.size;
     match p[..] {
         [p0, p1, p2, p3, p4] if is_zero(p1) && is_zero(p3) => {
-            let slopes = characteristic.speed_derivative().at(root.at);
+            let slopes = characteristic.slopes_at(root.at);
             two_pairs([p0, p2, p4], [slopes[1], slopes[3]])
         }
         [p0, p1, _, p3, p4] => pair(p1, p3, vec![p0, p3, p4], -p3.sign()),

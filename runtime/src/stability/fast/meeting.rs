@@ -1,7 +1,8 @@
 //! The double eigenvalue at a root of the discriminant.
 
-use super::characteristic::Conditions;
-use super::root::Root;
+use super::conditions::Conditions;
+use super::simple_root::Root;
+use crate::characteristic::double_root::Jet;
 use crate::numeric::isolation::Bracket;
 use crate::numeric::{DoubleDouble, Tracked};
 
@@ -54,32 +55,33 @@ impl<const P: usize> DoubleRoots<P> {
     /// double-double.
     #[inline]
     pub(super) fn near(&self, mut x: f64, bracket: &Bracket) -> Option<DoubleRoot> {
-        let mut sigma = double_root(coefficients(&self.value, x).map(|(value, _)| value));
-        let mut at = Derivatives::new(&self.value, sigma, x);
+        let mut sigma = root_shared_with_derivative(values_and_slopes(&self.value, x)[0]);
+        let mut at = jet(&self.value, sigma, x);
         let mut steps = 0;
         loop {
-            let (x_step, sigma_step) = at.step([at.p, at.slope]);
+            let [x_step, sigma_step] = step(&at);
             (x, sigma, steps) = (x + x_step, sigma + sigma_step, steps + 1);
-            at = Derivatives::new(&self.value, sigma, x);
+            at = jet(&self.value, sigma, x);
             if x_step.abs() <= CLOSE * x && sigma_step.abs() <= CLOSE * sigma.abs() {
                 break;
             } else if steps == STEPS {
                 return None;
             }
         }
-        let (x_rest, sigma_rest) = at.step(self.residuals(sigma, x));
+        let [p, by_s] = self.residuals(sigma, x);
+        let [x_rest, sigma_rest] = step(&Jet { p, by_s, ..at });
 
-        let size = Derivatives::new(&self.size, sigma.abs(), x);
-        let is_safe = at.by_x.abs() > SAFE * size.by_x && at.curvature.abs() > SAFE * size.curvature;
+        let size = jet(&self.size, sigma.abs(), x);
+        let is_safe = at.by_v.abs() > SAFE * size.by_v && at.by_ss.abs() > SAFE * size.by_ss;
         // The next step would be about this.
-        let left = (size.curvature * sigma_rest * sigma_rest + size.by_x / x * x_rest * x_rest) / at.by_x.abs();
-        let error = f64::EPSILON * size.p / at.by_x.abs();
+        let left = (size.by_ss * sigma_rest * sigma_rest + size.by_v / x * x_rest * x_rest) / at.by_v.abs();
+        let error = f64::EPSILON * size.p / at.by_v.abs();
         let is_there = left <= LACKING * x && x > bracket.low && x < bracket.high;
         (is_safe && is_there).then_some(DoubleRoot {
             root: Root::new(x, x_rest, error),
             sigma: (sigma, sigma_rest),
             // Nearby `sigma^2 = -2 p_x x / p_sigma_sigma`, both measured from there.
-            merges: (at.by_x > 0.0) == (at.curvature > 0.0),
+            merges: (at.by_v > 0.0) == (at.by_ss > 0.0),
         })
     }
 
@@ -106,10 +108,24 @@ impl<const P: usize> DoubleRoots<P> {
     }
 }
 
+/// The step of x and of sigma that makes p and its derivative by sigma zero, to first order.
+#[inline]
+fn step(at: &Jet<f64>) -> [f64; 2] {
+    let scale = 1.0 / at.determinant();
+    at.step_against([at.p, at.by_s]).map(|step| step * scale)
+}
+
+/// A polynomial in x and sigma, and its derivatives, at a point.
+#[inline]
+fn jet<const P: usize>(polynomial: &[[f64; P]; 5], sigma: f64, x: f64) -> Jet<f64> {
+    let [p, by_x] = values_and_slopes(polynomial, x);
+    Jet::new(p, by_x, sigma)
+}
+
 /// The coefficients of the powers of sigma at x, and their derivatives.
 #[inline]
-fn coefficients<const P: usize>(coefficients: &[[f64; P]; 5], x: f64) -> [(f64, f64); 5] {
-    let mut at = [(0.0, 0.0); 5];
+fn values_and_slopes<const P: usize>(coefficients: &[[f64; P]; 5], x: f64) -> [[f64; 5]; 2] {
+    let mut at = [[0.0; 5]; 2];
     for power in 0..5 {
         let (degree, factors) = const { shape::<P>() }[power];
         let (mut value, mut slope) = (coefficients[power][degree], 0.0);
@@ -119,49 +135,16 @@ fn coefficients<const P: usize>(coefficients: &[[f64; P]; 5], x: f64) -> [(f64, 
         for _ in 0..factors {
             (value, slope) = (value * x, slope * x + value);
         }
-        at[power] = (value, slope);
+        (at[0][power], at[1][power]) = (value, slope);
     }
     at
 }
 
 /// The double root of a quartic that has one: the root of the remainder of degree one of the quartic and its derivative.
 #[inline]
-fn double_root([e, d, c, b, a]: [f64; 5]) -> f64 {
+fn root_shared_with_derivative([e, d, c, b, a]: [f64; 5]) -> f64 {
     let (q2, q1, q0) = (8.0 * a * c - 3.0 * b * b, 12.0 * a * d - 2.0 * b * c, 16.0 * a * e - b * d);
     let constant = 4.0 * a * q1 * q0 + q2 * (q2 * d - 3.0 * b * q0);
     let linear = 4.0 * a * (q1 * q1 - q0 * q2) + q2 * (2.0 * c * q2 - 3.0 * b * q1);
     -constant / linear
-}
-
-/// A polynomial in x and sigma, and its derivatives.
-struct Derivatives {
-    p: f64,
-    /// By sigma.
-    slope: f64,
-    /// Twice by sigma.
-    curvature: f64,
-    by_x: f64,
-    /// By sigma and by x.
-    slope_by_x: f64,
-}
-
-impl Derivatives {
-    #[inline]
-    fn new<const P: usize>(polynomial: &[[f64; P]; 5], sigma: f64, x: f64) -> Self {
-        let [(e, e_x), (d, d_x), (c, c_x), (b, b_x), (a, a_x)] = coefficients(polynomial, x);
-        Self {
-            p: (((a * sigma + b) * sigma + c) * sigma + d) * sigma + e,
-            slope: ((4.0 * a * sigma + 3.0 * b) * sigma + 2.0 * c) * sigma + d,
-            curvature: (12.0 * a * sigma + 6.0 * b) * sigma + 2.0 * c,
-            by_x: (((a_x * sigma + b_x) * sigma + c_x) * sigma + d_x) * sigma + e_x,
-            slope_by_x: ((4.0 * a_x * sigma + 3.0 * b_x) * sigma + 2.0 * c_x) * sigma + d_x,
-        }
-    }
-
-    /// The step of x and of sigma that makes p and its derivative by sigma zero, to first order.
-    #[inline]
-    fn step(&self, [p, slope]: [f64; 2]) -> (f64, f64) {
-        let scale = 1.0 / (self.by_x * self.curvature - slope * self.slope_by_x);
-        ((slope * slope - p * self.curvature) * scale, (p * self.slope_by_x - slope * self.by_x) * scale)
-    }
 }

@@ -3,25 +3,25 @@
 use arrayvec::ArrayVec;
 use nalgebra::Complex;
 
+use super::super::critical::{Change, CriticalKind, CriticalSpeed};
 use super::super::verdict::Verdict;
-use super::super::{Change, CriticalKind, CriticalSpeed};
-use super::characteristic::{Conditions, Variable};
-use super::double_root::DoubleRoots;
-use super::root::Root;
+use super::conditions::{Conditions, Variable};
+use super::meeting::DoubleRoots;
 use super::signs::Signs;
+use super::simple_root::Root;
 use crate::numeric::fixed::at;
 use crate::numeric::isolation::Brackets;
 use crate::numeric::rounded::Rounded;
 use crate::numeric::{DoubleDouble, Tracked};
 
 /// A critical speed and the verdict at it, `None` where no eigenvalue is on the imaginary axis.
-pub(super) struct Found {
+pub(super) struct CertainSpeed {
     pub(super) critical: CriticalSpeed,
     pub(super) there: Option<Verdict>,
 }
 
 /// As many as the conditions have roots at most.
-pub(super) type All = ArrayVec<Found, 24>;
+pub(super) type CertainSpeeds = ArrayVec<CertainSpeed, 24>;
 
 /// The least relative distance between critical speeds, for their order to be certain.
 const APART: f64 = 1.0 / (1u64 << 36) as f64;
@@ -37,31 +37,31 @@ const CANCELLED: f64 = 1.0 / (1u64 << 16) as f64;
 
 impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
     /// All critical speeds, ascending; `None` if it is not certain which there are.
-    pub(super) fn search(&self, signs: &Signs<P, H>, found: &mut All) -> Option<()> {
+    pub(super) fn find_certain_speeds(&self, signs: &Signs<P, H>, found: &mut CertainSpeeds) -> Option<()> {
         let mut brackets = Brackets::new();
-        self.capsize(signs, &mut brackets, found)?;
-        self.weave(signs, &mut brackets, found)?;
-        self.meet(&mut brackets, found)?;
+        self.find_capsizes(signs, &mut brackets, found)?;
+        self.find_weaves(signs, &mut brackets, found)?;
+        self.find_meetings(&mut brackets, found)?;
         found.sort_unstable_by(|x, y| x.critical.speed.total_cmp(&y.critical.speed));
-        let distance = |pair: &[Found]| pair[1].critical.speed - pair[0].critical.speed;
+        let distance = |pair: &[CertainSpeed]| pair[1].critical.speed - pair[0].critical.speed;
         found.windows(2).all(|pair| distance(pair) > APART * pair[1].critical.speed).then_some(())
     }
 
     /// Where the lowest coefficient is zero. Nearby the eigenvalue is about `-p_0 / p_1`.
-    fn capsize(&self, signs: &Signs<P, H>, brackets: &mut Brackets, found: &mut All) -> Option<()> {
+    fn find_capsizes(&self, signs: &Signs<P, H>, brackets: &mut Brackets, found: &mut CertainSpeeds) -> Option<()> {
         signs.capsize().isolate(brackets)?;
         for bracket in brackets.drain(..) {
             let root = Root::simple(&self.p[0], signs.capsize(), &bracket)?;
             let stabilizes = bracket.rises == signs.is_positive(1, root.x)?;
             let there = Some(signs.verdict(true, root.x)?.max(Verdict::Marginal));
             let critical = self.critical(CriticalKind::Capsize, &root, Complex::new(0.0, 0.0), change(stabilizes))?;
-            found.try_push(Found { critical, there }).ok()?;
+            found.try_push(CertainSpeed { critical, there }).ok()?;
         }
         Some(())
     }
 
     /// Where the Hurwitz determinant is zero, if the two eigenvalues that sum to zero are imaginary.
-    fn weave(&self, signs: &Signs<P, H>, brackets: &mut Brackets, found: &mut All) -> Option<()> {
+    fn find_weaves(&self, signs: &Signs<P, H>, brackets: &mut Brackets, found: &mut CertainSpeeds) -> Option<()> {
         signs.hurwitz.isolate(brackets)?;
         for bracket in brackets.drain(..) {
             let root = Root::simple(&self.hurwitz, &signs.hurwitz, &bracket)?;
@@ -74,7 +74,7 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
             let there = Some(if is_rest_stable { Verdict::Marginal } else { Verdict::Unstable });
             let eigenvalue = Complex::new(0.0, self.frequency(&root)?);
             let critical = self.critical(CriticalKind::Weave, &root, eigenvalue, change(stabilizes))?;
-            found.try_push(Found { critical, there }).ok()?;
+            found.try_push(CertainSpeed { critical, there }).ok()?;
         }
         Some(())
     }
@@ -94,7 +94,7 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
     }
 
     /// Where the discriminant is zero: simply, so that the double eigenvalue is real.
-    fn meet(&self, brackets: &mut Brackets, found: &mut All) -> Option<()> {
+    fn find_meetings(&self, brackets: &mut Brackets, found: &mut CertainSpeeds) -> Option<()> {
         let discriminant = Rounded::new(&self.discriminant);
         discriminant.isolate(brackets)?;
         if brackets.is_empty() {
@@ -115,7 +115,7 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
             let change = if at.merges { Change::Merges } else { Change::Splits };
             let kind = CriticalKind::DoubleRoot;
             let critical = self.critical(kind, &at.root, Complex::new(eigenvalue, 0.0), change)?;
-            found.try_push(Found { critical, there: None }).ok()?;
+            found.try_push(CertainSpeed { critical, there: None }).ok()?;
         }
         Some(())
     }

@@ -2,9 +2,10 @@
 
 use nalgebra::Complex;
 
-use super::characteristic::Characteristic;
+use crate::characteristic::double_root::Jet;
 use crate::number::real::Real;
 use crate::numeric::{DoubleDouble, Polynomial, Root, Tracked, candidates};
+use crate::stability::along_speed::Characteristic;
 
 /// How far polishing may move a speed, relative to it: more than the discriminant errs by, and less than the distance to
 /// another root that could be told from this one.
@@ -24,21 +25,21 @@ pub(super) struct DoubleRoot {
 /// The speeds, ascending, at which the discriminant is zero, polished, with the double eigenvalues there.
 ///
 /// A speed that is not certain from the discriminant, whose terms are large and cancel, may be so once it is polished.
-pub(super) fn all(characteristic: &Characteristic) -> Vec<(Root, DoubleRoot)> {
+pub(super) fn find_double_roots(characteristic: &Characteristic) -> Vec<(Root, DoubleRoot)> {
     let discriminant = characteristic.discriminant();
     let polished = |mut root: Root| {
-        let double_root = find(characteristic, &discriminant, &mut root);
+        let double_root = find_double_root(characteristic, &discriminant, &mut root);
         root.is_there().then_some((root, double_root))
     };
     candidates(&discriminant).into_iter().filter_map(polished).collect()
 }
 
 /// The same speeds, polished only where they are not certain otherwise.
-pub(super) fn speeds(characteristic: &Characteristic) -> Vec<DoubleDouble> {
+pub(in crate::stability) fn find_speeds(characteristic: &Characteristic) -> Vec<DoubleDouble> {
     let discriminant = characteristic.discriminant();
     let certain = |mut root: Root| {
         if !root.is_there() {
-            find(characteristic, &discriminant, &mut root);
+            find_double_root(characteristic, &discriminant, &mut root);
         }
         root.is_there().then_some(root.at)
     };
@@ -48,7 +49,7 @@ pub(super) fn speeds(characteristic: &Characteristic) -> Vec<DoubleDouble> {
 /// The double eigenvalue at a root of the discriminant; polishes a simple root.
 ///
 /// Near a real double eigenvalue `s^2 = -2 p_v v / p_ss`, both measured from there.
-fn find(characteristic: &Characteristic, discriminant: &Polynomial, root: &mut Root) -> DoubleRoot {
+fn find_double_root(characteristic: &Characteristic, discriminant: &Polynomial, root: &mut Root) -> DoubleRoot {
     let (x, y) = closest(characteristic, root.at);
     let eigenvalue = 0.5 * (x + y);
     // Two real eigenvalues, or a pair just off the real axis.
@@ -69,8 +70,8 @@ fn find(characteristic: &Characteristic, discriminant: &Polynomial, root: &mut R
             *root = Root { at: point.speed, error, ..*root };
         }
     }
-    let (by_eigenvalue, by_speed) = point.derivatives(characteristic);
-    DoubleRoot { eigenvalue: real(point.eigenvalue.to_f64()), unfolding: by_speed[0].sign() * by_eigenvalue[2].sign() }
+    let Jet { by_v, by_ss, .. } = point.jet(characteristic);
+    DoubleRoot { eigenvalue: real(point.eigenvalue.to_f64()), unfolding: by_v.sign() * by_ss.sign() }
 }
 
 /// The two eigenvalues at a scaled speed that are closest to each other, of those that are not zero at all speeds.
@@ -92,11 +93,9 @@ struct Point {
 }
 
 impl Point {
-    /// The characteristic polynomial p and its first two derivatives with respect to the eigenvalue, and the same of its
-    /// derivative with respect to the speed.
-    fn derivatives(self, characteristic: &Characteristic) -> ([Tracked; 3], [Tracked; 3]) {
-        let at = |characteristic: &Characteristic| taylor(characteristic.at(self.speed), self.eigenvalue);
-        (at(characteristic), at(&characteristic.speed_derivative()))
+    /// The characteristic polynomial and its derivatives here.
+    fn jet(self, characteristic: &Characteristic) -> Jet<Tracked> {
+        Jet::new(characteristic.at(self.speed), characteristic.slopes_at(self.speed), self.eigenvalue.into())
     }
 
     /// Newton's iteration for `p = p_s = 0` in speed and eigenvalue, and how far the speed may move if the terms of p are
@@ -105,33 +104,21 @@ impl Point {
         const STEPS: usize = 12;
         const RESOLUTION: f64 = 1.0 / (1u128 << 100) as f64;
         for _ in 0..STEPS {
-            let ([p, p_s, p_ss], [p_v, p_sv, _]) = self.derivatives(characteristic);
-            let determinant = p_v * p_ss - p_s * p_sv;
+            let jet = self.jet(characteristic);
+            let determinant = jet.determinant();
             if determinant.sign() == 0 {
                 return None;
             }
-            let speed = (p_s * p_s - p * p_ss).value / determinant.value;
-            let eigenvalue = (p * p_sv - p_s * p_v).value / determinant.value;
+            let step = jet.step_against([jet.p, jet.by_s]);
+            let [speed, eigenvalue] = step.map(|step| step.value / determinant.value);
             self = Self { speed: self.speed + speed, eigenvalue: self.eigenvalue + eigenvalue };
             let is_small = |step: DoubleDouble, x: DoubleDouble| step.abs().to_f64() <= RESOLUTION * x.abs().to_f64();
             if is_small(speed, self.speed) && is_small(eigenvalue, self.eigenvalue) {
                 break;
             }
         }
-        let ([p, ..], [p_v, ..]) = self.derivatives(characteristic);
-        let error = f64::EPSILON * p.size / p_v.value.to_f64().abs();
+        let Jet { p, by_v, .. } = self.jet(characteristic);
+        let error = f64::EPSILON * p.size / by_v.value.to_f64().abs();
         error.is_finite().then_some((self, error))
     }
-}
-
-/// A polynomial, by its coefficients, and its first two derivatives at x.
-fn taylor(coefficients: [Tracked; 5], x: DoubleDouble) -> [Tracked; 3] {
-    let x = Tracked::from(x);
-    let [mut value, mut slope, mut half_curvature] = [Tracked::ZERO; 3];
-    for &coefficient in coefficients.iter().rev() {
-        half_curvature = half_curvature * x + slope;
-        slope = slope * x + value;
-        value = value * x + coefficient;
-    }
-    [value, slope, half_curvature + half_curvature]
 }

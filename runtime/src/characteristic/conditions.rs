@@ -1,0 +1,73 @@
+//! What is zero where a characteristic polynomial is critical: the Hurwitz determinant, where two eigenvalues sum to zero,
+//! and the discriminant, where two of them coincide.
+
+use core::ops::{Mul, Sub};
+
+use super::powers::{Powers, Variable};
+use crate::numeric::fixed::{add, map, product, square};
+use crate::numeric::{Polynomial, Tracked};
+
+/// The products that both conditions of a quartic have, in the variable V.
+pub(crate) struct QuarticConditions<'a, V: Variable> {
+    p: &'a Powers<V>,
+    p13: V::P1P3,
+    /// `p_1 p_2 p_3`.
+    first: V::Hurwitz,
+    /// `p_1^2 p_4 + p_0 p_3^2`.
+    rest: V::Hurwitz,
+}
+
+impl<'a, V: Variable> QuarticConditions<'a, V> {
+    #[inline]
+    pub(crate) fn new(p: &'a Powers<V>) -> Self {
+        let p13: V::P1P3 = product(&p.p1, &p.p3);
+        let p33: V::P3P3 = square(&p.p3);
+        let p11: V::Hurwitz = square(&p.p1);
+        let p033: V::Hurwitz = product(&p33, &p.p0);
+        Self { p, first: product(&p13, &p.p2), rest: add(map(p11, |p11| p.p4 * p11), p033, 0), p13 }
+    }
+
+    /// The Hurwitz determinant `p_1 p_2 p_3 - p_1^2 p_4 - p_0 p_3^2`, without the power of the variable that
+    /// [`Variable::LACKING`] says.
+    #[inline]
+    pub(crate) fn hurwitz(&self) -> V::Hurwitz {
+        add(self.first, map(self.rest, |rest| -rest), 0)
+    }
+
+    /// The discriminant `4 I^3 - J^2`, up to a factor, with the invariants I and J of the quartic.
+    #[inline]
+    pub(crate) fn discriminant(&self) -> V::Discriminant {
+        let Powers { p0, p2, p4, .. } = self.p;
+        let p04 = map(*p0, |p0| *p4 * p0);
+        let p22: V::P0 = square(p2);
+        // I = 12 p_0 p_4 - 3 p_1 p_3 + p_2^2.
+        let i = add(map(p04, |p04| p04.times(12.0)), p22, 0);
+        let i = add(i, map(self.p13, |p13| -p13.times(3.0)), V::LACKING);
+        // J = p_2 (72 p_0 p_4 - 2 p_2^2) + 9 p_1 p_2 p_3 - 27 (p_1^2 p_4 + p_0 p_3^2).
+        let even = add(map(p04, |p04| p04.times(72.0)), map(p22, |p22| -p22.doubled()), 0);
+        let odd = add(map(self.first, |first| first.times(9.0)), map(self.rest, |rest| -rest.times(27.0)), 0);
+        let j: V::J = product(p2, &even);
+        let j = add(j, odd, V::LACKING);
+        let ii: V::II = square(&i);
+        let iii: V::Discriminant = product(&ii, &i);
+        let jj: V::Discriminant = square(&j);
+        add(map(iii, |iii| iii.doubled().doubled()), map(jj, |jj: Tracked| -jj), 0)
+    }
+}
+
+/// The Hurwitz determinant of a cubic, ascending.
+pub(crate) fn hurwitz_of_cubic<T: Mul<Output = T> + Sub<Output = T>>([p0, p1, p2, p3]: [T; 4]) -> T {
+    p1 * p2 - p0 * p3
+}
+
+/// The discriminant of the cubic `a s^3 + b s^2 + c s + d`.
+pub(crate) fn discriminant_of_cubic([d, c, b, a]: [&Polynomial; 4]) -> Polynomial {
+    let (bc, ad) = (&(b * c), &(a * d));
+    let cubes = &(&(b * b) * b) * d + &(&(c * c) * c) * a;
+    bc * bc + &(bc * ad) * 18.0 - &(ad * ad) * 27.0 - &cubes * 4.0
+}
+
+/// The discriminant of the quadratic `a s^2 + b s + c`.
+pub(crate) fn discriminant_of_quadratic([c, b, a]: [&Polynomial; 3]) -> Polynomial {
+    b * b - &(a * c) * 4.0
+}

@@ -1,0 +1,117 @@
+//! Units of rows, columns, time and speed in which matrices of any scale have entries of about one at most.
+//!
+//! All of them are powers of two, so that scaling rounds nothing.
+
+use nalgebra::Complex;
+
+use crate::numeric::{exponent, ldexp};
+#[cfg(feature = "std")]
+use crate::system::Coefficients;
+use crate::system::{Matrix, System, SystemError};
+
+/// The exponents of the units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Units<const N: usize> {
+    rows: [i32; N],
+    columns: [i32; N],
+    /// Eigenvalues are measured in this power of two of 1/s.
+    pub(crate) time: i32,
+    /// Speeds are measured in this power of two of m/s.
+    #[cfg_attr(not(feature = "std"), allow(dead_code))]
+    pub(crate) speed: i32,
+    /// The gravitational field strength is measured in this power of two of N/kg.
+    #[cfg_attr(not(feature = "std"), allow(dead_code))]
+    gravity: i32,
+}
+
+impl<const N: usize> Units<N> {
+    /// For equations of motion at one speed.
+    ///
+    /// # Errors
+    /// If a row or a column of M is zero.
+    pub(crate) fn of_system(System { m, c, k }: &System<N>) -> Result<Self, SystemError> {
+        let sides = Self::of_mass(m)?;
+        Ok(Self { time: time_unit(sides.largest(c), sides.largest(k)), ..sides })
+    }
+
+    /// For the coefficients of equations of motion at all speeds.
+    ///
+    /// # Errors
+    /// If a row or a column of M is zero.
+    #[cfg(feature = "std")]
+    pub(crate) fn of_coefficients(coefficients: &Coefficients<f64, N>, gravity: f64) -> Result<Self, SystemError> {
+        let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+        let sides = Self::of_mass(m)?;
+        // g K0 may leave the range of f64 where the scaled product does not.
+        let unit = exponent(gravity).unwrap_or(0);
+        let weight = if gravity == 0.0 { None } else { sides.largest(k0).map(|e| e + unit) };
+        let time = time_unit(sides.largest(c0), sides.largest(kc).max(weight));
+        let speed = time - sides.largest(c1).max(sides.largest(k2).map(half)).unwrap_or(time);
+        Ok(Self { time, speed, gravity: unit, ..sides })
+    }
+
+    /// Rows and columns that bring the largest entry of each row and column of M into [1/2, 1).
+    fn of_mass(m: &Matrix<f64, N>) -> Result<Self, SystemError> {
+        let (mut rows, mut columns) = ([0; N], [0; N]);
+        for i in 0..N {
+            rows[i] = -(0..N).filter_map(|j| exponent(m[(i, j)])).max().ok_or(SystemError::SingularMass)?;
+        }
+        for j in 0..N {
+            let largest = (0..N).filter_map(|i| Some(exponent(m[(i, j)])? + rows[i])).max();
+            columns[j] = -largest.ok_or(SystemError::SingularMass)?;
+        }
+        Ok(Self { rows, columns, time: 0, speed: 0, gravity: 0 })
+    }
+
+    /// The exponent of the largest entry of a matrix in the units of rows and columns; `None` if all are zero.
+    fn largest(&self, matrix: &Matrix<f64, N>) -> Option<i32> {
+        let places = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
+        places.filter_map(|(i, j)| Some(exponent(matrix[(i, j)])? + self.rows[i] + self.columns[j])).max()
+    }
+
+    /// A matrix that is multiplied by powers of s and of v, and by `2^rest`.
+    fn scale(&self, matrix: &Matrix<f64, N>, [s, v]: [i32; 2], rest: i32) -> Matrix<f64, N> {
+        let power = v * self.speed - (2 - s) * self.time + rest;
+        Matrix::from_fn(|i, j| ldexp(matrix[(i, j)], self.rows[i] + self.columns[j] + power))
+    }
+
+    /// The matrices at one speed, or derivatives of them, in these units.
+    pub(crate) fn scale_system(&self, System { m, c, k }: &System<N>) -> System<N> {
+        System { m: self.scale(m, [2, 0], 0), c: self.scale(c, [1, 0], 0), k: self.scale(k, [0, 0], 0) }
+    }
+
+    /// Coefficients, or derivatives of them, in these units.
+    #[cfg(feature = "std")]
+    pub(crate) fn scale_coefficients(&self, coefficients: &Coefficients<f64, N>) -> Coefficients<f64, N> {
+        let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+        Coefficients {
+            m: self.scale(m, [2, 0], 0),
+            c0: self.scale(c0, [1, 0], 0),
+            c1: self.scale(c1, [1, 1], 0),
+            kc: self.scale(kc, [0, 0], 0),
+            k0: self.scale(k0, [0, 0], self.gravity),
+            k2: self.scale(k2, [0, 2], 0),
+        }
+    }
+
+    /// A gravitational field strength in these units.
+    #[cfg(feature = "std")]
+    pub(crate) fn scale_gravity(&self, gravity: f64) -> f64 {
+        ldexp(gravity, -self.gravity)
+    }
+}
+
+/// The unit of time, from the exponents of the largest damping and the largest stiffness.
+pub(crate) fn time_unit(damping: Option<i32>, stiffness: Option<i32>) -> i32 {
+    damping.max(stiffness.map(half)).unwrap_or(0)
+}
+
+/// Of an exponent, rounded up: stiffness is measured in the square of the unit.
+fn half(exponent: i32) -> i32 {
+    (exponent + 1).div_euclid(2)
+}
+
+/// A complex number in another unit: times a power of two.
+pub(crate) fn ldexp_complex(x: Complex<f64>, e: i32) -> Complex<f64> {
+    Complex::new(ldexp(x.re, e), ldexp(x.im, e))
+}

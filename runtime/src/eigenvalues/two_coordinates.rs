@@ -1,0 +1,127 @@
+//! The four eigenvalues of two coordinates, at any scale of the matrices.
+
+use nalgebra::Complex;
+
+#[cfg(feature = "batch")]
+use super::four::Four;
+use super::quartic::Quartic;
+use crate::characteristic::determinant::{Rows, coefficients, rows};
+use crate::characteristic::units::{Units, ldexp_complex};
+use crate::number::lane::Lane;
+use crate::system::{System, SystemError};
+
+/// Between these magnitudes, or at zero, products and quotients of entries, as they occur here, stay in the range of `f64`.
+const SMALL: f64 = 1e-30;
+const LARGE: f64 = 1e30;
+
+impl System<2> {
+    /// The four eigenvalues in 1/s, sorted by real part, then by imaginary part; without allocation.
+    ///
+    /// They are the roots of the characteristic quartic `det(M s^2 + C s + K)`. Real ones have an imaginary part of
+    /// exactly zero, and complex ones come in pairs that are exactly conjugate. Jointly they belong to a quartic whose
+    /// coefficients differ from the given one by a few units in the last place of the terms that they are summed from;
+    /// close to a double eigenvalue that leaves about half of the digits.
+    ///
+    /// ```
+    /// use carvallo::{Complex, Matrix, System};
+    ///
+    /// // q1'' + 2 q1' + 5 q1 = 0 and q2'' - 4 q2 = 0.
+    /// let system = System {
+    ///     m: Matrix::<f64, 2>::identity(),
+    ///     c: Matrix::<f64, 2>::new(2.0, 0.0, 0.0, 0.0),
+    ///     k: Matrix::<f64, 2>::new(5.0, 0.0, 0.0, -4.0),
+    /// };
+    /// let expected = [(-2.0, 0.0), (-1.0, -2.0), (-1.0, 2.0), (2.0, 0.0)].map(|(re, im)| Complex::new(re, im));
+    /// for (eigenvalue, expected) in system.quartic_eigenvalues()?.into_iter().zip(expected) {
+    ///     assert!((eigenvalue - expected).norm() < 1e-15);
+    /// }
+    /// # Ok::<(), carvallo::SystemError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If an entry is not finite, if the mass matrix is singular, or if an eigenvalue leaves the range of `f64`.
+    pub fn quartic_eigenvalues(&self) -> Result<[Complex<f64>; 4], SystemError> {
+        let [[s0, s1], [t0, t1]] = self.factored_eigenvalues()?;
+        let mut sorted = [s0, s1, t0, t1];
+        // Both halves are in order already; merge them.
+        for [i, j] in [[0, 2], [1, 3], [1, 2]] {
+            if precedes(sorted[j], sorted[i]) {
+                sorted.swap(i, j);
+            }
+        }
+        Ok(sorted)
+    }
+
+    /// The four eigenvalues as the roots of two quadratic factors: in each half two real ones, ascending, or a conjugate
+    /// pair, the negative imaginary part first.
+    #[inline]
+    pub(crate) fn factored_eigenvalues(&self) -> Result<[[Complex<f64>; 2]; 2], SystemError> {
+        let [k, c, m] = [rows(&self.k), rows(&self.c), rows(&self.m)];
+        // Without a branch for each entry.
+        if are_moderate(m) & are_moderate(c) & are_moderate(k) {
+            return Ok(regular_quartic(m, c, k)?.roots());
+        }
+        self.require_finite()?;
+        scaled_eigenvalues(self)
+    }
+}
+
+/// The sorted eigenvalues of the equations of motion in each lane, and whether they are as exact as those of the scalar
+/// [`System::quartic_eigenvalues`], which are then the same to the last bit; where they are not, it has to be asked.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(crate) fn quick_eigenvalues<T: Lane>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> (Four<T>, T::Mask) {
+    let (quartic, is_singular) = quartic(m, c, k);
+    let is_regular = !is_singular & quartic.is_moderate() & are_moderate(m) & are_moderate(c) & are_moderate(k);
+    let (factors, are_exact) = quartic.quick_factors();
+    (Four::new(factors), is_regular & are_exact)
+}
+
+#[inline(always)]
+fn are_moderate<T: Lane>(matrix: Rows<T>) -> T::Mask {
+    let [[x11, x12], [x21, x22]] = matrix;
+    (is_moderate(x11) & is_moderate(x12)) & (is_moderate(x21) & is_moderate(x22))
+}
+
+#[inline(always)]
+fn is_moderate<T: Lane>(entry: T) -> T::Mask {
+    let magnitude = entry.abs();
+    let limit = |value| entry.like(value);
+    (limit(SMALL).less_or_equal(magnitude) & magnitude.less_or_equal(limit(LARGE)))
+        | magnitude.less_or_equal(limit(0.0))
+}
+
+/// The quartic `det(M s^2 + C s + K) / det M`, and whether M is singular.
+#[inline(always)]
+fn quartic<T: Lane>(m: Rows<T>, c: Rows<T>, k: Rows<T>) -> (Quartic<T>, T::Mask) {
+    let [d, c, b, a, det] = coefficients([k, c, m]);
+    // Below this the determinant is no more than the rounding of the entries.
+    let size = (m[0][0] * m[1][1]).abs() + (m[0][1] * m[1][0]).abs();
+    let rounding = det.like(8.0 * f64::EPSILON) * size;
+    let scale = det.like(1.0) / det;
+    (Quartic { a: a * scale, b: b * scale, c: c * scale, d: d * scale }, det.abs().less_or_equal(rounding))
+}
+
+#[inline]
+fn regular_quartic(m: Rows, c: Rows, k: Rows) -> Result<Quartic, SystemError> {
+    let (quartic, is_singular) = quartic(m, c, k);
+    if is_singular { Err(SystemError::SingularMass) } else { Ok(quartic) }
+}
+
+/// Eigenvalues of matrices of any scale, in units that bring all entries to at most one.
+#[cold]
+fn scaled_eigenvalues(system: &System<2>) -> Result<[[Complex<f64>; 2]; 2], SystemError> {
+    let units = Units::of_system(system)?;
+    let System { m, c, k } = units.scale_system(system);
+    let roots = regular_quartic(rows(&m), rows(&c), rows(&k))?.roots();
+    let eigenvalues = roots.map(|half| half.map(|root| ldexp_complex(root, units.time)));
+    if eigenvalues.as_flattened().iter().any(|root| !(root.re.is_finite() && root.im.is_finite())) {
+        return Err(SystemError::OutOfRange { quantity: "an eigenvalue" });
+    }
+    Ok(eigenvalues)
+}
+
+#[inline]
+fn precedes(x: Complex<f64>, y: Complex<f64>) -> bool {
+    x.re < y.re || (x.re == y.re && x.im < y.im)
+}
