@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::options::{DesignOptions, Format, Picture, Speeds};
 use crate::output;
 use crate::plot::{self, Scene};
-use crate::terminal::{WARNING, note, print};
+use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
 DESIGN is a name that `carvallo bicycles` lists, or with --model a parameter set that `carvallo models` lists; the path
@@ -71,15 +71,14 @@ pub fn run(options: Options) -> Result<(), Failure> {
     let given = options.speeds.map(|Speeds(speeds)| speeds);
     let speeds_or = |default: fn() -> Vec<f64>| given.clone().unwrap_or_else(default);
     let rows = analysis.rows(&speeds_or(if options.format == Format::Table { coarse_speeds } else { fine_speeds }))?;
-    let text = match options.format {
-        Format::Table => output::table(&analysis, &rows),
-        Format::Json => output::json(&analysis, &rows),
-        Format::Csv => output::csv(&analysis, &rows),
-    };
     if let Some(picture) = &options.plot {
         picture.write(&plot_eigenvalues(&analysis, &speeds_or(fine_speeds))?)?;
     }
-    print(&text)
+    match options.format {
+        Format::Table => print(&output::table(&analysis, &rows)),
+        Format::Json => write(|output| output::write_json(&analysis, &rows, output)),
+        Format::Csv => write(|output| output::write_csv(&analysis, &rows, output)),
+    }
 }
 
 /// The speeds of tables, in m/s.

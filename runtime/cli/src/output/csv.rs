@@ -1,19 +1,25 @@
 //! Eigenvalues as comma-separated values.
 
+use std::io::{Result, Write};
+
 use carvallo::Complex;
 
+use super::cells::{exact, write_rows};
 use crate::analysis::{Analysis, Rows};
 
 /// One row a speed, under a header with the units. Each mode that has two eigenvalues has numbered columns; without names
 /// of modes all eigenvalues have numbers, and the last column tells whether the motion is stable.
-pub fn csv(analysis: &Analysis, rows: &Rows) -> String {
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_csv(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> Result<()> {
     let mut lines: Vec<Vec<String>> = Vec::new();
     match rows {
         Rows::Modes(rows) => {
             let names = ["castering", "capsize", "weave 1", "weave 2"].map(str::to_owned);
             lines.push([vec!["speed (m/s)".to_owned()], header(names)].concat());
             for row in rows {
-                lines.push([vec![number(row.speed)], columns(row.values.iter().map(|mode| mode.value))].concat());
+                lines.push([vec![exact(row.speed)], columns(row.values.iter().map(|mode| mode.value))].concat());
             }
         }
         Rows::Sorted(rows) => {
@@ -23,11 +29,11 @@ pub fn csv(analysis: &Analysis, rows: &Rows) -> String {
             lines.push([speed("speed (m/s)".to_owned()), header(names), vec!["verdict".to_owned()]].concat());
             for row in rows {
                 let verdict = vec![row.values.verdict.to_string()];
-                lines.push([speed(number(row.speed)), columns(row.values.values.iter().copied()), verdict].concat());
+                lines.push([speed(exact(row.speed)), columns(row.values.values.iter().copied()), verdict].concat());
             }
         }
     }
-    lines.into_iter().map(|line| line.join(",") + "\n").collect()
+    write_rows(lines, output)
 }
 
 fn header(names: impl IntoIterator<Item = String>) -> Vec<String> {
@@ -35,10 +41,5 @@ fn header(names: impl IntoIterator<Item = String>) -> Vec<String> {
 }
 
 fn columns(values: impl Iterator<Item = Complex<f64>>) -> Vec<String> {
-    values.flat_map(|value| [number(value.re), number(value.im)]).collect()
-}
-
-/// Digits that read back to the same double.
-fn number(value: f64) -> String {
-    format!("{value:?}")
+    values.flat_map(|value| [exact(value.re), exact(value.im)]).collect()
 }

@@ -1,82 +1,105 @@
 //! An analysis as JSON; its form is documented in `docs/json.md`, and stays.
-//!
-//! Numbers are written with the fewest digits that read back to the same double.
 
-use carvallo::{Complex, CriticalSpeed, ModeValue, StableRange};
+use std::io::{Result, Write};
+
+use carvallo::{Complex, CriticalSpeed, ModeValue, Stability, StableRange};
+use serde::Serialize;
 
 use super::equations::{Matrix, matrices};
-use super::quoted;
+use super::layout::{Line, Members, Parts, write_document};
 use crate::analysis::{Analysis, Eigenvalues, Row, Rows};
 
-pub fn json(analysis: &Analysis, rows: &Rows) -> String {
-    let Analysis { design, .. } = analysis;
+#[derive(Serialize)]
+struct Document<'a> {
+    model: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bicycle: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<&'a str>,
+    parameters: Members<Line<f64>>,
+    matrices: Members<Line<Vec<Vec<f64>>>>,
+    critical_speeds: Option<Vec<Line<Event>>>,
+    stable_ranges: Option<Vec<Line<Range>>>,
+    eigenvalues: Vec<Line<AtSpeed>>,
+}
+
+/// The ends of a stable range; there may be no upper one.
+type Range = (f64, Option<f64>);
+
+/// A critical speed.
+#[derive(Serialize)]
+struct Event {
+    kind: String,
+    speed: f64,
+    eigenvalue: Parts,
+    change: String,
+}
+
+/// The eigenvalues at one speed, with the names of their modes or with a verdict.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum AtSpeed {
+    Modes { speed: f64, values: Vec<Named> },
+    Sorted { speed: Option<f64>, verdict: String, values: Vec<Parts> },
+}
+
+/// An eigenvalue whose mode has a name.
+#[derive(Serialize)]
+struct Named {
+    re: f64,
+    im: f64,
+    mode: String,
+}
+
+/// # Errors
+/// If it cannot be written.
+pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> Result<()> {
+    let Analysis { design, stability, .. } = analysis;
     let info = design.info();
+    let is_bicycle = design.model.is_whipple();
     let parameters = info.parameters.iter().zip(&design.parameters);
-    let parameters = parameters.map(|(info, given)| format!("    {}: {:?}", quoted(info.name), given.value));
-    let matrices = matrices(design).into_iter().map(|Matrix { name, rows, .. }| {
-        let rows = rows.iter().map(|row| list(row.iter().map(|value| format!("{value:?}"))));
-        format!("    {}: {}", quoted(name), list(rows))
-    });
-    let rows: Vec<String> = match rows {
-        Rows::Modes(rows) => rows.iter().map(modes).collect(),
-        Rows::Sorted(rows) => rows.iter().map(|row| sorted(row, design.model.depends_on_speed())).collect(),
+    let matrices = matrices(design).into_iter();
+    let document = Document {
+        model: info.name,
+        bicycle: is_bicycle.then_some(&design.name),
+        name: (!is_bicycle).then_some(&design.name),
+        parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
+        matrices: Members(matrices.map(|Matrix { name, rows, .. }| (name, Line(rows))).collect()),
+        critical_speeds: stability.as_ref().map(events),
+        stable_ranges: stability.as_ref().map(ranges),
+        eigenvalues: match rows {
+            Rows::Modes(rows) => rows.iter().map(modes).map(Line).collect(),
+            Rows::Sorted(rows) => {
+                let moves = design.model.depends_on_speed();
+                rows.iter().map(|row| Line(sorted(row, moves))).collect()
+            }
+        },
     };
-    let (critical, ranges) = match &analysis.stability {
-        Some(stability) => (
-            lines('[', stability.critical_speeds.iter().map(critical), ']'),
-            lines('[', stability.stable_ranges.iter().map(range), ']'),
-        ),
-        None => ("null".to_owned(), "null".to_owned()),
+    write_document(&document, output)
+}
+
+fn events(stability: &Stability) -> Vec<Line<Event>> {
+    let event = |critical: &CriticalSpeed| Event {
+        kind: critical.kind.to_string(),
+        speed: critical.speed,
+        eigenvalue: critical.eigenvalue.into(),
+        change: critical.change.to_string(),
     };
-    format!(
-        "{{\n  \"model\": {},\n  \"{}\": {},\n  \"parameters\": {},\n  \"matrices\": {},\n  \
-         \"critical_speeds\": {critical},\n  \"stable_ranges\": {ranges},\n  \"eigenvalues\": {}\n}}\n",
-        quoted(info.name),
-        if design.model.is_whipple() { "bicycle" } else { "name" },
-        quoted(&design.name),
-        lines('{', parameters, '}'),
-        lines('{', matrices, '}'),
-        lines('[', rows, ']'),
-    )
+    stability.critical_speeds.iter().map(event).map(Line).collect()
 }
 
-fn critical(CriticalSpeed { kind, speed, eigenvalue, change, .. }: &CriticalSpeed) -> String {
-    format!(
-        "    {{\"kind\": \"{kind}\", \"speed\": {speed:?}, \"eigenvalue\": {{\"re\": {:?}, \"im\": {:?}}}, \"change\": \
-         \"{change}\"}}",
-        eigenvalue.re, eigenvalue.im,
-    )
+fn ranges(stability: &Stability) -> Vec<Line<Range>> {
+    stability.stable_ranges.iter().map(|StableRange { from, to }| Line((*from, *to))).collect()
 }
 
-fn range(StableRange { from, to }: &StableRange) -> String {
-    match to {
-        Some(to) => format!("    [{from:?}, {to:?}]"),
-        None => format!("    [{from:?}, null]"),
-    }
+fn modes(Row { speed, values }: &Row<[ModeValue; 4]>) -> AtSpeed {
+    let named =
+        |ModeValue { mode, value: Complex { re, im } }: &ModeValue| Named { re: *re, im: *im, mode: mode.to_string() };
+    AtSpeed::Modes { speed: *speed, values: values.iter().map(named).collect() }
 }
 
-fn modes(Row { speed, values }: &Row<[ModeValue; 4]>) -> String {
-    let value = |ModeValue { mode, value }: &ModeValue| format!("{{{}, \"mode\": \"{mode}\"}}", parts(value));
-    format!("    {{\"speed\": {speed:?}, \"values\": {}}}", list(values.iter().map(value)))
-}
-
-fn sorted(Row { speed, values: Eigenvalues { values, verdict } }: &Row<Eigenvalues>, moves: bool) -> String {
-    let speed = if moves { format!("{speed:?}") } else { "null".to_owned() };
-    let values = list(values.iter().map(|value| format!("{{{}}}", parts(value))));
-    format!("    {{\"speed\": {speed}, \"verdict\": \"{verdict}\", \"values\": {values}}}")
-}
-
-fn parts(value: &Complex<f64>) -> String {
-    format!("\"re\": {:?}, \"im\": {:?}", value.re, value.im)
-}
-
-/// An array on one line.
-pub fn list(items: impl Iterator<Item = String>) -> String {
-    format!("[{}]", items.collect::<Vec<_>>().join(", "))
-}
-
-/// An array or object with one item a line.
-pub fn lines(open: char, items: impl IntoIterator<Item = String>, close: char) -> String {
-    let items: Vec<String> = items.into_iter().collect();
-    if items.is_empty() { format!("{open}{close}") } else { format!("{open}\n{}\n  {close}", items.join(",\n")) }
+/// Where nothing depends on the speed there is none.
+fn sorted(Row { speed, values: Eigenvalues { values, verdict } }: &Row<Eigenvalues>, moves: bool) -> AtSpeed {
+    let values = values.iter().copied().map(Parts::from).collect();
+    AtSpeed::Sorted { speed: moves.then_some(*speed), verdict: verdict.to_string(), values }
 }

@@ -13,8 +13,8 @@ mod sketch;
 mod sorted;
 mod table;
 
-pub use self::csv::csv;
-pub use self::json::json;
+pub use self::csv::write_csv;
+pub use self::json::write_json;
 pub use self::list::list;
 pub use self::models::models;
 pub use self::parameters::parameters;
