@@ -13,6 +13,7 @@ pub mod number;
 mod options;
 mod output;
 mod plot;
+mod quantity;
 mod sensitivity;
 mod speeds;
 mod sweep;

@@ -1,9 +1,13 @@
-//! The speeds of an analysis: `4`, `3,4.5,6` or `0:10:0.1`.
+//! The speeds of an analysis: `4`, `3,4.5,6`, `0:10:0.1` or `20 km/h:220 km/h:5 km/h`.
 
 use crate::number::shortest;
+use crate::quantity::{self, Context, Mistake, Reason, Steps, TOO_SMALL, check_units, no_names};
 
 /// More than this many points is taken for a slip in the step.
 const MAX_POINTS: f64 = 100_000.0;
+
+/// What a speed may be written as, other than in m/s: `20 km/h`, `20/3.6`.
+const CONTEXT: Context = Context { unit: "m/s", names: &no_names };
 
 /// The speeds that `text` stands for, in m/s.
 ///
@@ -11,21 +15,26 @@ const MAX_POINTS: f64 = 100_000.0;
 /// What is wrong, if anything.
 pub fn parse(text: &str) -> Result<Vec<f64>, String> {
     match text.split(':').collect::<Vec<_>>()[..] {
-        [list] => list.split(',').map(|speed| number(speed, "a speed")).collect(),
+        [list] => {
+            let list: Vec<&str> = list.split(',').collect();
+            let speeds = list.iter().map(|speed| number(speed, "a speed")).collect();
+            check_units(&list, CONTEXT).and(speeds)
+        }
         [low, high, step] => range(low, high, step),
         _ => Err("expected a speed, a list such as 3,4.5,6 or a range LOW:HIGH:STEP such as 0:10:0.1".to_owned()),
     }
 }
 
 fn range(low: &str, high: &str, step: &str) -> Result<Vec<f64>, String> {
-    let decimals = decimals(low).zip(decimals(step)).map(|(low, step)| low.max(step));
+    check_units(&[low, high, step], CONTEXT)?;
+    let written = Steps::new(low, step);
     let (low, high) = (number(low, "a speed")?, number(high, "a speed")?);
     if low > high {
         let (low, high) = (shortest(low), shortest(high));
         return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
     }
-    let step = match step.trim().parse::<f64>() {
-        Ok(step) if step.is_finite() && step > 0.0 => step,
+    let step = match quantity::number(step, CONTEXT) {
+        Ok(step) if step > 0.0 => step,
         _ => return Err(format!("the step is `{}`; it must be a finite number > 0", step.trim())),
     };
     // The end belongs to the range also if the division falls just short of it.
@@ -34,31 +43,35 @@ fn range(low: &str, high: &str, step: &str) -> Result<Vec<f64>, String> {
         return Err(format!("the range has more than {MAX_POINTS} points"));
     }
     let at = |index: u32| {
-        let speed = low + f64::from(index) * step;
-        // Back to the decimals that were written: 0.3 rather than 0.30000000000000004.
-        decimals.and_then(|decimals| format!("{speed:.decimals$}").parse().ok()).unwrap_or(speed)
+        let text = written.as_ref().and_then(|steps| steps.text(index));
+        let speed = text.and_then(|text| quantity::number(&text, CONTEXT).ok());
+        speed.unwrap_or(low + f64::from(index) * step)
     };
     Ok((0..=steps as u32).map(at).collect())
 }
 
 fn number(text: &str, what: &str) -> Result<f64, String> {
     let text = text.trim();
-    let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
-    match text.parse::<f64>() {
-        _ if text.is_empty() => Err(format!("{what} is empty; it must be a finite number")),
-        Ok(0.0) if mantissa.contains(|c: char| ('1'..='9').contains(&c)) => {
-            Err(format!("{what} is `{text}`, too small to tell from zero"))
-        }
-        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value.abs()),
-        Ok(value) if value.is_finite() => Err(format!("{what} is {}; it must be >= 0", shortest(value))),
-        _ => Err(format!("{what} is `{text}`; it must be a finite number")),
+    if text.is_empty() {
+        return Err(format!("{what} is empty; it must be a finite number"));
     }
-}
-
-/// The number of decimals, where the text is a plain decimal number.
-fn decimals(text: &str) -> Option<usize> {
-    let (_, decimals) = text.trim().split_once('.').unwrap_or((text, ""));
-    (decimals.len() <= 15 && !text.contains(['e', 'E'])).then_some(decimals.len())
+    match quantity::number(text, CONTEXT) {
+        Ok(value) if value >= 0.0 => Ok(value.abs()),
+        Ok(value) => Err(format!("{what} is {}; it must be >= 0", shortest(value))),
+        Err(Mistake { reason: Reason::Unit(unit), .. }) => {
+            Err(format!("{what} is `{text}`; `{unit}` is no unit for it: speeds are in m/s, or for example in km/h"))
+        }
+        Err(Mistake { reason: Reason::Other(reason), .. }) if reason.ends_with(TOO_SMALL) => {
+            Err(format!("{what} is `{text}`, {TOO_SMALL}"))
+        }
+        // Of `nan` and other words there is nothing to add.
+        Err(_) if text.trim_start_matches('-').chars().all(char::is_alphabetic) => {
+            Err(format!("{what} is `{text}`; it must be a finite number"))
+        }
+        Err(Mistake { reason: Reason::Other(reason), .. }) => {
+            Err(format!("{what} is `{text}`; it must be a finite number: {reason}"))
+        }
+    }
 }
 
 #[cfg(test)]
@@ -81,6 +94,19 @@ mod tests {
         assert_eq!(parse("-0").map(|speeds| speeds[0].is_sign_positive()), Ok(true));
     }
 
+    /// 1 km/h is 1/3.6 m/s.
+    #[test]
+    fn speeds_are_values_like_others() {
+        let kmh = |speeds: &[f64]| Ok(speeds.iter().map(|speed| speed / 3.6).collect::<Vec<f64>>());
+        assert_eq!(parse("20 km/h:35 km/h:5 km/h"), kmh(&[20.0, 25.0, 30.0, 35.0]));
+        assert_eq!(parse("20 km/h:220 km/h:5 km/h").map(|speeds| speeds.len()), Ok(41));
+        assert_eq!(parse("0:10 km/h:5 km/h"), kmh(&[0.0, 5.0, 10.0]));
+        assert_eq!(parse("18 km/h, 36 km/h, 10 m/s"), Ok(vec![5.0, 10.0, 10.0]));
+        assert_eq!(parse("18/3.6:36/3.6:18/3.6"), Ok(vec![5.0, 10.0]));
+        assert_eq!(parse("sqrt(9)"), Ok(vec![3.0]));
+        assert_eq!(parse("10 mph"), Ok(vec![4.4704]));
+    }
+
     #[test]
     fn mistakes_are_named() {
         for (text, message) in [
@@ -95,6 +121,10 @@ mod tests {
             ("1e-400", "a speed is `1e-400`, too small to tell from zero"),
             ("0:inf:1", "a speed is `inf`; it must be a finite number"),
             ("fast", "a speed is `fast`; it must be a finite number"),
+            ("5+-1", "a speed is `5+-1`; it must be a finite number: a standard deviation has no place here"),
+            ("20:220:5 km/h", "`20` has no unit, but others have: write it behind each"),
+            ("20, 30 km/h", "`20` has no unit, but others have: write it behind each"),
+            ("5 kg", "a speed is `5 kg`; `kg` is no unit for it: speeds are in m/s, or for example in km/h"),
             ("0:10", "expected a speed, a list such as 3,4.5,6 or a range LOW:HIGH:STEP such as 0:10:0.1"),
         ] {
             assert_eq!(parse(text), Err(message.to_owned()), "{text}");

@@ -21,14 +21,14 @@ pub struct Entry {
     pub name: String,
     pub place: Place,
     pub value: Written,
-    /// Its standard deviation.
+    /// Its standard deviation, in formats that keep it apart from the value.
     pub deviation: Option<Written>,
 }
 
 /// A value as it was written.
 #[derive(Debug)]
 pub enum Written {
-    /// A number or an expression.
+    /// A number or an expression, perhaps with a standard deviation.
     Text(String),
     /// Something that cannot be a number, in words: `an array`.
     Other(&'static str),
@@ -37,11 +37,7 @@ pub enum Written {
 impl Entry {
     /// An entry of a format that keeps value and deviation in one text: `1.02 +/- 0.01`.
     pub fn from_text(name: &str, place: Place, text: &str) -> Self {
-        let (value, deviation) = match text.split_once("+/-").or_else(|| text.split_once('±')) {
-            Some((value, deviation)) => (value, Some(Written::Text(deviation.trim().to_owned()))),
-            None => (text, None),
-        };
-        Self { name: name.to_owned(), place, value: Written::Text(value.trim().to_owned()), deviation }
+        Self { name: name.to_owned(), place, value: Written::Text(text.trim().to_owned()), deviation: None }
     }
 }
 

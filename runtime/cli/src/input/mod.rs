@@ -1,10 +1,8 @@
 //! Parameters of a model: shipped ones by name, and files in any of the formats that people have.
 
 mod document;
-mod expression;
 mod json;
 mod lines;
-mod literal;
 mod names;
 mod parameters;
 mod plausible;
@@ -22,7 +20,7 @@ use crate::model::{Shipped, WHIPPLE};
 
 pub use self::plausible::warnings;
 pub use self::shipped::DEFAULT_BICYCLE;
-pub use self::value::evaluated;
+pub use self::value::{evaluated, measured};
 
 /// Where the parameters come from.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -7,11 +7,12 @@ use carvallo::ModelInfo;
 use super::document::{Document, Entry};
 use super::names;
 use super::shipped::{DEFAULT_BICYCLE, default_name};
-use super::value::judge;
+use super::value::validate;
 use crate::design::Design;
 use crate::failure::{Place, Problem};
 use crate::model::Shipped;
 use crate::nearest::nearest;
+use crate::quantity::no_names;
 
 /// Judges a file together with the values of the command line, which replace those of the file.
 ///
@@ -36,7 +37,7 @@ pub fn resolve(
     let mut missing = Vec::new();
     let mut parameters = Vec::new();
     for (position, parameter) in info.parameters.iter().enumerate() {
-        match given.get(&position).map(|entry| judge(entry, parameter)) {
+        match given.get(&position).map(|entry| validate(entry, parameter, &no_names)) {
             Some(Ok(given)) => parameters.push(given),
             Some(Err(mut found)) => problems.append(&mut found),
             None => missing.push(format!("`{}`", parameter.name)),

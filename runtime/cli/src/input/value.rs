@@ -3,42 +3,52 @@
 use carvallo::ParameterInfo;
 
 use super::document::{Entry, Written};
-use super::expression::{Mistake, evaluate};
-
 use crate::design::{Deviation, Given};
 use crate::failure::Problem;
 use crate::number::{self, shortest, with_unit};
+use crate::quantity::{self, Context, Lookup, Measured, Mistake, Part, Reason, no_names};
+
+const EXPECTED: &str = "expected a number, or an expression such as `pi/10`";
 
 /// # Errors
 /// Everything that is wrong with the value and its standard deviation.
-pub fn judge(entry: &Entry, info: &ParameterInfo) -> Result<Given, Vec<Problem>> {
+pub fn validate(entry: &Entry, info: &ParameterInfo, names: &Lookup) -> Result<Given, Vec<Problem>> {
     let mut problems = Vec::new();
     let mut problem = |message: String| problems.push(Problem { place: entry.place.clone(), message });
     let name = info.name;
-    let (value, written) = match read(&entry.value, info) {
-        Ok((value, written)) if info.domain.contains(value) => (value, written),
-        Ok((value, written)) => {
-            let hint = degrees(value, &written, info);
-            problem(format!("`{name}` is {}; it must be {}{hint}", with_unit(value, info.unit), info.domain));
-            (value, String::new())
+    let of_deviation = format!("the standard deviation of `{name}` is");
+    let mut given = Part { value: 0.0, written: String::new() };
+    let mut spread = None;
+    match read(&entry.value, info, names) {
+        Ok(Measured { mean, deviation }) => {
+            if !info.domain.contains(mean.value) {
+                let hint = degrees(&mean, info);
+                problem(format!("`{name}` is {}; it must be {}{hint}", with_unit(mean.value, info.unit), info.domain));
+            }
+            (given, spread) = (mean, deviation);
         }
-        Err(found) => {
-            problem(format!("`{name}` is {found}"));
-            (0.0, String::new())
+        Err((false, found)) => problem(format!("`{name}` is {found}")),
+        Err((true, found)) => problem(format!("{of_deviation} {found}")),
+    }
+    if let Some(deviation) = &entry.deviation {
+        match read(deviation, info, names) {
+            Ok(Measured { mean, deviation: None }) if spread.is_none() => spread = Some(mean),
+            Ok(_) => problem(format!("{of_deviation} given twice")),
+            Err((_, found)) => problem(format!("{of_deviation} {found}")),
         }
-    };
-    let deviation = entry.deviation.as_ref().and_then(|deviation| match read(deviation, info) {
-        Ok((value, written)) if value >= 0.0 => (value > 0.0).then_some(Deviation { written, value }),
-        Ok((deviation, _)) => {
-            problem(format!("the standard deviation of `{name}` is {}; it must be >= 0", shortest(deviation)));
-            None
-        }
-        Err(found) => {
-            problem(format!("the standard deviation of `{name}` is {found}"));
-            None
-        }
-    });
-    if problems.is_empty() { Ok(Given { written, value, deviation }) } else { Err(problems) }
+    }
+    if let Some(Part { value, .. }) = spread
+        && value < 0.0
+    {
+        problem(format!("{of_deviation} {}; it must be >= 0", shortest(value)));
+    }
+    let deviation = spread.filter(|part| part.value > 0.0);
+    let deviation = deviation.map(|Part { value, written }| Deviation { written, value });
+    if problems.is_empty() {
+        Ok(Given { written: given.written, value: given.value, deviation })
+    } else {
+        Err(problems)
+    }
 }
 
 /// The value of a number or an expression for a parameter, whether or not it lies in its domain.
@@ -46,11 +56,23 @@ pub fn judge(entry: &Entry, info: &ParameterInfo) -> Result<Given, Vec<Problem>>
 /// # Errors
 /// What was found and what was expected, as the end of a sentence.
 pub fn evaluated(text: &str, info: &ParameterInfo) -> Result<f64, String> {
-    read(&Written::Text(text.trim().to_owned()), info).map(|(value, _)| value)
+    let context = Context { unit: info.unit, names: &no_names };
+    quantity::number(text, context).map_err(|mistake| found(mistake, info).1)
+}
+
+/// The value of a parameter and its standard deviation, if it has one, whether or not they lie in its domain.
+///
+/// # Errors
+/// What was found and what was expected, as the end of a sentence.
+pub fn measured(text: &str, info: &ParameterInfo) -> Result<(f64, Option<f64>), String> {
+    let context = Context { unit: info.unit, names: &no_names };
+    let found = |mistake| found(mistake, info).1;
+    let Measured { mean, deviation } = quantity::measured(text, context).map_err(found)?;
+    Ok((mean.value, deviation.map(|part| part.value)))
 }
 
 /// How to write an angle in degrees, where a plain number would be one that the parameter can have.
-fn degrees(value: f64, written: &str, info: &ParameterInfo) -> String {
+fn degrees(Part { value, written }: &Part, info: &ParameterInfo) -> String {
     if info.unit == "rad" && written.parse::<f64>().is_ok() && info.domain.contains(value.to_radians()) {
         format!(" (for degrees write `{written} deg`)")
     } else {
@@ -58,28 +80,34 @@ fn degrees(value: f64, written: &str, info: &ParameterInfo) -> String {
     }
 }
 
-/// The value with its text; otherwise what was found and what was expected.
-fn read(written: &Written, info: &ParameterInfo) -> Result<(f64, String), String> {
-    const EXPECTED: &str = "expected a number, or an expression such as `pi/10`";
+/// The value with its text; otherwise whether it is the standard deviation that is wrong, and what was found.
+fn read(written: &Written, info: &ParameterInfo, names: &Lookup) -> Result<Measured, (bool, String)> {
     match written {
-        Written::Other(found) => Err(format!("{found}; {EXPECTED}")),
-        Written::Text(text) if text.is_empty() => Err(format!("empty; {EXPECTED}")),
-        Written::Text(text) => match text.trim_start_matches(['+', '-', '.']).to_lowercase().as_str() {
-            "nan" | "inf" | "infinity" => Err(format!("`{text}`; expected a finite number")),
-            _ => match evaluate(text) {
-                Ok(value) => Ok((value, text.clone())),
-                Err(Mistake::Unit) => Err(format!("`{text}`; {}", without_unit(info))),
-                Err(Mistake::Other(reason)) => Err(format!("`{text}`; {EXPECTED}: {reason}")),
-            },
-        },
+        Written::Other(found) => Err((false, format!("{found}; {EXPECTED}"))),
+        Written::Text(text) => {
+            quantity::measured(text, Context { unit: info.unit, names }).map_err(|mistake| found(mistake, info))
+        }
     }
 }
 
-fn without_unit(info: &ParameterInfo) -> String {
+/// Whether it is the standard deviation that is wrong; and what was found and what was expected.
+fn found(Mistake { text, is_deviation, reason }: Mistake, info: &ParameterInfo) -> (bool, String) {
+    let found = match text.trim_start_matches(['+', '-', '.']).to_lowercase().as_str() {
+        "" if text.is_empty() => format!("empty; {EXPECTED}"),
+        "nan" | "inf" | "infinity" => format!("`{text}`; expected a finite number"),
+        _ => match reason {
+            Reason::Unit(unit) => format!("`{text}`; {}", without_unit(&unit, info)),
+            Reason::Other(reason) => format!("`{text}`; {EXPECTED}: {reason}"),
+        },
+    };
+    (is_deviation, found)
+}
+
+fn without_unit(found: &str, info: &ParameterInfo) -> String {
     let meaning = match number::unit(info.unit) {
         unit if unit.is_empty() => "a pure number".to_owned(),
         unit if info.unit == "rad" => format!("in {unit}, or in degrees with `deg` as in `18 deg`"),
         unit => format!("in {unit}"),
     };
-    format!("no unit is accepted here: `{}` is {meaning}", info.name)
+    format!("`{found}` is no unit for it: `{}` is {meaning}", info.name)
 }

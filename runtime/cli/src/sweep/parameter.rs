@@ -5,6 +5,7 @@ use carvallo::{ModelInfo, ParameterInfo};
 use crate::input::evaluated;
 use crate::nearest::nearest;
 use crate::number::with_unit;
+use crate::quantity::{self, Context, no_names};
 
 /// The parameter that stands before an equals sign, and what stands behind it.
 ///
@@ -38,6 +39,12 @@ pub fn find(name: &str, info: &ModelInfo) -> Result<usize, String> {
 /// If it is no number: what was expected.
 pub fn number(text: &str, info: &ParameterInfo) -> Result<f64, String> {
     evaluated(text, info).map_err(|found| format!("a value of `{}` is {found}", info.name))
+}
+
+/// # Errors
+/// If some of the numbers have a unit that others have not.
+pub fn check_units(texts: &[&str], info: &ParameterInfo) -> Result<(), String> {
+    quantity::check_units(texts, Context { unit: info.unit, names: &no_names })
 }
 
 /// # Errors

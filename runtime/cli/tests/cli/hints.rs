@@ -12,19 +12,16 @@ fn degrees_are_hinted_at_as_they_were_typed() {
 }
 
 #[test]
-fn units_are_named_but_not_accepted() {
-    let none = "no unit is accepted here";
-    check("kg", "mB = 85", "mB = \"85 kg\"", &format!("bike.toml:19: `mB` is `85 kg`; {none}: `mB` is in kg"));
-    check_options(&["--set", "w=102 cm"], &format!("--set w=102 cm: `w` is `102 cm`; {none}: `w` is in m"));
-    check_options(
-        &["--set", "lam=18 degrees"],
-        &format!(
-            "--set lam=18 degrees: `lam` is `18 degrees`; {none}: `lam` is in rad, or in degrees with `deg` as in \
-             `18 deg`"
-        ),
-    );
-    let deviation = format!("bike.toml:19: the standard deviation of `mB` is `1 kg`; {none}: `mB` is in kg");
-    check("kg-deviation", "mB = 85", "mB = \"85 +/- 1 kg\"", &deviation);
+fn units_of_another_quantity_are_refused() {
+    let fits = |unit: &str, name: &str, own: &str| format!("`{unit}` is no unit for it: `{name}` is in {own}");
+    check("m", "mB = 85", "mB = \"85 m\"", &format!("bike.toml:19: `mB` is `85 m`; {}", fits("m", "mB", "kg")));
+    check_options(&["--set", "w=1 lb"], &format!("--set w=1 lb: `w` is `1 lb`; {}", fits("lb", "w", "m")));
+    check_options(&["--set", "w=18 deg"], &format!("--set w=18 deg: `w` is `18 deg`; {}", fits("deg", "w", "m")));
+    let or_degrees = "rad, or in degrees with `deg` as in `18 deg`";
+    let message = format!("--set lam=18 grad: `lam` is `18 grad`; {}", fits("grad", "lam", or_degrees));
+    check_options(&["--set", "lam=18 grad"], &message);
+    let deviation = format!("bike.toml:19: the standard deviation of `mB` is `1 m`; {}", fits("m", "mB", "kg"));
+    check("m-deviation", "mB = 85", "mB = \"85 +/- 1 m\"", &deviation);
 }
 
 #[test]

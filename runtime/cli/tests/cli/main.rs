@@ -7,6 +7,7 @@ mod hints;
 mod mistakes;
 mod mistakes_of_models;
 mod models;
+mod numbers;
 mod pictures;
 mod process;
 mod sensitivity;

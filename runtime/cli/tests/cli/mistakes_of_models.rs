@@ -68,7 +68,7 @@ fn parameters_of_another_model() {
     let change = |from: &str, to: &str| PIPES.replace(from, to);
     check_file("a.toml", change("l = 0.5", "l = 0"), "a.toml:3: `l` is 0 m; it must be > 0");
     check_file("a.toml", change("k = 0.5\n", ""), "a.toml: missing: `k` (of 6 parameters)");
-    let unit = "no unit is accepted here: `k` is in N m/rad";
+    let unit = "`mN` is no unit for it: `k` is in N m/rad";
     check_file("a.toml", change("k = 0.5", "k = \"5 mN\""), &format!("a.toml:6: `k` is `5 mN`; {unit}"));
     check_file("a.toml", change("k = 0.5", "k = 0.5\nIRzz = 1"), "a.toml:7: `IRzz` is not a parameter of TwoPipes");
     let start = "it has no parameters; `carvallo show --model TwoPipes` prints a file to start from";

@@ -4,7 +4,8 @@ use carvallo::{ModelInfo, ParameterInfo};
 
 use crate::input::evaluated;
 use crate::number::with_unit;
-use crate::sweep::parameter::{any_possible, number, split, too_wide};
+use crate::quantity::Steps;
+use crate::sweep::parameter::{any_possible, check_units, number, split, too_wide};
 
 /// More than this many values of one parameter are taken for a slip in the step.
 const MAX_POINTS: f64 = 1_000_000.0;
@@ -24,12 +25,21 @@ impl Axis {
         let expected = "expected NAME=LOW:HIGH:STEP, NAME=LOW:HIGH:N points or NAME=a,b,c, such as w=0.9:1.2:0.01";
         let (position, parameter, values) = split(text, info, expected)?;
         let values = match values.split(':').collect::<Vec<_>>()[..] {
-            [list] => list.split(',').map(|value| number(value, parameter)).collect::<Result<Vec<f64>, _>>()?,
+            [list] => {
+                let list: Vec<&str> = list.split(',').collect();
+                let values = list.iter().map(|value| number(value, parameter)).collect::<Result<Vec<f64>, _>>()?;
+                check_units(&list, parameter)?;
+                values
+            }
             [low, high, last] => {
                 let range = Range::parse(low, high, parameter)?;
                 match last.trim_end().strip_suffix("points").or_else(|| last.trim_end().strip_suffix("point")) {
-                    Some(count) => range.points(count)?,
-                    None => range.steps(low, last, parameter)?,
+                    Some(count) => check_units(&[low, high], parameter).and_then(|()| range.points(count))?,
+                    None => {
+                        let values = range.steps(low, last, parameter)?;
+                        check_units(&[low, high, last], parameter)?;
+                        values
+                    }
                 }
             }
             _ => return Err(expected.to_owned()),
@@ -72,7 +82,7 @@ impl Range {
     }
 
     fn steps(&self, low: &str, step: &str, info: &ParameterInfo) -> Result<Vec<f64>, String> {
-        let written = [low, step].map(Decimal::parse);
+        let written = Steps::new(low, step);
         let step_text = step.trim();
         let step = evaluated(step, info).map_err(|found| format!("the step of `{}` is {found}", info.name))?;
         if step <= 0.0 {
@@ -84,41 +94,11 @@ impl Range {
             return Err(format!("the range has more than {MAX_POINTS} points"));
         }
         let at = |index: u32| {
-            let written = match &written {
-                [Some(low), Some(step)] if low.unit == step.unit => low.and_steps(index, step),
-                _ => None,
-            };
+            let written = written.as_ref().and_then(|steps| steps.text(index));
             let value = written.and_then(|text| evaluated(&text, info).ok());
             value.unwrap_or(self.low + f64::from(index) * step) + 0.0
         };
         Ok((0..=steps as u32).map(at).collect())
-    }
-}
-
-/// A plain decimal number with its unit, so that the values of a range are those that one would write: 0.3 rather than
-/// 0.30000000000000004, and `18 deg` rather than eighteen times a degree.
-struct Decimal<'a> {
-    value: f64,
-    decimals: usize,
-    unit: &'a str,
-}
-
-impl<'a> Decimal<'a> {
-    fn parse(text: &'a str) -> Option<Self> {
-        let text = text.trim();
-        let end = text.find(|c: char| !c.is_ascii_digit() && !"+-.".contains(c)).unwrap_or(text.len());
-        let (number, unit) = text.split_at(end);
-        let (_, decimals) = number.split_once('.').unwrap_or((number, ""));
-        let is_plain = ["", "deg", "°"].contains(&unit.trim()) && decimals.len() <= 15;
-        let value = number.trim().parse().ok().filter(|_| is_plain)?;
-        Some(Self { value, decimals: decimals.len(), unit: unit.trim() })
-    }
-
-    fn and_steps(&self, index: u32, step: &Self) -> Option<String> {
-        let value = self.value + f64::from(index) * step.value;
-        let decimals = self.decimals.max(step.decimals);
-        // Beyond this a double has not so many decimals.
-        (value.abs() < 1e9).then(|| format!("{value:.decimals$} {}", self.unit))
     }
 }
 
@@ -163,7 +143,14 @@ mod tests {
                 "no value of `lam` is possible, such as 10 rad; it must be > -1.5707963267948966 and < \
                  1.5707963267948966 (for degrees write `18 deg`)",
             ),
-            ("w=1 kg", "a value of `w` is `1 kg`; no unit is accepted here: `w` is in m"),
+            ("w=1 kg", "a value of `w` is `1 kg`; `kg` is no unit for it: `w` is in m"),
+            ("lam=0:1:0.1 deg", "`1` has no unit, but others have: write it behind each"),
+            ("lam=0.1, 5 deg", "`0.1` has no unit, but others have: write it behind each"),
+            (
+                "mB=85+-5",
+                "a value of `mB` is `85+-5`; expected a number, or an expression such as `pi/10`: a standard deviation \
+                 has no place here",
+            ),
         ] {
             assert_eq!(Axis::parse(text, WHIPPLE.info), Err(message.to_owned()), "{text}");
         }

@@ -4,8 +4,9 @@ use carvallo::ModelInfo;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore as _, SeedableRng as _};
 
+use crate::input::measured;
 use crate::number::with_unit;
-use crate::sweep::parameter::{any_possible, number, split, too_wide};
+use crate::sweep::parameter::{any_possible, check_units, number, split, too_wide};
 
 /// The 32-bit words that each sample takes, whatever its distribution.
 const WORDS: u128 = 4;
@@ -34,13 +35,23 @@ impl Random {
     pub fn parse(text: &str, info: &ModelInfo) -> Result<Self, String> {
         let expected = "expected NAME=LOW..HIGH or NAME=MEAN+-DEVIATION, such as c=0.02..0.12 or mB=85+-5";
         let (position, parameter, values) = split(text, info, expected)?;
-        let both = |(first, second): (&str, &str)| {
-            number(first, parameter).and_then(|first| Ok((first, number(second, parameter)?)))
-        };
         let with_unit = |value| with_unit(value, parameter.unit);
-        let normal = ["+/-", "±", "+-"].iter().find_map(|sign| values.split_once(sign));
-        let distribution = if let Some(parts) = normal {
-            let (mean, deviation) = both(parts)?;
+        let distribution = if let Some((low, high)) = values.split_once("..") {
+            check_units(&[low, high], parameter)?;
+            let (low, high) = (number(low, parameter)?, number(high, parameter)?);
+            if low > high {
+                let [low, high] = [low, high].map(with_unit);
+                return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
+            }
+            if !(high - low).is_finite() {
+                return Err(too_wide(low, high, parameter));
+            }
+            any_possible(&[low, low / 2.0 + high / 2.0, high], parameter)?;
+            Distribution::Uniform { low, high }
+        } else {
+            let measured = measured(values, parameter);
+            let (mean, deviation) = measured.map_err(|found| format!("a value of `{}` is {found}", parameter.name))?;
+            let deviation = deviation.ok_or(expected)?;
             if deviation < 0.0 {
                 return Err(format!("the standard deviation is {}; it must be >= 0", with_unit(deviation)));
             }
@@ -52,17 +63,6 @@ impl Random {
                 ));
             }
             Distribution::Normal { mean, deviation }
-        } else {
-            let (low, high) = both(values.split_once("..").ok_or(expected)?)?;
-            if low > high {
-                let [low, high] = [low, high].map(with_unit);
-                return Err(format!("the range ends at {high}, before it begins at {low}; it must ascend"));
-            }
-            if !(high - low).is_finite() {
-                return Err(too_wide(low, high, parameter));
-            }
-            any_possible(&[low, low / 2.0 + high / 2.0, high], parameter)?;
-            Distribution::Uniform { low, high }
         };
         Ok(Self { position, distribution })
     }
@@ -132,7 +132,8 @@ mod tests {
     /// Within five standard errors of 20,000 samples.
     #[test]
     fn samples_have_the_moments_of_their_distribution() {
-        for (text, mean, deviation) in [("c=0.02..0.12", 0.07, 0.1 / 12_f64.sqrt()), ("mB=85+-5", 85.0, 5.0)] {
+        let spellings = ["mB=85+-5", "mB=85 ± 5 kg", "mB=85(5)"].map(|text| (text, 85.0, 5.0));
+        for (text, mean, deviation) in [("c=0.02..0.12", 0.07, 0.1 / 12_f64.sqrt())].into_iter().chain(spellings) {
             let samples = samples(text, 0);
             let count = samples.len() as f64;
             let found = samples.iter().sum::<f64>() / count;

@@ -2,7 +2,7 @@
 
 use carvallo::{ModelInfo, ParameterInfo};
 
-use crate::input::evaluated;
+use crate::input::measured;
 use crate::number::shortest;
 use crate::sweep::table::{Column, Designs, Kind};
 
@@ -88,8 +88,9 @@ fn number(cell: Cell, info: &ParameterInfo) -> Result<f64, String> {
         // Zero may be what is left of a number that is too small.
         Cell::Text(text) => match text.parse::<f64>() {
             Ok(value) if value.is_finite() && value != 0.0 => return Ok(value),
-            _ => match evaluated(text, info) {
-                Ok(value) => return Ok(value),
+            // Designs are points: how well they were measured is not asked.
+            _ => match measured(text, info) {
+                Ok((value, _)) => return Ok(value),
                 Err(found) => found,
             },
         },
