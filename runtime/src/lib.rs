@@ -69,7 +69,7 @@ pub use sensitivity::{
 };
 #[cfg(feature = "std")]
 pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};
-pub use system::{Coefficients, Matrix, MatrixName, StateSpace, System, SystemError};
+pub use system::{Coefficients, Matrix, MatrixName, StateSpace, System, SystemError, rows};
 
 /// The other half of [`model!`].
 #[cfg(feature = "derive")]

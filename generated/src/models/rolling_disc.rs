@@ -2,6 +2,16 @@
 // To write it anew: cargo regenerate
 // Hash of the source: e7913b7415a9f3b4
 
+#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+
+use carvallo::{
+    Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
+    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
+    Partial, Rate, Scalar, SetInfo,
+};
+
+// --- The parameters ------------------------------------------------------------------------------
+
 /// A disc that rolls without slip on level ground, upright and straight but for small lean and yaw.
 ///
 /// Its spin balances it: it falls over, slowly, unless v^2 > g r It m r^2/(Ia (Ia + m r^2)), which is g r/3 for a
@@ -12,14 +22,8 @@
 /// Derived from a mechanism: wheel `D` (disc).
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `psi` (yaw) in rad.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct RollingDisc<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingDisc<T = f64> {
     /// Radius.
     ///
     /// `r` in m: > 0.
@@ -41,73 +45,14 @@ pub struct RollingDisc<T = ::core::primitive::f64> {
     /// `g` in N/kg: >= 0.
     pub g: T,
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl RollingDisc<::core::primitive::f64> {
-    /// The parameter set `uniform`.
-    ///
-    /// Source: A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4
-    pub const UNIFORM: Self = Self {
-        r: 0.3,
-        m: 1.0,
-        Ia: 0.045,
-        It: 0.0225,
-        g: 9.81,
-    };
-    /// The parameter set `hoop`.
-    ///
-    /// Source: A hoop of 1 kg: Ia = m r^2, It = m r^2/2
-    pub const HOOP: Self = Self {
-        r: 0.3,
-        m: 1.0,
-        Ia: 0.09,
-        It: 0.045,
-        g: 9.81,
-    };
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> RollingDisc<T> {
-    /// The parameters from an array in declared order.
-    #[must_use]
-    pub const fn from_array(values: [T; 5]) -> Self {
-        Self {
-            r: values[0],
-            m: values[1],
-            Ia: values[2],
-            It: values[3],
-            g: values[4],
-        }
-    }
-    /// The parameters as an array in declared order.
-    #[must_use]
-    pub const fn to_array(&self) -> [T; 5] {
-        [self.r, self.m, self.Ia, self.It, self.g]
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> RollingDisc<T> {
-    /// The same parameters in another number type, each rounded to the nearest.
-    #[must_use]
-    pub fn cast<U: ::carvallo::Scalar>(&self) -> RollingDisc<U> {
-        RollingDisc {
-            r: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.r)),
-            m: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.m)),
-            Ia: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.Ia)),
-            It: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.It)),
-            g: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.g)),
-        }
-    }
-}
+
+// --- The coefficient matrices --------------------------------------------------------------------
+
 /// The coefficient matrices of [`RollingDisc`], each 2 x 2 and row by row, in SI units.
 ///
 /// Matrices that are not among them are zero.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct RollingDiscMatrices<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingDiscMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
     pub m: [[T; 2]; 2],
     /// Damping C1, a coefficient of v q'.
@@ -115,8 +60,8 @@ pub struct RollingDiscMatrices<T = ::core::primitive::f64> {
     /// Stiffness K0, a coefficient of g q. Symmetric, proved.
     pub k0: [[T; 2]; 2],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> RollingDisc<T> {
+
+impl<T: Number> RollingDisc<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 2 additions, 2 multiplications, 1 division and 2 negations: 7 operations.
     ///
@@ -125,60 +70,30 @@ impl<T: ::carvallo::Number> RollingDisc<T> {
     #[must_use]
     pub fn matrices(&self) -> RollingDiscMatrices<T> {
         let t3 = self.r * self.m;
-        let Jxx_all = self.It + (self.r * t3);
+        let Jxx_all = self.It + self.r * t3;
         let h_spin_D = self.Ia / self.r;
         let t9 = t3 + h_spin_D;
         let t10 = -h_spin_D;
         let t11 = -t3;
-        {
-            #[inline(always)]
-            fn matrix<T: ::core::marker::Copy>(
-                entries: &[T; 12],
-                first: ::core::primitive::usize,
-            ) -> [[T; 2]; 2] {
-                [
-                    [entries[first], entries[first + 1]],
-                    [entries[first + 2], entries[first + 3]],
-                ]
-            }
-            let entries = [
-                Jxx_all,
-                ::carvallo::Number::like(self.r, 0.0),
-                ::carvallo::Number::like(self.r, 0.0),
-                self.It,
-                ::carvallo::Number::like(self.r, 0.0),
-                t9,
-                t10,
-                ::carvallo::Number::like(self.r, 0.0),
-                t11,
-                ::carvallo::Number::like(self.r, 0.0),
-                ::carvallo::Number::like(self.r, 0.0),
-                ::carvallo::Number::like(self.r, 0.0),
-            ];
-            RollingDiscMatrices {
-                m: matrix(&entries, 0),
-                c1: matrix(&entries, 4),
-                k0: matrix(&entries, 8),
-            }
-        }
+        RollingDiscMatrices::from_entries([
+            Jxx_all, self.r.like(0.0), self.r.like(0.0), self.It, self.r.like(0.0), t9, t10,
+            self.r.like(0.0), t11, self.r.like(0.0), self.r.like(0.0), self.r.like(0.0),
+        ])
     }
 }
+
+// --- Rates and forces of the mechanism -----------------------------------------------------------
+
 /// Rates and forces of [`RollingDisc`] that follow from its coordinates q = (`phi`, `psi`), to first order and in SI units.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct RollingDiscKinematics<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingDiscKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `D` that is at the origin.
-    pub lateral: ::carvallo::Rate<T, 2>,
+    pub lateral: Rate<T, 2>,
     /// Spin of the wheel `D`, disc: about the y axis, so negative in forward motion, in rad/s.
-    pub wheel_D: ::carvallo::Rate<T, 2>,
+    pub wheel_D: Rate<T, 2>,
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> RollingDisc<T> {
+
+impl<T: Scalar> RollingDisc<T> {
     /// Rates and forces that follow from the coordinates:
     /// 1 division and 1 negation: 2 operations.
     ///
@@ -186,310 +101,254 @@ impl<T: ::carvallo::Scalar> RollingDisc<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> RollingDiscKinematics<T> {
-        let t4 = -(::carvallo::Number::like(self.r, 1.0) / self.r);
+        let t4 = -(self.r.like(1.0) / self.r);
         RollingDiscKinematics {
-            lateral: ::carvallo::Rate {
-                speed: ::carvallo::Number::like(self.r, 0.0),
-                rates: [
-                    ::carvallo::Number::like(self.r, 0.0),
-                    ::carvallo::Number::like(self.r, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.r, 0.0),
-                    ::carvallo::Number::like(self.r, 1.0),
-                ],
-                heading: ::carvallo::Number::like(self.r, 0.0),
+            lateral: Rate {
+                speed: self.r.like(0.0),
+                rates: [self.r.like(0.0), self.r.like(0.0)],
+                coordinates: [self.r.like(0.0), self.r.like(1.0)],
+                heading: self.r.like(0.0),
             },
-            wheel_D: ::carvallo::Rate {
+            wheel_D: Rate {
                 speed: t4,
-                rates: [
-                    ::carvallo::Number::like(self.r, 0.0),
-                    ::carvallo::Number::like(self.r, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.r, 0.0),
-                    ::carvallo::Number::like(self.r, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.r, 0.0),
+                rates: [self.r.like(0.0), self.r.like(0.0)],
+                coordinates: [self.r.like(0.0), self.r.like(0.0)],
+                heading: self.r.like(0.0),
             },
         }
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for RollingDisc<T> {
+
+// --- The derivatives of the matrices -------------------------------------------------------------
+
+/// The derivatives of the matrices of [`RollingDisc`] with respect to its parameters, in SI units: those that are not
+/// zero for all parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingDiscDerivatives<T = f64> {
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 8],
+}
+
+impl<T: Number> RollingDisc<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 4 additions, 5 multiplications, 1 division and 2 negations: 12 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(&self) -> (RollingDiscMatrices<T>, RollingDiscDerivatives<T>) {
+        let t3 = self.r * self.m;
+        let Jxx_all = self.It + self.r * t3;
+        let t8 = self.r.like(1.0) / self.r;
+        let h_spin_D = self.Ia * t8;
+        let t10 = t3 + h_spin_D;
+        let t11 = t3 + t3;
+        let t12 = t8 * h_spin_D;
+        let t13 = self.m - t12;
+        let t14 = self.r * self.r;
+        let t16 = -h_spin_D;
+        let t17 = -t3;
+        (
+            RollingDiscMatrices::from_entries([
+                Jxx_all, self.r.like(0.0), self.r.like(0.0), self.It, self.r.like(0.0), t10, t16,
+                self.r.like(0.0), t17, self.r.like(0.0), self.r.like(0.0), self.r.like(0.0),
+            ]),
+            RollingDiscDerivatives {
+                values: [t11, t13, t12, self.m, t14, self.r, t8, self.r.like(1.0)],
+            },
+        )
+    }
+}
+
+// --- Parameter sets ------------------------------------------------------------------------------
+
+impl RollingDisc<f64> {
+    /// The parameter set `uniform`.
+    ///
+    /// Source: A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4
+    pub const UNIFORM: Self = Self {
+        r: 0.3, m: 1.0, Ia: 0.045, It: 0.0225, g: 9.81,
+    };
+
+    /// The parameter set `hoop`.
+    ///
+    /// Source: A hoop of 1 kg: Ia = m r^2, It = m r^2/2
+    pub const HOOP: Self = Self {
+        r: 0.3, m: 1.0, Ia: 0.09, It: 0.045, g: 9.81,
+    };
+}
+
+// --- Parameters and matrices as arrays -----------------------------------------------------------
+
+impl<T: Number> RollingDisc<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 5]) -> Self {
+        Self {
+            r: values[0], m: values[1], Ia: values[2], It: values[3], g: values[4],
+        }
+    }
+
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 5] {
+        [self.r, self.m, self.Ia, self.It, self.g]
+    }
+}
+
+impl<T: Scalar> RollingDisc<T> {
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: Scalar>(&self) -> RollingDisc<U> {
+        let values = self.to_array();
+        RollingDisc::from_array(values.map(|value| Scalar::from_f64(Scalar::to_f64(value))))
+    }
+}
+
+impl<T: Number> RollingDiscMatrices<T> {
+    /// From the entries of one matrix after the other, each row by row.
+    #[inline(always)]
+    fn from_entries(entries: [T; 12]) -> Self {
+        Self {
+            m: carvallo::rows(&entries, 0),
+            c1: carvallo::rows(&entries, 4),
+            k0: carvallo::rows(&entries, 8),
+        }
+    }
+
+    /// The rows of M, C0, C1, Kc, K0 and K2.
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let zeros = [[self.m[0][0].like(0.0); 2]; 2];
+        [self.m, zeros, self.c1, zeros, self.k0, zeros]
+    }
+}
+
+// --- What the runtime knows of the model ---------------------------------------------------------
+
+impl<T: Scalar> Model<2> for RollingDisc<T> {
     type Scalar = T;
-    type Array<U: ::core::marker::Copy> = [U; 5];
-    type Over<U: ::carvallo::Number> = RollingDisc<U>;
-    const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
+
+    type Array<U: Copy> = [U; 5];
+
+    type Over<U: Number> = RollingDisc<U>;
+
+    const INFO: &'static ModelInfo = &ModelInfo {
         name: "RollingDisc",
         docs: "A disc that rolls without slip on level ground, upright and straight but for small lean and yaw.\n\nIts spin balances it: it falls over, slowly, unless v^2 > g r It m r^2/(Ia (Ia + m r^2)), which is g r/3 for a\nuniform disc and g r/4 for a hoop. Axes: origin at the contact point, x forward, y to the right, z down.",
         source: "Mechanism: Neimark & Fufaev (1972), Dynamics of Nonholonomic Systems",
         parameters: &[
-            ::carvallo::ParameterInfo {
-                name: "r",
-                symbol: "r",
-                docs: "Radius.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "m",
-                symbol: "m",
-                docs: "Mass.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "Ia",
-                symbol: "Ia",
-                docs: "Axial moment of inertia, about the axle.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "It",
-                symbol: "It",
-                docs: "Transverse moment of inertia, about a diameter.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "g",
-                symbol: "g",
-                docs: "Gravitational field strength.",
-                unit: "N/kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
+            ParameterInfo::new("r", "m", Domain::POSITIVE).docs("Radius."),
+            ParameterInfo::new("m", "kg", Domain::POSITIVE).docs("Mass."),
+            ParameterInfo::new("Ia", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia, about the axle."),
+            ParameterInfo::new("It", "kg*m^2", Domain::POSITIVE)
+                .docs("Transverse moment of inertia, about a diameter."),
+            ParameterInfo::new("g", "N/kg", Domain::NONNEGATIVE)
+                .docs("Gravitational field strength."),
         ],
         coordinates: &[
-            ::carvallo::CoordinateInfo {
-                name: "phi",
-                label: "lean",
-                docs: "Lean, positive to the right.",
-                unit: "rad",
-            },
-            ::carvallo::CoordinateInfo {
-                name: "psi",
-                label: "yaw",
-                docs: "Yaw, positive to the right.",
-                unit: "rad",
-            },
+            CoordinateInfo::new("phi", "rad")
+                .label("lean")
+                .docs("Lean, positive to the right."),
+            CoordinateInfo::new("psi", "rad")
+                .label("yaw")
+                .docs("Yaw, positive to the right."),
         ],
-        matrices: &[
-            ::carvallo::MatrixName::M,
-            ::carvallo::MatrixName::C1,
-            ::carvallo::MatrixName::K0,
-        ],
+        matrices: &["M", "C1", "K0"],
         entries: &[
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 0, 0)],
-            },
+            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 1, 1)]),
+            EntryInfo::at(&[("C1", 0, 1)]), EntryInfo::at(&[("C1", 1, 0)]),
+            EntryInfo::at(&[("K0", 0, 0)]),
         ],
         sets: &[
-            ::carvallo::SetInfo {
+            SetInfo {
                 name: "uniform",
                 docs: "",
                 source: "A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4",
-                values: &[0.3, 1.0, 0.045, 0.0225, 9.81],
+                values: &RollingDisc::<f64>::UNIFORM.to_array(),
             },
-            ::carvallo::SetInfo {
+            SetInfo {
                 name: "hoop",
                 docs: "",
                 source: "A hoop of 1 kg: Ia = m r^2, It = m r^2/2",
-                values: &[0.3, 1.0, 0.09, 0.045, 9.81],
+                values: &RollingDisc::<f64>::HOOP.to_array(),
             },
         ],
-        gravity: ::core::option::Option::Some(4),
+        gravity: Some(4),
     };
-    fn from_slice(
-        values: &[T],
-    ) -> ::core::result::Result<Self, ::carvallo::LengthError> {
-        if values.len() != 5 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "RollingDisc",
-                expected: 5,
-                found: values.len(),
-            });
-        }
-        ::core::result::Result::Ok(Self {
-            r: values[0],
-            m: values[1],
-            Ia: values[2],
-            It: values[3],
-            g: values[4],
-        })
+
+    fn from_slice(values: &[T]) -> Result<Self, LengthError> {
+        LengthError::check("RollingDisc", 5, values)?;
+        Ok(<Self as Evaluator<T, 2>>::from_parameters(|position| values[position]))
     }
-    fn write_to(
-        &self,
-        values: &mut [T],
-    ) -> ::core::result::Result<(), ::carvallo::LengthError> {
-        if values.len() != 5 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "RollingDisc",
-                expected: 5,
-                found: values.len(),
-            });
-        }
+
+    fn write_to(&self, values: &mut [T]) -> Result<(), LengthError> {
+        LengthError::check("RollingDisc", 5, values)?;
         values.copy_from_slice(&self.to_array());
-        ::core::result::Result::Ok(())
+        Ok(())
     }
+
     #[inline(always)]
-    fn array<U: ::core::marker::Copy>(
-        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
-    ) -> Self::Array<U> {
-        ::core::array::from_fn(element)
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U> {
+        core::array::from_fn(element)
     }
+
     #[inline(always)]
     fn parameters(&self) -> Self::Array<T> {
         self.to_array()
     }
-    fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
-        let info = <Self as ::carvallo::Model<2>>::INFO;
-        info.validate(
-            &[
-                ::carvallo::Scalar::to_f64(self.r),
-                ::carvallo::Scalar::to_f64(self.m),
-                ::carvallo::Scalar::to_f64(self.Ia),
-                ::carvallo::Scalar::to_f64(self.It),
-                ::carvallo::Scalar::to_f64(self.g),
-            ],
-        )?;
-        ::core::result::Result::Ok(())
+
+    fn validate(&self) -> Result<(), ParameterError> {
+        let info = <Self as Model<2>>::INFO;
+        info.validate(&self.to_array().map(Scalar::to_f64))?;
+        Ok(())
     }
+
     #[inline]
-    fn coefficients(&self) -> ::carvallo::Coefficients<T, 2> {
-        let matrices = self.matrices();
-        ::carvallo::Coefficients::from_rows([
-            matrices.m,
-            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-            matrices.c1,
-            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-            matrices.k0,
-            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-        ])
+    fn coefficients(&self) -> Coefficients<T, 2> {
+        Coefficients::from_rows(RollingDiscMatrices::rows(&self.matrices()))
     }
-    fn gravity(&self) -> ::core::option::Option<T> {
-        ::core::option::Option::Some(self.g)
+
+    fn gravity(&self) -> Option<T> {
+        Some(self.g)
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for RollingDisc<T> {
+
+impl<T: Number> Evaluator<T, 2> for RollingDisc<T> {
     type Entries = [T; 5];
+
     #[inline(always)]
-    fn from_parameters(
-        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
-    ) -> Self {
-        Self {
-            r: parameter(0),
-            m: parameter(1),
-            Ia: parameter(2),
-            It: parameter(3),
-            g: parameter(4),
-        }
+    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
+        Self::from_array(core::array::from_fn(parameter))
     }
+
     #[inline(always)]
     fn entries(&self) -> Self::Entries {
         let matrices = self.matrices();
         [
-            matrices.m[0][0],
-            matrices.m[1][1],
-            matrices.c1[0][1],
-            matrices.c1[1][0],
+            matrices.m[0][0], matrices.m[1][1], matrices.c1[0][1], matrices.c1[1][0],
             matrices.k0[0][0],
         ]
     }
+
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 6] {
-        let matrices = self.matrices();
-        [
-            matrices.m,
-            [[::carvallo::Number::like(self.r, 0.0); 2]; 2],
-            matrices.c1,
-            [[::carvallo::Number::like(self.r, 0.0); 2]; 2],
-            matrices.k0,
-            [[::carvallo::Number::like(self.r, 0.0); 2]; 2],
-        ]
+        RollingDiscMatrices::rows(&self.matrices())
     }
 }
-/// The derivatives of the matrices of [`RollingDisc`] with respect to its parameters, in SI units: those that are not zero for all parameters.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct RollingDiscDerivatives<T = ::core::primitive::f64> {
-    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
-    pub values: [T; 8],
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl RollingDiscDerivatives {
-    /// Which derivatives there are, by parameters.
-    pub const PARTIALS: &'static [::carvallo::Partial; 11] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 3).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 1, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 1, 5).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 6).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 3, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 3, 7),
-    ];
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
+
+// --- Which derivatives there are -----------------------------------------------------------------
+
+impl<T: Scalar> RollingDiscDerivatives<T> {
     /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
     /// if there is no such parameter.
     #[must_use]
-    pub fn with_respect_to(
-        &self,
-        parameter: ::core::primitive::usize,
-    ) -> ::core::option::Option<RollingDiscMatrices<T>> {
+    pub fn with_respect_to(&self, parameter: usize) -> Option<RollingDiscMatrices<T>> {
         if parameter >= 5 {
-            return ::core::option::Option::None;
+            return None;
         }
-        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
+        let zero = <T as Scalar>::from_f64(0.0);
         let mut matrices = RollingDiscMatrices {
             m: [[zero; 2]; 2],
             c1: [[zero; 2]; 2],
@@ -501,115 +360,41 @@ impl<T: ::carvallo::Scalar> RollingDiscDerivatives<T> {
                 continue;
             }
             let matrix = match partial.matrix {
-                ::carvallo::MatrixName::M => &mut matrices.m,
-                ::carvallo::MatrixName::C1 => &mut matrices.c1,
-                ::carvallo::MatrixName::K0 => &mut matrices.k0,
+                MatrixName::M => &mut matrices.m,
+                MatrixName::C1 => &mut matrices.c1,
+                MatrixName::K0 => &mut matrices.k0,
                 _ => continue,
             };
-            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
-                &partial,
-                &self.values,
-            );
+            matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
         }
-        ::core::option::Option::Some(matrices)
+        Some(matrices)
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> RollingDisc<T> {
-    /// The coefficient matrices and their derivatives, from one straight-line program:
-    /// 4 additions, 5 multiplications, 1 division and 2 negations: 12 operations.
-    ///
-    /// The parameters are not validated; at valid ones every derivative exists.
-    #[inline(always)]
-    #[must_use]
-    pub fn matrices_and_derivatives(
-        &self,
-    ) -> (RollingDiscMatrices<T>, RollingDiscDerivatives<T>) {
-        let t3 = self.r * self.m;
-        let Jxx_all = self.It + (self.r * t3);
-        let t8 = ::carvallo::Number::like(self.r, 1.0) / self.r;
-        let h_spin_D = self.Ia * t8;
-        let t10 = t3 + h_spin_D;
-        let t11 = t3 + t3;
-        let t12 = t8 * h_spin_D;
-        let t13 = self.m - t12;
-        let t14 = self.r * self.r;
-        let t16 = -h_spin_D;
-        let t17 = -t3;
-        (
-            {
-                #[inline(always)]
-                fn matrix<T: ::core::marker::Copy>(
-                    entries: &[T; 12],
-                    first: ::core::primitive::usize,
-                ) -> [[T; 2]; 2] {
-                    [
-                        [entries[first], entries[first + 1]],
-                        [entries[first + 2], entries[first + 3]],
-                    ]
-                }
-                let entries = [
-                    Jxx_all,
-                    ::carvallo::Number::like(self.r, 0.0),
-                    ::carvallo::Number::like(self.r, 0.0),
-                    self.It,
-                    ::carvallo::Number::like(self.r, 0.0),
-                    t10,
-                    t16,
-                    ::carvallo::Number::like(self.r, 0.0),
-                    t17,
-                    ::carvallo::Number::like(self.r, 0.0),
-                    ::carvallo::Number::like(self.r, 0.0),
-                    ::carvallo::Number::like(self.r, 0.0),
-                ];
-                RollingDiscMatrices {
-                    m: matrix(&entries, 0),
-                    c1: matrix(&entries, 4),
-                    k0: matrix(&entries, 8),
-                }
-            },
-            RollingDiscDerivatives {
-                values: [
-                    t11,
-                    t13,
-                    t12,
-                    self.m,
-                    t14,
-                    self.r,
-                    t8,
-                    ::carvallo::Number::like(self.r, 1.0),
-                ],
-            },
-        )
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for RollingDisc<T> {
-    type Derivatives = [::carvallo::Coefficients<T, 2>; 5];
-    fn coefficients_and_derivatives(
-        &self,
-    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
+
+impl<T: Scalar> Differentiable<2> for RollingDisc<T> {
+    type Derivatives = [Coefficients<T, 2>; 5];
+
+    fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
-        let mut all = [::carvallo::Coefficients::from_rows(
-            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
-        ); 5];
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 6]); 5];
         for position in 0..11 {
-            ::carvallo::Partial::write(
-                &<RollingDiscDerivatives>::PARTIALS[position],
-                &derivatives.values,
-                &mut all,
-            );
+            Partial::write(&<RollingDiscDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }
-        (
-            ::carvallo::Coefficients::from_rows([
-                matrices.m,
-                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-                matrices.c1,
-                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-                matrices.k0,
-                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-            ]),
-            all,
-        )
+        (Coefficients::from_rows(RollingDiscMatrices::rows(&matrices)), all)
     }
+}
+
+impl RollingDiscDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [Partial; 11] = &[
+        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::C1, 0, 1, 0, 1),
+        Partial::new(MatrixName::C1, 1, 0, 0, 2),
+        Partial::new(MatrixName::K0, 0, 0, 0, 3).negative(),
+        Partial::new(MatrixName::M, 0, 0, 1, 4), Partial::new(MatrixName::C1, 0, 1, 1, 5),
+        Partial::new(MatrixName::K0, 0, 0, 1, 5).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 2, 6),
+        Partial::new(MatrixName::C1, 1, 0, 2, 6).negative(),
+        Partial::new(MatrixName::M, 0, 0, 3, 7), Partial::new(MatrixName::M, 1, 1, 3, 7),
+    ];
 }

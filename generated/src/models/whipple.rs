@@ -2,6 +2,16 @@
 // To write it anew: cargo regenerate
 // Hash of the source: 3e007e0439a8d63f
 
+#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+
+use carvallo::{
+    Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
+    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
+    Partial, Scalar, SetInfo,
+};
+
+// --- The parameters ------------------------------------------------------------------------------
+
 /// The Whipple-Carvallo bicycle: the linearized equations of lean and steer about upright straight running.
 ///
 /// Four rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally
@@ -11,14 +21,8 @@
 /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, Appendix A
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct Whipple<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Whipple<T = f64> {
     /// Wheel base.
     ///
     /// `w` in m: > 0.
@@ -124,184 +128,14 @@ pub struct Whipple<T = ::core::primitive::f64> {
     /// `IFyy` in kg*m^2: >= 0.
     pub IFyy: T,
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl Whipple<::core::primitive::f64> {
-    /// The parameter set `benchmark`.
-    ///
-    /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1
-    pub const BENCHMARK: Self = Self {
-        w: 1.02,
-        c: 0.08,
-        lam: 0.3141592653589793,
-        g: 9.81,
-        rR: 0.3,
-        mR: 2.0,
-        IRxx: 0.0603,
-        IRyy: 0.12,
-        xB: 0.3,
-        zB: -0.9,
-        mB: 85.0,
-        IBxx: 9.2,
-        IByy: 11.0,
-        IBzz: 2.8,
-        IBxz: 2.4,
-        xH: 0.9,
-        zH: -0.7,
-        mH: 4.0,
-        IHxx: 0.05892,
-        IHyy: 0.06,
-        IHzz: 0.00708,
-        IHxz: -0.00756,
-        rF: 0.35,
-        mF: 3.0,
-        IFxx: 0.1405,
-        IFyy: 0.28,
-    };
-    /// The parameter set `benchmark_2005`.
-    ///
-    /// Source: Schwab, Meijaard & Papadopoulos (2005), ENOC 2005
-    pub const BENCHMARK_2005: Self = Self {
-        w: 1.02,
-        c: 0.08,
-        lam: 0.3217505543966422,
-        g: 9.81,
-        rR: 0.3,
-        mR: 2.0,
-        IRxx: 0.06,
-        IRyy: 0.12,
-        xB: 0.3,
-        zB: -0.9,
-        mB: 85.0,
-        IBxx: 9.2,
-        IByy: 11.0,
-        IBzz: 2.8,
-        IBxz: 2.4,
-        xH: 0.9,
-        zH: -0.7,
-        mH: 4.0,
-        IHxx: 0.0546,
-        IHyy: 0.06,
-        IHzz: 0.0114,
-        IHxz: -0.0162,
-        rF: 0.35,
-        mF: 3.0,
-        IFxx: 0.14,
-        IFyy: 0.28,
-    };
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> Whipple<T> {
-    /// The parameters from an array in declared order.
-    #[must_use]
-    pub const fn from_array(values: [T; 26]) -> Self {
-        Self {
-            w: values[0],
-            c: values[1],
-            lam: values[2],
-            g: values[3],
-            rR: values[4],
-            mR: values[5],
-            IRxx: values[6],
-            IRyy: values[7],
-            xB: values[8],
-            zB: values[9],
-            mB: values[10],
-            IBxx: values[11],
-            IByy: values[12],
-            IBzz: values[13],
-            IBxz: values[14],
-            xH: values[15],
-            zH: values[16],
-            mH: values[17],
-            IHxx: values[18],
-            IHyy: values[19],
-            IHzz: values[20],
-            IHxz: values[21],
-            rF: values[22],
-            mF: values[23],
-            IFxx: values[24],
-            IFyy: values[25],
-        }
-    }
-    /// The parameters as an array in declared order.
-    #[must_use]
-    pub const fn to_array(&self) -> [T; 26] {
-        [
-            self.w,
-            self.c,
-            self.lam,
-            self.g,
-            self.rR,
-            self.mR,
-            self.IRxx,
-            self.IRyy,
-            self.xB,
-            self.zB,
-            self.mB,
-            self.IBxx,
-            self.IByy,
-            self.IBzz,
-            self.IBxz,
-            self.xH,
-            self.zH,
-            self.mH,
-            self.IHxx,
-            self.IHyy,
-            self.IHzz,
-            self.IHxz,
-            self.rF,
-            self.mF,
-            self.IFxx,
-            self.IFyy,
-        ]
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> Whipple<T> {
-    /// The same parameters in another number type, each rounded to the nearest.
-    #[must_use]
-    pub fn cast<U: ::carvallo::Scalar>(&self) -> Whipple<U> {
-        Whipple {
-            w: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.w)),
-            c: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.c)),
-            lam: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.lam)),
-            g: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.g)),
-            rR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rR)),
-            mR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mR)),
-            IRxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IRxx)),
-            IRyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IRyy)),
-            xB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xB)),
-            zB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zB)),
-            mB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mB)),
-            IBxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBxx)),
-            IByy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IByy)),
-            IBzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBzz)),
-            IBxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBxz)),
-            xH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xH)),
-            zH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zH)),
-            mH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mH)),
-            IHxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHxx)),
-            IHyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHyy)),
-            IHzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHzz)),
-            IHxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHxz)),
-            rF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rF)),
-            mF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mF)),
-            IFxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IFxx)),
-            IFyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IFyy)),
-        }
-    }
-}
+
+// --- The coefficient matrices --------------------------------------------------------------------
+
 /// The coefficient matrices of [`Whipple`], each 2 x 2 and row by row, in SI units.
 ///
 /// Matrices that are not among them are zero.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleMatrices<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
     pub m: [[T; 2]; 2],
     /// Damping C1, a coefficient of v q'.
@@ -311,8 +145,8 @@ pub struct WhippleMatrices<T = ::core::primitive::f64> {
     /// Stiffness K2, a coefficient of v^2 q.
     pub k2: [[T; 2]; 2],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> Whipple<T> {
+
+impl<T: Number> Whipple<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 49 additions, 50 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 105 operations.
     ///
@@ -324,1008 +158,114 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t8 = self.zB * self.mB;
         let t12 = self.rF * self.mF;
         let t16 = self.zH * self.mH;
-        let t22 = (((self.rF * t12) + (self.zH * t16)) + self.IHxx) + self.IFxx;
-        let ITxx = (((self.IRxx + self.IBxx) + (self.rR * t4)) + (self.zB * t8)) + t22;
-        let t36 = (self.IHxz + (t12 * self.w)) - (t16 * self.xH);
-        let ITxz = (self.IBxz + t36) - (t8 * self.xB);
-        let (t52, t41) = ::carvallo::Number::sin_cos(self.lam);
+        let t22 = self.rF * t12 + self.zH * t16 + self.IHxx + self.IFxx;
+        let ITxx = self.IRxx + self.IBxx + self.rR * t4 + self.zB * t8 + t22;
+        let t36 = self.IHxz + t12 * self.w - t16 * self.xH;
+        let ITxz = self.IBxz + t36 - t8 * self.xB;
+        let (t52, t41) = self.lam.sin_cos();
         let t42 = t41 / self.w;
         let mu = self.c * t42;
-        let t47 = (self.w + self.c) - self.xH;
-        let t51 = t41 * ((self.IHxz + (t16 * t47)) - (t12 * self.c));
-        let t54 = t51 + (t22 * t52);
-        let t55 = (ITxz * mu) + t54;
+        let t47 = self.w + self.c - self.xH;
+        let t51 = t41 * (self.IHxz + t16 * t47 - t12 * self.c);
+        let t54 = t51 + t22 * t52;
+        let t55 = ITxz * mu + t54;
         let t57 = self.IFxx + self.IHzz;
         let t58 = self.mH * t47;
         let t60 = self.mF * self.c;
         let t69 = self.mH * self.xH;
-        let IAlz = (t41 * ((t57 - (self.w * t60)) - (t47 * t69))) + (t36 * t52);
+        let IAlz = t41 * (t57 - self.w * t60 - t47 * t69) + t36 * t52;
         let t77 = self.mB * self.xB;
         let t80 = self.mF * self.w;
-        let ITzz = ((((self.IRxx + t57) + self.IBzz) + (self.xB * t77))
-            + (self.xH * t69)) + (self.w * t80);
-        let t88 = IAlz + (mu * ITzz);
-        let t92 = (((t41 * t41) * ((t57 + (t47 * t58)) + (self.c * t60)))
-            + (t52 * (t51 + t54))) + (mu * (IAlz + t88));
+        let ITzz = self.IRxx + t57 + self.IBzz + self.xB * t77 + self.xH * t69
+            + self.w * t80;
+        let t88 = IAlz + mu * ITzz;
+        let t92 = t41 * t41 * (t57 + t47 * t58 + self.c * t60) + t52 * (t51 + t54)
+            + mu * (IAlz + t88);
         let SF = self.IFyy / self.rF;
         let SR = self.IRyy / self.rR;
         let ST = SF + SR;
         let t100 = t12 - t16;
         let t101 = t8 - t4;
         let t103 = ST + (t100 - t101);
-        let t107 = t42 * ((ITxz + (self.w * SF)) + (self.c * t103));
-        let t118 = (t41 * (t58 + t60)) - ((mu * ((t69 + t77) + t80)) + (t52 * t100));
-        let t121 = (t42 * t88) - (mu * t118);
+        let t107 = t42 * (ITxz + self.w * SF + self.c * t103);
+        let t118 = t41 * (t58 + t60) - (mu * (t69 + t77 + t80) + t52 * t100);
+        let t121 = t42 * t88 - mu * t118;
         let t122 = t52 * t118;
         let t123 = t42 * t103;
-        let t126 = t42 * ((t52 * SF) - t118);
-        let t127 = -((mu * ST) + (t41 * SF));
+        let t126 = t42 * (t52 * SF - t118);
+        let t127 = -(mu * ST + t41 * SF);
         let t128 = t101 - t100;
-        {
-            #[inline(always)]
-            fn matrix<T: ::core::marker::Copy>(
-                entries: &[T; 16],
-                first: ::core::primitive::usize,
-            ) -> [[T; 2]; 2] {
-                [
-                    [entries[first], entries[first + 1]],
-                    [entries[first + 2], entries[first + 3]],
-                ]
-            }
-            let entries = [
-                ITxx,
-                t55,
-                t55,
-                t92,
-                ::carvallo::Number::like(self.w, 0.0),
-                t107,
-                t127,
-                t121,
-                t128,
-                t118,
-                t118,
-                t122,
-                ::carvallo::Number::like(self.w, 0.0),
-                t123,
-                ::carvallo::Number::like(self.w, 0.0),
-                t126,
-            ];
-            WhippleMatrices {
-                m: matrix(&entries, 0),
-                c1: matrix(&entries, 4),
-                k0: matrix(&entries, 8),
-                k2: matrix(&entries, 12),
-            }
-        }
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for Whipple<T> {
-    type Scalar = T;
-    type Array<U: ::core::marker::Copy> = [U; 26];
-    type Over<U: ::carvallo::Number> = Whipple<U>;
-    const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
-        name: "Whipple",
-        docs: "The Whipple-Carvallo bicycle: the linearized equations of lean and steer about upright straight running.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.",
-        source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, Appendix A",
-        parameters: &[
-            ::carvallo::ParameterInfo {
-                name: "w",
-                symbol: "w",
-                docs: "Wheel base.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "c",
-                symbol: "c",
-                docs: "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "lam",
-                symbol: "λ",
-                docs: "Steer axis tilt: 90 degrees minus the head angle.",
-                unit: "rad",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(-1.5707963267948966),
-                    upper: ::carvallo::Bound::Open(1.5707963267948966),
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "g",
-                symbol: "g",
-                docs: "Gravitational field strength.",
-                unit: "N/kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rR",
-                symbol: "rR",
-                docs: "Radius of the rear wheel.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mR",
-                symbol: "mR",
-                docs: "Mass of the rear wheel.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IRxx",
-                symbol: "IRxx",
-                docs: "Radial moment of inertia of the rear wheel; by symmetry also about the vertical.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IRyy",
-                symbol: "IRyy",
-                docs: "Axial moment of inertia of the rear wheel.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xB",
-                symbol: "xB",
-                docs: "Centre of mass of the rear frame and rider, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zB",
-                symbol: "zB",
-                docs: "Centre of mass of the rear frame and rider, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mB",
-                symbol: "mB",
-                docs: "Mass of the rear frame and rider.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBxx",
-                symbol: "IBxx",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IByy",
-                symbol: "IByy",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBzz",
-                symbol: "IBzz",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBxz",
-                symbol: "IBxz",
-                docs: "Product of inertia of the rear frame and rider about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xH",
-                symbol: "xH",
-                docs: "Centre of mass of the front frame, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zH",
-                symbol: "zH",
-                docs: "Centre of mass of the front frame, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mH",
-                symbol: "mH",
-                docs: "Mass of the front frame.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHxx",
-                symbol: "IHxx",
-                docs: "Moment of inertia of the front frame about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHyy",
-                symbol: "IHyy",
-                docs: "Moment of inertia of the front frame about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHzz",
-                symbol: "IHzz",
-                docs: "Moment of inertia of the front frame about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHxz",
-                symbol: "IHxz",
-                docs: "Product of inertia of the front frame about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rF",
-                symbol: "rF",
-                docs: "Radius of the front wheel.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mF",
-                symbol: "mF",
-                docs: "Mass of the front wheel.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IFxx",
-                symbol: "IFxx",
-                docs: "Radial moment of inertia of the front wheel; by symmetry also about the vertical.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IFyy",
-                symbol: "IFyy",
-                docs: "Axial moment of inertia of the front wheel.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-        ],
-        coordinates: &[
-            ::carvallo::CoordinateInfo {
-                name: "phi",
-                label: "lean",
-                docs: "Lean of the rear frame, positive to the right.",
-                unit: "rad",
-            },
-            ::carvallo::CoordinateInfo {
-                name: "delta",
-                label: "steer",
-                docs: "Steer of the front frame relative to the rear frame, positive to the right.",
-                unit: "rad",
-            },
-        ],
-        matrices: &[
-            ::carvallo::MatrixName::M,
-            ::carvallo::MatrixName::C1,
-            ::carvallo::MatrixName::K0,
-            ::carvallo::MatrixName::K2,
-        ],
-        entries: &[
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::M, 0, 1),
-                    (::carvallo::MatrixName::M, 1, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::K0, 0, 1),
-                    (::carvallo::MatrixName::K0, 1, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 1, 1)],
-            },
-        ],
-        sets: &[
-            ::carvallo::SetInfo {
-                name: "benchmark",
-                docs: "",
-                source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1",
-                values: &[
-                    1.02,
-                    0.08,
-                    0.3141592653589793,
-                    9.81,
-                    0.3,
-                    2.0,
-                    0.0603,
-                    0.12,
-                    0.3,
-                    -0.9,
-                    85.0,
-                    9.2,
-                    11.0,
-                    2.8,
-                    2.4,
-                    0.9,
-                    -0.7,
-                    4.0,
-                    0.05892,
-                    0.06,
-                    0.00708,
-                    -0.00756,
-                    0.35,
-                    3.0,
-                    0.1405,
-                    0.28,
-                ],
-            },
-            ::carvallo::SetInfo {
-                name: "benchmark_2005",
-                docs: "",
-                source: "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005",
-                values: &[
-                    1.02,
-                    0.08,
-                    0.3217505543966422,
-                    9.81,
-                    0.3,
-                    2.0,
-                    0.06,
-                    0.12,
-                    0.3,
-                    -0.9,
-                    85.0,
-                    9.2,
-                    11.0,
-                    2.8,
-                    2.4,
-                    0.9,
-                    -0.7,
-                    4.0,
-                    0.0546,
-                    0.06,
-                    0.0114,
-                    -0.0162,
-                    0.35,
-                    3.0,
-                    0.14,
-                    0.28,
-                ],
-            },
-        ],
-        gravity: ::core::option::Option::Some(3),
-    };
-    fn from_slice(
-        values: &[T],
-    ) -> ::core::result::Result<Self, ::carvallo::LengthError> {
-        if values.len() != 26 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "Whipple",
-                expected: 26,
-                found: values.len(),
-            });
-        }
-        ::core::result::Result::Ok(Self {
-            w: values[0],
-            c: values[1],
-            lam: values[2],
-            g: values[3],
-            rR: values[4],
-            mR: values[5],
-            IRxx: values[6],
-            IRyy: values[7],
-            xB: values[8],
-            zB: values[9],
-            mB: values[10],
-            IBxx: values[11],
-            IByy: values[12],
-            IBzz: values[13],
-            IBxz: values[14],
-            xH: values[15],
-            zH: values[16],
-            mH: values[17],
-            IHxx: values[18],
-            IHyy: values[19],
-            IHzz: values[20],
-            IHxz: values[21],
-            rF: values[22],
-            mF: values[23],
-            IFxx: values[24],
-            IFyy: values[25],
-        })
-    }
-    fn write_to(
-        &self,
-        values: &mut [T],
-    ) -> ::core::result::Result<(), ::carvallo::LengthError> {
-        if values.len() != 26 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "Whipple",
-                expected: 26,
-                found: values.len(),
-            });
-        }
-        values.copy_from_slice(&self.to_array());
-        ::core::result::Result::Ok(())
-    }
-    #[inline(always)]
-    fn array<U: ::core::marker::Copy>(
-        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
-    ) -> Self::Array<U> {
-        ::core::array::from_fn(element)
-    }
-    #[inline(always)]
-    fn parameters(&self) -> Self::Array<T> {
-        self.to_array()
-    }
-    fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
-        let info = <Self as ::carvallo::Model<2>>::INFO;
-        info.validate(
-            &[
-                ::carvallo::Scalar::to_f64(self.w),
-                ::carvallo::Scalar::to_f64(self.c),
-                ::carvallo::Scalar::to_f64(self.lam),
-                ::carvallo::Scalar::to_f64(self.g),
-                ::carvallo::Scalar::to_f64(self.rR),
-                ::carvallo::Scalar::to_f64(self.mR),
-                ::carvallo::Scalar::to_f64(self.IRxx),
-                ::carvallo::Scalar::to_f64(self.IRyy),
-                ::carvallo::Scalar::to_f64(self.xB),
-                ::carvallo::Scalar::to_f64(self.zB),
-                ::carvallo::Scalar::to_f64(self.mB),
-                ::carvallo::Scalar::to_f64(self.IBxx),
-                ::carvallo::Scalar::to_f64(self.IByy),
-                ::carvallo::Scalar::to_f64(self.IBzz),
-                ::carvallo::Scalar::to_f64(self.IBxz),
-                ::carvallo::Scalar::to_f64(self.xH),
-                ::carvallo::Scalar::to_f64(self.zH),
-                ::carvallo::Scalar::to_f64(self.mH),
-                ::carvallo::Scalar::to_f64(self.IHxx),
-                ::carvallo::Scalar::to_f64(self.IHyy),
-                ::carvallo::Scalar::to_f64(self.IHzz),
-                ::carvallo::Scalar::to_f64(self.IHxz),
-                ::carvallo::Scalar::to_f64(self.rF),
-                ::carvallo::Scalar::to_f64(self.mF),
-                ::carvallo::Scalar::to_f64(self.IFxx),
-                ::carvallo::Scalar::to_f64(self.IFyy),
-            ],
-        )?;
-        let t4 = self.mH + self.mF;
-        let t6 = (self.mR + self.mB) + t4;
-        info.require(
-            "mR + mB + mH + mF",
-            ::carvallo::Scalar::to_f64(t6),
-            "",
-            ::carvallo::Domain {
-                lower: ::carvallo::Bound::Open(0.0),
-                upper: ::carvallo::Bound::Unbounded,
-                nonzero: false,
-            },
-        )?;
-        info.require(
-            "mH + mF",
-            ::carvallo::Scalar::to_f64(t4),
-            "",
-            ::carvallo::Domain {
-                lower: ::carvallo::Bound::Open(0.0),
-                upper: ::carvallo::Bound::Unbounded,
-                nonzero: false,
-            },
-        )?;
-        ::core::result::Result::Ok(())
-    }
-    #[inline]
-    fn coefficients(&self) -> ::carvallo::Coefficients<T, 2> {
-        let matrices = self.matrices();
-        ::carvallo::Coefficients::from_rows([
-            matrices.m,
-            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-            matrices.c1,
-            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-            matrices.k0,
-            matrices.k2,
+        WhippleMatrices::from_entries([
+            ITxx, t55, t55, t92, self.w.like(0.0), t107, t127, t121, t128, t118, t118, t122,
+            self.w.like(0.0), t123, self.w.like(0.0), t126,
         ])
     }
-    fn gravity(&self) -> ::core::option::Option<T> {
-        ::core::option::Option::Some(self.g)
-    }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for Whipple<T> {
-    type Entries = [T; 11];
-    #[inline(always)]
-    fn from_parameters(
-        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
-    ) -> Self {
-        Self {
-            w: parameter(0),
-            c: parameter(1),
-            lam: parameter(2),
-            g: parameter(3),
-            rR: parameter(4),
-            mR: parameter(5),
-            IRxx: parameter(6),
-            IRyy: parameter(7),
-            xB: parameter(8),
-            zB: parameter(9),
-            mB: parameter(10),
-            IBxx: parameter(11),
-            IByy: parameter(12),
-            IBzz: parameter(13),
-            IBxz: parameter(14),
-            xH: parameter(15),
-            zH: parameter(16),
-            mH: parameter(17),
-            IHxx: parameter(18),
-            IHyy: parameter(19),
-            IHzz: parameter(20),
-            IHxz: parameter(21),
-            rF: parameter(22),
-            mF: parameter(23),
-            IFxx: parameter(24),
-            IFyy: parameter(25),
-        }
-    }
-    #[inline(always)]
-    fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0],
-            matrices.m[0][1],
-            matrices.m[1][1],
-            matrices.c1[0][1],
-            matrices.c1[1][0],
-            matrices.c1[1][1],
-            matrices.k0[0][0],
-            matrices.k0[0][1],
-            matrices.k0[1][1],
-            matrices.k2[0][1],
-            matrices.k2[1][1],
-        ]
-    }
-    #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
-        let matrices = self.matrices();
-        [
-            matrices.m,
-            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
-            matrices.c1,
-            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
-            matrices.k0,
-            matrices.k2,
-        ]
-    }
-}
-/// The derivatives of the matrices of [`Whipple`] with respect to its parameters, in SI units: those that are not zero for all parameters.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleDerivatives<T = ::core::primitive::f64> {
+
+// --- The derivatives of the matrices -------------------------------------------------------------
+
+/// The derivatives of the matrices of [`Whipple`] with respect to its parameters, in SI units: those that are not
+/// zero for all parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 124],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl WhippleDerivatives {
-    /// Which derivatives there are, by parameters.
-    pub const PARTIALS: &'static [::carvallo::Partial; 158] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 121).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 122),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 123),
-    ];
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleDerivatives<T> {
-    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
-    /// if there is no such parameter.
-    #[must_use]
-    pub fn with_respect_to(
-        &self,
-        parameter: ::core::primitive::usize,
-    ) -> ::core::option::Option<WhippleMatrices<T>> {
-        if parameter >= 26 {
-            return ::core::option::Option::None;
-        }
-        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
-        let mut matrices = WhippleMatrices {
-            m: [[zero; 2]; 2],
-            c1: [[zero; 2]; 2],
-            k0: [[zero; 2]; 2],
-            k2: [[zero; 2]; 2],
-        };
-        for position in 0..158 {
-            let partial = <WhippleDerivatives>::PARTIALS[position];
-            if partial.parameter != parameter {
-                continue;
-            }
-            let matrix = match partial.matrix {
-                ::carvallo::MatrixName::M => &mut matrices.m,
-                ::carvallo::MatrixName::C1 => &mut matrices.c1,
-                ::carvallo::MatrixName::K0 => &mut matrices.k0,
-                ::carvallo::MatrixName::K2 => &mut matrices.k2,
-                _ => continue,
-            };
-            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
-                &partial,
-                &self.values,
-            );
-        }
-        ::core::option::Option::Some(matrices)
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> Whipple<T> {
+
+impl<T: Number> Whipple<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
     /// 158 additions, 260 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 424 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
-    pub fn matrices_and_derivatives(
-        &self,
-    ) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
+    pub fn matrices_and_derivatives(&self) -> (WhippleMatrices<T>, WhippleDerivatives<T>) {
         let t6 = self.zH * self.mH;
         let t10 = self.rF * self.mF;
-        let t14 = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let t14 = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = (((self.IRxx + self.IBxx) + t14) + (self.rR * t17)) + (self.zB * t21);
-        let (t40, t28) = ::carvallo::Number::sin_cos(self.lam);
-        let t35 = (self.c + self.w) - self.xH;
-        let t38 = (self.IHxz + (t6 * t35)) - (t10 * self.c);
+        let t26 = self.IRxx + self.IBxx + t14 + self.rR * t17 + self.zB * t21;
+        let (t40, t28) = self.lam.sin_cos();
+        let t35 = self.c + self.w - self.xH;
+        let t38 = self.IHxz + t6 * t35 - t10 * self.c;
         let t39 = t28 * t38;
-        let t42 = t39 + (t14 * t40);
-        let t47 = (self.IHxz + (t10 * self.w)) - (t6 * self.xH);
-        let ITxz = (self.IBxz + t47) - (t21 * self.xB);
-        let t52 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let t42 = t39 + t14 * t40;
+        let t47 = self.IHxz + t10 * self.w - t6 * self.xH;
+        let ITxz = self.IBxz + t47 - t21 * self.xB;
+        let t52 = self.w.like(1.0) / self.w;
         let t53 = t28 * t52;
         let mu = self.c * t53;
-        let t56 = t42 + (ITxz * mu);
+        let t56 = t42 + ITxz * mu;
         let t59 = self.IFxx + self.IHzz;
         let t60 = self.mF * self.c;
         let t62 = self.mH * self.xH;
-        let t65 = (t59 - (self.w * t60)) - (t35 * t62);
-        let IAlz = (t40 * t47) + (t28 * t65);
+        let t65 = t59 - self.w * t60 - t35 * t62;
+        let IAlz = t40 * t47 + t28 * t65;
         let t69 = self.mF * self.w;
         let t71 = self.mB * self.xB;
-        let ITzz = ((((self.IRxx + t59) + self.IBzz) + (self.w * t69)) + (self.xB * t71))
-            + (self.xH * t62);
-        let t80 = IAlz + (mu * ITzz);
+        let ITzz = self.IRxx + t59 + self.IBzz + self.w * t69 + self.xB * t71
+            + self.xH * t62;
+        let t80 = IAlz + mu * ITzz;
         let t85 = t28 * t28;
         let t87 = self.mH * t35;
-        let t90 = (t59 + (self.c * t60)) + (t35 * t87);
-        let t93 = ((mu * (IAlz + t80)) + (t40 * (t39 + t42))) + (t85 * t90);
-        let t96 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let t90 = t59 + self.c * t60 + t35 * t87;
+        let t93 = mu * (IAlz + t80) + t40 * (t39 + t42) + t85 * t90;
+        let t96 = self.w.like(1.0) / self.rF;
         let SF = self.IFyy * t96;
-        let t100 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let t100 = self.w.like(1.0) / self.rR;
         let t101 = self.IRyy * t100;
         let ST = SF + t101;
         let t103 = t10 - t6;
         let t104 = t21 - t17;
         let t106 = ST + (t103 - t104);
-        let t109 = (ITxz + (self.w * SF)) + (self.c * t106);
+        let t109 = ITxz + self.w * SF + self.c * t106;
         let t110 = t53 * t109;
         let t111 = t28 * SF;
-        let t115 = (t62 + t69) + t71;
+        let t115 = t62 + t69 + t71;
         let t118 = t60 + t87;
-        let t121 = ((t28 * t118) - (mu * t115)) - (t40 * t103);
-        let t124 = (t53 * t80) - (mu * t121);
+        let t121 = t28 * t118 - mu * t115 - t40 * t103;
+        let t124 = t53 * t80 - mu * t121;
         let t125 = t40 * t121;
         let t126 = t53 * t106;
         let t127 = t40 * SF;
@@ -1334,60 +274,58 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t130 = t6 * t28;
         let t132 = t52 * t53;
         let t133 = self.c * ITxz;
-        let t136 = (t130 + (t10 * mu)) - (t132 * t133);
+        let t136 = t130 + t10 * mu - t132 * t133;
         let t137 = t28 * t62;
         let t138 = mu + mu;
         let t140 = t40 + t40;
         let t142 = t35 * t85;
-        let t147 = (((t130 * t140) + (self.mH * t142)) + (t85 * t87)) - (t137 * t138);
+        let t147 = t130 * t140 + self.mH * t142 + t85 * t87 - t137 * t138;
         let t149 = t10 * t40;
-        let IAlz_w = t149 - (t28 * t60);
+        let IAlz_w = t149 - t28 * t60;
         let M22_mu = t80 + t80;
         let t153 = self.c * M22_mu;
         let ITzz_w = t69 + t69;
         let M22_ITzz = mu * mu;
-        let t160 = ((t147 + (t138 * IAlz_w)) + (ITzz_w * M22_ITzz)) - (t132 * t153);
-        let t164 = (t53 * (t10 + SF)) - (t109 * t132);
+        let t160 = t147 + t138 * IAlz_w + ITzz_w * M22_ITzz - t132 * t153;
+        let t164 = t53 * (t10 + SF) - t109 * t132;
         let t165 = self.c * ST;
         let t166 = t132 * t165;
         let t167 = t53 * t137;
         let t168 = self.mH * t28;
         let t170 = self.c * t115;
-        let t173 = (t168 + (t132 * t170)) - (self.mF * mu);
-        let C122_mu = (t53 * ITzz) - t121;
-        let t179 = t80 + (self.c * C122_mu);
+        let t173 = t168 + t132 * t170 - self.mF * mu;
+        let C122_mu = t53 * ITzz - t121;
+        let t179 = t80 + self.c * C122_mu;
         let C122_ITzz = t53 * mu;
-        let t186 = ((((t53 * IAlz_w) + (ITzz_w * C122_ITzz)) - t167) - (mu * t173))
-            - (t132 * t179);
+        let t186 = t53 * IAlz_w + ITzz_w * C122_ITzz - t167 - mu * t173 - t132 * t179;
         let t187 = t40 * t173;
         let t188 = t106 * t132;
-        let t191 = (t53 * t173) + (t128 * t132);
+        let t191 = t53 * t173 + t128 * t132;
         let t192 = t10 * t28;
-        let t195 = (t130 + (ITxz * t53)) - t192;
+        let t195 = t130 + ITxz * t53 - t192;
         let t197 = t28 * self.w;
-        let t200 = (self.c * t85) - (t138 * t197);
-        let t207 = (((t147 + (self.mF * t200)) + (t53 * M22_mu)) + (t60 * t85))
-            - (t140 * t192);
+        let t200 = self.c * t85 - t138 * t197;
+        let t207 = t147 + self.mF * t200 + t53 * M22_mu + t60 * t85 - t140 * t192;
         let t208 = t53 * ST;
-        let t212 = (t168 + (self.mF * t28)) - (t53 * t115);
+        let t212 = t168 + self.mF * t28 - t53 * t115;
         let t214 = t53 * t197;
-        let t219 = (((t53 * C122_mu) - t167) - (mu * t212)) - (self.mF * t214);
+        let t219 = t53 * C122_mu - t167 - mu * t212 - self.mF * t214;
         let t220 = t40 * t212;
         let t221 = t53 * t212;
         let t222 = t38 * t40;
         let t224 = t40 * t52;
-        let t227 = ((t14 * t28) - t222) - (t133 * t224);
+        let t227 = t14 * t28 - t222 - t133 * t224;
         let t228 = t28 * t40;
-        let IAlz_lam = (t28 * t47) - (t40 * t65);
-        let t242 = ((((t138 * IAlz_lam) + (t28 * (t42 + t42))) - (t90 * (t228 + t228)))
-            - (t140 * t222)) - (t153 * t224);
+        let IAlz_lam = t28 * t47 - t40 * t65;
+        let t242 = t138 * IAlz_lam + t28 * (t42 + t42) - t90 * (t228 + t228)
+            - t140 * t222 - t153 * t224;
         let t243 = t109 * t224;
-        let t245 = t127 + (t165 * t224);
-        let t250 = ((t170 * t224) - (t28 * t103)) - (t40 * t118);
-        let t255 = ((t53 * IAlz_lam) - (mu * t250)) - (t179 * t224);
-        let t258 = (t40 * t250) + (t28 * t121);
+        let t245 = t127 + t165 * t224;
+        let t250 = t170 * t224 - t28 * t103 - t40 * t118;
+        let t255 = t53 * IAlz_lam - mu * t250 - t179 * t224;
+        let t258 = t40 * t250 + t28 * t121;
         let t259 = t106 * t224;
-        let t263 = (t53 * (t111 - t250)) - (t128 * t224);
+        let t263 = t53 * (t111 - t250) - t128 * t224;
         let t264 = t17 + t17;
         let t265 = t100 * t101;
         let t266 = self.mR - t265;
@@ -1404,13 +342,13 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t278 = M22_ITzz * ITzz_xB;
         let t279 = t21 * t53;
         let t280 = self.mB * mu;
-        let t283 = (mu * t280) + (C122_ITzz * ITzz_xB);
+        let t283 = mu * t280 + C122_ITzz * ITzz_xB;
         let t284 = t40 * t280;
         let t285 = t53 * t280;
         let t286 = t21 + t21;
         let t287 = self.xB * mu;
         let t288 = self.mB * t287;
-        let t290 = mu + (self.xB * t53);
+        let t290 = mu + self.xB * t53;
         let t291 = self.mB * t290;
         let t292 = self.mB * t53;
         let t293 = self.zB * self.zB;
@@ -1418,77 +356,75 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let ITzz_mB = self.xB * self.xB;
         let t296 = M22_ITzz * ITzz_mB;
         let t297 = self.zB * t290;
-        let t300 = (mu * t287) + (C122_ITzz * ITzz_mB);
+        let t300 = mu * t287 + C122_ITzz * ITzz_mB;
         let t301 = t40 * t287;
         let t302 = self.zB * t53;
         let t303 = t53 * t287;
-        let t305 = t130 + (t6 * mu);
+        let t305 = t130 + t6 * mu;
         let t306 = t6 * t40;
         let t308 = t28 * t35;
-        let t311 = (self.xH * M22_ITzz) - (t138 * t308);
-        let t316 = (((self.mH * t311) + (t62 * M22_ITzz)) - t147) - (t138 * t306);
+        let t311 = self.xH * M22_ITzz - t138 * t308;
+        let t316 = self.mH * t311 + t62 * M22_ITzz - t147 - t138 * t306;
         let t317 = t6 * t53;
-        let t319 = t168 + (self.mH * mu);
-        let t323 = (self.xH * C122_ITzz) - (t53 * t308);
-        let t330 = (((t167 + (mu * t319)) + (self.mH * t323)) + (t62 * C122_ITzz))
-            - (t53 * t306);
+        let t319 = t168 + self.mH * mu;
+        let t323 = self.xH * C122_ITzz - t53 * t308;
+        let t330 = t167 + mu * t319 + self.mH * t323 + t62 * C122_ITzz - t53 * t306;
         let t331 = t40 * t319;
         let t332 = t53 * t319;
         let t333 = t6 + t6;
-        let t337 = (t308 + (self.zH * t40)) - (self.xH * mu);
-        let t339 = t306 + (self.mH * t337);
+        let t337 = t308 + self.zH * t40 - self.xH * mu;
+        let t339 = t306 + self.mH * t337;
         let t340 = self.xH * t40;
         let t343 = t40 * t40;
-        let t346 = ((t140 * t308) + (self.zH * t343)) - (t138 * t340);
-        let t349 = (self.mH * t346) + (t6 * t343);
-        let t351 = mu + (self.xH * t53);
+        let t346 = t140 * t308 + self.zH * t343 - t138 * t340;
+        let t349 = self.mH * t346 + t6 * t343;
+        let t351 = mu + self.xH * t53;
         let t352 = self.mH * t351;
         let t353 = self.mH * t40;
         let t355 = t53 * t340;
-        let t357 = (mu * t353) + (self.mH * t355);
+        let t357 = mu * t353 + self.mH * t355;
         let t358 = t40 * t353;
         let t359 = self.mH * t53;
         let t360 = t53 * t353;
         let t361 = self.zH * self.zH;
         let t362 = self.zH * t337;
-        let t367 = ((self.xH * t311) + (self.zH * t346)) + (t35 * t142);
+        let t367 = self.xH * t311 + self.zH * t346 + t35 * t142;
         let t368 = self.zH * t351;
-        let t373 = ((self.xH * t323) - (mu * t337)) - (self.zH * t355);
+        let t373 = self.xH * t323 - mu * t337 - self.zH * t355;
         let t374 = t40 * t337;
         let t375 = self.zH * t53;
         let t376 = t53 * t337;
-        let t379 = (t85 + M22_ITzz) + (t28 * t138);
-        let t381 = C122_ITzz + (t28 * t53);
+        let t379 = t85 + M22_ITzz + t28 * t138;
+        let t381 = C122_ITzz + t28 * t53;
         let t382 = t28 + mu;
-        let t384 = t228 + (t40 * mu);
+        let t384 = t228 + t40 * mu;
         let t385 = t384 + t384;
         let K222_SF = t40 * t53;
         let t387 = t10 + t10;
         let t388 = self.rF * t40;
         let t389 = t28 * self.c;
-        let t391 = t389 - (self.w * mu);
+        let t391 = t389 - self.w * mu;
         let t392 = t388 - t391;
-        let t394 = t149 + (self.mF * t392);
+        let t394 = t149 + self.mF * t392;
         let t395 = self.w * t40;
-        let t400 = ((t138 * t395) + (self.rF * t343)) - (t140 * t389);
-        let t403 = (self.mF * t400) + (t10 * t343);
-        let C112_SF = mu + (self.w * t53);
+        let t400 = t138 * t395 + self.rF * t343 - t140 * t389;
+        let t403 = self.mF * t400 + t10 * t343;
+        let C112_SF = mu + self.w * t53;
         let t407 = t96 * SF;
-        let t409 = (self.mF * C112_SF) - (C112_SF * t407);
+        let t409 = self.mF * C112_SF - C112_SF * t407;
         let t410 = t382 * t407;
         let t411 = self.mF * t40;
         let t413 = t53 * t395;
-        let t415 = (mu * t411) + (self.mF * t413);
+        let t415 = mu * t411 + self.mF * t413;
         let t416 = t40 * t411;
         let t418 = t53 * (self.mF - t407);
-        let t421 = (t53 * t411) - (K222_SF * t407);
+        let t421 = t53 * t411 - K222_SF * t407;
         let t422 = self.rF * self.rF;
         let t423 = self.rF * t392;
         let ITzz_mF = self.w * self.w;
-        let t429 = ((self.c * t200) + (self.rF * t400)) + (M22_ITzz * ITzz_mF);
+        let t429 = self.c * t200 + self.rF * t400 + M22_ITzz * ITzz_mF;
         let t430 = self.rF * C112_SF;
-        let t437 = (((mu * t392) + (self.rF * t413)) + (C122_ITzz * ITzz_mF))
-            - (self.c * t214);
+        let t437 = mu * t392 + self.rF * t413 + C122_ITzz * ITzz_mF - self.c * t214;
         let t438 = t40 * t392;
         let t439 = self.rF * t53;
         let t440 = t53 * t392;
@@ -1497,204 +433,448 @@ impl<T: ::carvallo::Number> Whipple<T> {
         let t443 = t96 * t382;
         let t444 = t53 * t96;
         let t445 = t96 * K222_SF;
-        let t446 = -(t111 + (mu * ST));
+        let t446 = -(t111 + mu * ST);
         let t447 = t104 - t103;
         let t448 = t391 - t388;
         (
-            {
-                #[inline(always)]
-                fn matrix<T: ::core::marker::Copy>(
-                    entries: &[T; 16],
-                    first: ::core::primitive::usize,
-                ) -> [[T; 2]; 2] {
-                    [
-                        [entries[first], entries[first + 1]],
-                        [entries[first + 2], entries[first + 3]],
-                    ]
-                }
-                let entries = [
-                    t26,
-                    t56,
-                    t56,
-                    t93,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t110,
-                    t446,
-                    t124,
-                    t447,
-                    t121,
-                    t121,
-                    t125,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t126,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t129,
-                ];
-                WhippleMatrices {
-                    m: matrix(&entries, 0),
-                    c1: matrix(&entries, 4),
-                    k0: matrix(&entries, 8),
-                    k2: matrix(&entries, 12),
-                }
-            },
+            WhippleMatrices::from_entries([
+                t26, t56, t56, t93, self.w.like(0.0), t110, t446, t124, t447, t121, t121, t125,
+                self.w.like(0.0), t126, self.w.like(0.0), t129,
+            ]),
             WhippleDerivatives {
                 values: [
-                    t136,
-                    t160,
-                    t164,
-                    t166,
-                    t186,
-                    t173,
-                    t187,
-                    t188,
-                    t191,
-                    t195,
-                    t207,
-                    t126,
-                    t208,
-                    t219,
-                    t212,
-                    t220,
-                    t221,
-                    t227,
-                    t242,
-                    t243,
-                    t245,
-                    t255,
-                    t250,
-                    t258,
-                    t259,
-                    t263,
-                    t264,
-                    t267,
-                    t268,
-                    self.mR,
-                    t269,
-                    t270,
-                    t271,
-                    self.rR,
-                    t272,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    M22_ITzz,
-                    C122_ITzz,
-                    t274,
-                    t275,
-                    t276,
-                    t278,
-                    t279,
-                    t283,
-                    t280,
-                    t284,
-                    t285,
-                    t286,
-                    t288,
-                    t291,
-                    self.mB,
-                    t292,
-                    t293,
-                    t294,
-                    t296,
-                    t297,
-                    t300,
-                    self.zB,
-                    t287,
-                    t301,
-                    t302,
-                    t303,
-                    mu,
-                    t53,
-                    t305,
-                    t316,
-                    t317,
-                    t330,
-                    t319,
-                    t331,
-                    t332,
-                    t333,
-                    t339,
-                    t349,
-                    t352,
-                    t357,
-                    self.mH,
-                    t353,
-                    t358,
-                    t359,
-                    t360,
-                    t361,
-                    t362,
-                    t367,
-                    t368,
-                    t373,
-                    self.zH,
-                    t337,
-                    t374,
-                    t375,
-                    t376,
-                    t40,
-                    t343,
-                    t379,
-                    t381,
-                    t382,
-                    t385,
-                    K222_SF,
-                    t387,
-                    t394,
-                    t403,
-                    t409,
-                    t410,
-                    t415,
-                    self.mF,
-                    t411,
-                    t416,
-                    t418,
-                    t421,
-                    t422,
-                    t423,
-                    t429,
-                    t430,
-                    t437,
-                    self.rF,
-                    t448,
-                    t438,
-                    t439,
-                    t440,
-                    t441,
-                    t442,
-                    t443,
-                    t444,
-                    t445,
+                    t136, t160, t164, t166, t186, t173, t187, t188, t191, t195, t207, t126, t208,
+                    t219, t212, t220, t221, t227, t242, t243, t245, t255, t250, t258, t259, t263,
+                    t264, t267, t268, self.mR, t269, t270, t271, self.rR, t272, self.w.like(1.0),
+                    M22_ITzz, C122_ITzz, t274, t275, t276, t278, t279, t283, t280, t284, t285, t286,
+                    t288, t291, self.mB, t292, t293, t294, t296, t297, t300, self.zB, t287, t301,
+                    t302, t303, mu, t53, t305, t316, t317, t330, t319, t331, t332, t333, t339, t349,
+                    t352, t357, self.mH, t353, t358, t359, t360, t361, t362, t367, t368, t373,
+                    self.zH, t337, t374, t375, t376, t40, t343, t379, t381, t382, t385, K222_SF,
+                    t387, t394, t403, t409, t410, t415, self.mF, t411, t416, t418, t421, t422, t423,
+                    t429, t430, t437, self.rF, t448, t438, t439, t440, t441, t442, t443, t444, t445,
                 ],
             },
         )
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for Whipple<T> {
-    type Derivatives = [::carvallo::Coefficients<T, 2>; 26];
-    fn coefficients_and_derivatives(
-        &self,
-    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        let mut all = [::carvallo::Coefficients::from_rows(
-            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
-        ); 26];
-        for position in 0..158 {
-            ::carvallo::Partial::write(
-                &<WhippleDerivatives>::PARTIALS[position],
-                &derivatives.values,
-                &mut all,
-            );
+
+// --- Parameter sets ------------------------------------------------------------------------------
+
+impl Whipple<f64> {
+    /// The parameter set `benchmark`.
+    ///
+    /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1
+    pub const BENCHMARK: Self = Self {
+        w: 1.02, c: 0.08, lam: 0.3141592653589793, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.0603,
+        IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
+        xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.05892, IHyy: 0.06, IHzz: 0.00708, IHxz: -0.00756,
+        rF: 0.35, mF: 3.0, IFxx: 0.1405, IFyy: 0.28,
+    };
+
+    /// The parameter set `benchmark_2005`.
+    ///
+    /// Source: Schwab, Meijaard & Papadopoulos (2005), ENOC 2005
+    pub const BENCHMARK_2005: Self = Self {
+        w: 1.02, c: 0.08, lam: 0.3217505543966422, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.06,
+        IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
+        xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.0546, IHyy: 0.06, IHzz: 0.0114, IHxz: -0.0162, rF: 0.35,
+        mF: 3.0, IFxx: 0.14, IFyy: 0.28,
+    };
+}
+
+// --- Parameters and matrices as arrays -----------------------------------------------------------
+
+impl<T: Number> Whipple<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 26]) -> Self {
+        Self {
+            w: values[0], c: values[1], lam: values[2], g: values[3], rR: values[4], mR: values[5],
+            IRxx: values[6], IRyy: values[7], xB: values[8], zB: values[9], mB: values[10],
+            IBxx: values[11], IByy: values[12], IBzz: values[13], IBxz: values[14], xH: values[15],
+            zH: values[16], mH: values[17], IHxx: values[18], IHyy: values[19], IHzz: values[20],
+            IHxz: values[21], rF: values[22], mF: values[23], IFxx: values[24], IFyy: values[25],
         }
-        (
-            ::carvallo::Coefficients::from_rows([
-                matrices.m,
-                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-                matrices.c1,
-                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-                matrices.k0,
-                matrices.k2,
-            ]),
-            all,
-        )
     }
+
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 26] {
+        [
+            self.w, self.c, self.lam, self.g, self.rR, self.mR, self.IRxx, self.IRyy, self.xB,
+            self.zB, self.mB, self.IBxx, self.IByy, self.IBzz, self.IBxz, self.xH, self.zH, self.mH,
+            self.IHxx, self.IHyy, self.IHzz, self.IHxz, self.rF, self.mF, self.IFxx, self.IFyy,
+        ]
+    }
+}
+
+impl<T: Scalar> Whipple<T> {
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: Scalar>(&self) -> Whipple<U> {
+        let values = self.to_array();
+        Whipple::from_array(values.map(|value| Scalar::from_f64(Scalar::to_f64(value))))
+    }
+}
+
+impl<T: Number> WhippleMatrices<T> {
+    /// From the entries of one matrix after the other, each row by row.
+    #[inline(always)]
+    fn from_entries(entries: [T; 16]) -> Self {
+        Self {
+            m: carvallo::rows(&entries, 0),
+            c1: carvallo::rows(&entries, 4),
+            k0: carvallo::rows(&entries, 8),
+            k2: carvallo::rows(&entries, 12),
+        }
+    }
+
+    /// The rows of M, C0, C1, Kc, K0 and K2.
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let zeros = [[self.m[0][0].like(0.0); 2]; 2];
+        [self.m, zeros, self.c1, zeros, self.k0, self.k2]
+    }
+}
+
+// --- What the runtime knows of the model ---------------------------------------------------------
+
+impl<T: Scalar> Model<2> for Whipple<T> {
+    type Scalar = T;
+
+    type Array<U: Copy> = [U; 26];
+
+    type Over<U: Number> = Whipple<U>;
+
+    const INFO: &'static ModelInfo = &ModelInfo {
+        name: "Whipple",
+        docs: "The Whipple-Carvallo bicycle: the linearized equations of lean and steer about upright straight running.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.",
+        source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, Appendix A",
+        parameters: &[
+            ParameterInfo::new("w", "m", Domain::POSITIVE).docs("Wheel base."),
+            ParameterInfo::new("c", "m", Domain::FINITE)
+                .docs(
+                    "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
+                ),
+            ParameterInfo::new(
+                    "lam",
+                    "rad",
+                    Domain::between(Bound::Open(-1.5707963267948966), Bound::Open(1.5707963267948966)),
+                )
+                .symbol("λ")
+                .docs("Steer axis tilt: 90 degrees minus the head angle."),
+            ParameterInfo::new("g", "N/kg", Domain::NONNEGATIVE)
+                .docs("Gravitational field strength."),
+            ParameterInfo::new("rR", "m", Domain::POSITIVE)
+                .docs("Radius of the rear wheel."),
+            ParameterInfo::new("mR", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear wheel."),
+            ParameterInfo::new("IRxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the rear wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IRyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the rear wheel."),
+            ParameterInfo::new("xB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, forward of the rear contact."),
+            ParameterInfo::new("zB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, downward."),
+            ParameterInfo::new("mB", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear frame and rider."),
+            ParameterInfo::new("IBxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in roll."),
+            ParameterInfo::new("IByy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IBzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in yaw."),
+            ParameterInfo::new("IBxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the rear frame and rider about its centre of mass."),
+            ParameterInfo::new("xH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, forward of the rear contact."),
+            ParameterInfo::new("zH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, downward."),
+            ParameterInfo::new("mH", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front frame."),
+            ParameterInfo::new("IHxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in roll."),
+            ParameterInfo::new("IHyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IHzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in yaw."),
+            ParameterInfo::new("IHxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the front frame about its centre of mass."),
+            ParameterInfo::new("rF", "m", Domain::POSITIVE)
+                .docs("Radius of the front wheel."),
+            ParameterInfo::new("mF", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front wheel."),
+            ParameterInfo::new("IFxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the front wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IFyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the front wheel."),
+        ],
+        coordinates: &[
+            CoordinateInfo::new("phi", "rad")
+                .label("lean")
+                .docs("Lean of the rear frame, positive to the right."),
+            CoordinateInfo::new("delta", "rad")
+                .label("steer")
+                .docs("Steer of the front frame relative to the rear frame, positive to the right."),
+        ],
+        matrices: &["M", "C1", "K0", "K2"],
+        entries: &[
+            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
+            EntryInfo::at(&[("M", 1, 1)]), EntryInfo::at(&[("C1", 0, 1)]),
+            EntryInfo::at(&[("C1", 1, 0)]), EntryInfo::at(&[("C1", 1, 1)]),
+            EntryInfo::at(&[("K0", 0, 0)]), EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0)]),
+            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 1)]),
+            EntryInfo::at(&[("K2", 1, 1)]),
+        ],
+        sets: &[
+            SetInfo {
+                name: "benchmark",
+                docs: "",
+                source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1",
+                values: &Whipple::<f64>::BENCHMARK.to_array(),
+            },
+            SetInfo {
+                name: "benchmark_2005",
+                docs: "",
+                source: "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005",
+                values: &Whipple::<f64>::BENCHMARK_2005.to_array(),
+            },
+        ],
+        gravity: Some(3),
+    };
+
+    fn from_slice(values: &[T]) -> Result<Self, LengthError> {
+        LengthError::check("Whipple", 26, values)?;
+        Ok(<Self as Evaluator<T, 2>>::from_parameters(|position| values[position]))
+    }
+
+    fn write_to(&self, values: &mut [T]) -> Result<(), LengthError> {
+        LengthError::check("Whipple", 26, values)?;
+        values.copy_from_slice(&self.to_array());
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U> {
+        core::array::from_fn(element)
+    }
+
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
+        self.to_array()
+    }
+
+    fn validate(&self) -> Result<(), ParameterError> {
+        let info = <Self as Model<2>>::INFO;
+        info.validate(&self.to_array().map(Scalar::to_f64))?;
+        let t4 = self.mH + self.mF;
+        let t6 = self.mR + self.mB + t4;
+        info.require("mR + mB + mH + mF", Scalar::to_f64(t6), "", Domain::POSITIVE)?;
+        info.require("mH + mF", Scalar::to_f64(t4), "", Domain::POSITIVE)?;
+        Ok(())
+    }
+
+    #[inline]
+    fn coefficients(&self) -> Coefficients<T, 2> {
+        Coefficients::from_rows(WhippleMatrices::rows(&self.matrices()))
+    }
+
+    fn gravity(&self) -> Option<T> {
+        Some(self.g)
+    }
+}
+
+impl<T: Number> Evaluator<T, 2> for Whipple<T> {
+    type Entries = [T; 11];
+
+    #[inline(always)]
+    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
+        Self::from_array(core::array::from_fn(parameter))
+    }
+
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c1[0][1],
+            matrices.c1[1][0], matrices.c1[1][1], matrices.k0[0][0], matrices.k0[0][1],
+            matrices.k0[1][1], matrices.k2[0][1], matrices.k2[1][1],
+        ]
+    }
+
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        WhippleMatrices::rows(&self.matrices())
+    }
+}
+
+// --- Which derivatives there are -----------------------------------------------------------------
+
+impl<T: Scalar> WhippleDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(&self, parameter: usize) -> Option<WhippleMatrices<T>> {
+        if parameter >= 26 {
+            return None;
+        }
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut matrices = WhippleMatrices {
+            m: [[zero; 2]; 2], c1: [[zero; 2]; 2], k0: [[zero; 2]; 2], k2: [[zero; 2]; 2],
+        };
+        for position in 0..158 {
+            let partial = <WhippleDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                MatrixName::M => &mut matrices.m,
+                MatrixName::C1 => &mut matrices.c1,
+                MatrixName::K0 => &mut matrices.k0,
+                MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
+        }
+        Some(matrices)
+    }
+}
+
+impl<T: Scalar> Differentiable<2> for Whipple<T> {
+    type Derivatives = [Coefficients<T, 2>; 26];
+
+    fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 6]); 26];
+        for position in 0..158 {
+            Partial::write(&<WhippleDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
+        }
+        (Coefficients::from_rows(WhippleMatrices::rows(&matrices)), all)
+    }
+}
+
+impl WhippleDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [Partial; 158] = &[
+        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
+        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6),
+        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::K0, 1, 1, 2, 23),
+        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
+        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
+        Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 30),
+        Partial::new(MatrixName::M, 0, 0, 5, 31),
+        Partial::new(MatrixName::C1, 0, 1, 5, 32),
+        Partial::new(MatrixName::K0, 0, 0, 5, 33).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 34), Partial::new(MatrixName::M, 0, 0, 6, 35),
+        Partial::new(MatrixName::M, 1, 1, 6, 36), Partial::new(MatrixName::C1, 1, 1, 6, 37),
+        Partial::new(MatrixName::C1, 0, 1, 7, 38),
+        Partial::new(MatrixName::C1, 1, 0, 7, 38).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 39),
+        Partial::new(MatrixName::M, 0, 1, 8, 40).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 40).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 41),
+        Partial::new(MatrixName::C1, 0, 1, 8, 42).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 43),
+        Partial::new(MatrixName::K0, 0, 1, 8, 44).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 44).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 45).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 46), Partial::new(MatrixName::M, 0, 0, 9, 47),
+        Partial::new(MatrixName::M, 0, 1, 9, 48).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 48).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 49).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 50),
+        Partial::new(MatrixName::K2, 0, 1, 9, 51).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 52),
+        Partial::new(MatrixName::M, 0, 1, 10, 53).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 53).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 54),
+        Partial::new(MatrixName::C1, 0, 1, 10, 55).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 56),
+        Partial::new(MatrixName::K0, 0, 0, 10, 57),
+        Partial::new(MatrixName::K0, 0, 1, 10, 58).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 58).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 59).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 60).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 61), Partial::new(MatrixName::M, 0, 0, 11, 35),
+        Partial::new(MatrixName::M, 1, 1, 13, 36), Partial::new(MatrixName::C1, 1, 1, 13, 37),
+        Partial::new(MatrixName::M, 0, 1, 14, 62), Partial::new(MatrixName::M, 1, 0, 14, 62),
+        Partial::new(MatrixName::C1, 0, 1, 14, 63),
+        Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 65),
+        Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67),
+        Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
+        Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
+        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
+        Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
+        Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85), Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87), Partial::new(MatrixName::K0, 1, 0, 17, 87),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88),
+        Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
+        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
+        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
+        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
+        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
+        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
+        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
+        Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
+        Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
+        Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),
+        Partial::new(MatrixName::C1, 1, 0, 25, 121).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 122),
+        Partial::new(MatrixName::K2, 1, 1, 25, 123),
+    ];
 }

@@ -2,6 +2,16 @@
 // To write it anew: cargo regenerate
 // Hash of the source: 40e1047ae9981d57
 
+#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+
+use carvallo::{
+    Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
+    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
+    Partial, Rate, Scalar, SetInfo,
+};
+
+// --- The parameters ------------------------------------------------------------------------------
+
 /// The Whipple-Carvallo bicycle with a rider whose upper body leans on a sprung and damped hip.
 ///
 /// Five rigid bodies (rear wheel R, rear frame with the rider's legs B, upper body U, front frame H, front wheel F),
@@ -13,14 +23,8 @@
 /// Derived from a mechanism: body `B` (rear frame and legs), body `H` (front frame), body `U` (upper body), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad, `theta` (upper body) in rad.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleLeaning<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleLeaning<T = f64> {
     /// Wheel base.
     ///
     /// `w` in m: > 0.
@@ -166,193 +170,14 @@ pub struct WhippleLeaning<T = ::core::primitive::f64> {
     /// `dU` in N*m*s: >= 0.
     pub dU: T,
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl WhippleLeaning<::core::primitive::f64> {
-    /// The parameter set `example`.
-    ///
-    /// Source: The benchmark of Meijaard et al. (2007), Table 1, with 40 kg of rear frame and rider as an upper body
-    pub const EXAMPLE: Self = Self {
-        w: 1.02,
-        c: 0.08,
-        lam: 0.3141592653589793,
-        g: 9.81,
-        rR: 0.3,
-        mR: 2.0,
-        IRxx: 0.0603,
-        IRyy: 0.12,
-        xB: 0.3,
-        zB: -0.7,
-        mB: 45.0,
-        IBxx: 4.0,
-        IByy: 5.5,
-        IBzz: 1.8,
-        IBxz: 1.2,
-        xH: 0.9,
-        zH: -0.7,
-        mH: 4.0,
-        IHxx: 0.05892,
-        IHyy: 0.06,
-        IHzz: 0.00708,
-        IHxz: -0.00756,
-        rF: 0.35,
-        mF: 3.0,
-        IFxx: 0.1405,
-        IFyy: 0.28,
-        zP: -0.85,
-        mU: 40.0,
-        xU: 0.3,
-        zU: -1.125,
-        IUxx: 1.6,
-        IUyy: 1.6,
-        IUzz: 0.6,
-        IUxz: 0.0,
-        kU: 600.0,
-        dU: 60.0,
-    };
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleLeaning<T> {
-    /// The parameters from an array in declared order.
-    #[must_use]
-    pub const fn from_array(values: [T; 36]) -> Self {
-        Self {
-            w: values[0],
-            c: values[1],
-            lam: values[2],
-            g: values[3],
-            rR: values[4],
-            mR: values[5],
-            IRxx: values[6],
-            IRyy: values[7],
-            xB: values[8],
-            zB: values[9],
-            mB: values[10],
-            IBxx: values[11],
-            IByy: values[12],
-            IBzz: values[13],
-            IBxz: values[14],
-            xH: values[15],
-            zH: values[16],
-            mH: values[17],
-            IHxx: values[18],
-            IHyy: values[19],
-            IHzz: values[20],
-            IHxz: values[21],
-            rF: values[22],
-            mF: values[23],
-            IFxx: values[24],
-            IFyy: values[25],
-            zP: values[26],
-            mU: values[27],
-            xU: values[28],
-            zU: values[29],
-            IUxx: values[30],
-            IUyy: values[31],
-            IUzz: values[32],
-            IUxz: values[33],
-            kU: values[34],
-            dU: values[35],
-        }
-    }
-    /// The parameters as an array in declared order.
-    #[must_use]
-    pub const fn to_array(&self) -> [T; 36] {
-        [
-            self.w,
-            self.c,
-            self.lam,
-            self.g,
-            self.rR,
-            self.mR,
-            self.IRxx,
-            self.IRyy,
-            self.xB,
-            self.zB,
-            self.mB,
-            self.IBxx,
-            self.IByy,
-            self.IBzz,
-            self.IBxz,
-            self.xH,
-            self.zH,
-            self.mH,
-            self.IHxx,
-            self.IHyy,
-            self.IHzz,
-            self.IHxz,
-            self.rF,
-            self.mF,
-            self.IFxx,
-            self.IFyy,
-            self.zP,
-            self.mU,
-            self.xU,
-            self.zU,
-            self.IUxx,
-            self.IUyy,
-            self.IUzz,
-            self.IUxz,
-            self.kU,
-            self.dU,
-        ]
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
-    /// The same parameters in another number type, each rounded to the nearest.
-    #[must_use]
-    pub fn cast<U: ::carvallo::Scalar>(&self) -> WhippleLeaning<U> {
-        WhippleLeaning {
-            w: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.w)),
-            c: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.c)),
-            lam: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.lam)),
-            g: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.g)),
-            rR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rR)),
-            mR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mR)),
-            IRxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IRxx)),
-            IRyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IRyy)),
-            xB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xB)),
-            zB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zB)),
-            mB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mB)),
-            IBxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBxx)),
-            IByy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IByy)),
-            IBzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBzz)),
-            IBxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBxz)),
-            xH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xH)),
-            zH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zH)),
-            mH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mH)),
-            IHxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHxx)),
-            IHyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHyy)),
-            IHzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHzz)),
-            IHxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHxz)),
-            rF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rF)),
-            mF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mF)),
-            IFxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IFxx)),
-            IFyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IFyy)),
-            zP: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zP)),
-            mU: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mU)),
-            xU: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xU)),
-            zU: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zU)),
-            IUxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IUxx)),
-            IUyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IUyy)),
-            IUzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IUzz)),
-            IUxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IUxz)),
-            kU: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.kU)),
-            dU: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.dU)),
-        }
-    }
-}
+
+// --- The coefficient matrices --------------------------------------------------------------------
+
 /// The coefficient matrices of [`WhippleLeaning`], each 3 x 3 and row by row, in SI units.
 ///
 /// Matrices that are not among them are zero.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleLeaningMatrices<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleLeaningMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
     pub m: [[T; 3]; 3],
     /// Damping C0, a coefficient of q'. Symmetric, proved.
@@ -366,8 +191,8 @@ pub struct WhippleLeaningMatrices<T = ::core::primitive::f64> {
     /// Stiffness K2, a coefficient of v^2 q.
     pub k2: [[T; 3]; 3],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleLeaning<T> {
+
+impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 62 additions, 60 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 130 operations.
     ///
@@ -377,162 +202,93 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
     pub fn matrices(&self) -> WhippleLeaningMatrices<T> {
         let t5 = self.zU - self.zP;
         let Sz_theta = t5 * self.mU;
-        let Jxx_theta = self.IUxx + (t5 * Sz_theta);
+        let Jxx_theta = self.IUxx + t5 * Sz_theta;
         let t14 = self.zH * self.mH;
         let t18 = self.rF * self.mF;
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t14)) + (self.rF * t18);
+        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t14 + self.rF * t18;
         let t25 = self.rR * self.mR;
         let t29 = self.zB * self.mB;
-        let t32 = Sz_theta + (self.zP * self.mU);
-        let t40 = (((((self.IRxx + self.IBxx) + Jxx_theta) + Jxx_delta)
-            + (self.rR * t25)) + (self.zB * t29)) + (self.zP * (Sz_theta + t32));
-        let (t42, t54) = ::carvallo::Number::sin_cos(self.lam);
+        let t32 = Sz_theta + self.zP * self.mU;
+        let t40 = self.IRxx + self.IBxx + Jxx_theta + Jxx_delta + self.rR * t25
+            + self.zB * t29 + self.zP * (Sz_theta + t32);
+        let (t42, t54) = self.lam.sin_cos();
         let t49 = self.c + self.w;
         let t50 = t49 - self.xH;
-        let Jxz_delta = (self.IHxz + (t14 * t50)) - (t18 * self.c);
-        let hx_delta = (Jxx_delta * t42) + (Jxz_delta * t54);
+        let Jxz_delta = self.IHxz + t14 * t50 - t18 * self.c;
+        let hx_delta = Jxx_delta * t42 + Jxz_delta * t54;
         let yaw_per_v_delta = t54 / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let Sx_theta = self.mU * self.xU;
-        let Jxz_theta = self.IUxz - (t5 * Sx_theta);
+        let Jxz_theta = self.IUxz - t5 * Sx_theta;
         let Sz_delta = t14 - t18;
-        let Jxz_all = ((((Jxz_delta + self.IBxz) + Jxz_theta) - (t29 * self.xB))
-            - (self.zP * Sx_theta)) - (t49 * Sz_delta);
-        let t76 = hx_delta + (yaw_by_delta * Jxz_all);
-        let M_phi_theta = Jxx_theta + (self.zP * Sz_theta);
+        let Jxz_all = Jxz_delta + self.IBxz + Jxz_theta - t29 * self.xB
+            - self.zP * Sx_theta - t49 * Sz_delta;
+        let t76 = hx_delta + yaw_by_delta * Jxz_all;
+        let M_phi_theta = Jxx_theta + self.zP * Sz_theta;
         let t80 = self.mH * t50;
         let t82 = self.mF * self.c;
         let t85 = self.IFxx + self.IHzz;
-        let hz_delta = (t42 * Jxz_delta)
-            + (t54 * (((t50 * t80) + (self.c * t82)) + t85));
+        let hz_delta = t42 * Jxz_delta + t54 * (t50 * t80 + self.c * t82 + t85);
         let t91 = t80 + t82;
-        let t93 = (t42 * Sz_delta) + (t54 * t91);
-        let M_yaw_delta = hz_delta - (t49 * t93);
+        let t93 = t42 * Sz_delta + t54 * t91;
+        let M_yaw_delta = hz_delta - t49 * t93;
         let t98 = self.mB * self.xB;
-        let t110 = (((((self.IRxx + t85) + self.IBzz) + self.IUzz) + (self.xB * t98))
-            + ((self.mH * self.xH) * self.xH)) + ((self.mF * self.w) * self.w);
-        let P_delta_yaw = M_yaw_delta + (yaw_by_delta * (t110 + (self.xU * Sx_theta)));
-        let t119 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t42 * hx_delta))
-            + (t54 * hz_delta);
+        let t110 = self.IRxx + t85 + self.IBzz + self.IUzz + self.xB * t98
+            + self.mH * self.xH * self.xH + self.mF * self.w * self.w;
+        let P_delta_yaw = M_yaw_delta + yaw_by_delta * (t110 + self.xU * Sx_theta);
+        let t119 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + t42 * hx_delta
+            + t54 * hz_delta;
         let P_delta_theta = yaw_by_delta * Jxz_theta;
         let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
-        let Sz_all = ((t29 + t32) + Sz_delta) - t25;
+        let h_wheels_all = h_spin_F + self.IRyy / self.rR;
+        let Sz_all = t29 + t32 + Sz_delta - t25;
         let t131 = h_wheels_all - Sz_all;
         let t134 = t54 * h_spin_F;
-        let t136 = ((yaw_by_delta * t131) + (yaw_per_v_delta * Jxz_all)) + t134;
-        let Sx_all = ((Sx_theta + t98) + (t49 * (self.mH + self.mF))) - t91;
+        let t136 = yaw_by_delta * t131 + yaw_per_v_delta * Jxz_all + t134;
+        let Sx_all = Sx_theta + t98 + t49 * (self.mH + self.mF) - t91;
         let t144 = yaw_by_delta * Sx_all;
         let P_delta_lateral = t144 - t93;
-        let t148 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
-        let t151 = (yaw_per_v_delta * Jxz_theta) - (Sz_theta * yaw_by_delta);
+        let t148 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
+        let t151 = yaw_per_v_delta * Jxz_theta - Sz_theta * yaw_by_delta;
         let t154 = yaw_per_v_delta * t131;
-        let t157 = yaw_per_v_delta * (P_delta_lateral + (t42 * h_spin_F));
-        let t159 = -(t134 + (yaw_by_delta * h_wheels_all));
+        let t157 = yaw_per_v_delta * (P_delta_lateral + t42 * h_spin_F);
+        let t159 = -(t134 + yaw_by_delta * h_wheels_all);
         let t160 = t93 - t144;
         let t161 = -(t42 * P_delta_lateral);
         let t162 = -(Sz_theta * yaw_per_v_delta);
-        {
-            #[inline(always)]
-            fn matrix<T: ::core::marker::Copy>(
-                entries: &[T; 54],
-                first: ::core::primitive::usize,
-            ) -> [[T; 3]; 3] {
-                [
-                    [entries[first], entries[first + 1], entries[first + 2]],
-                    [entries[first + 3], entries[first + 4], entries[first + 5]],
-                    [entries[first + 6], entries[first + 7], entries[first + 8]],
-                ]
-            }
-            let entries = [
-                t40,
-                t76,
-                M_phi_theta,
-                t76,
-                t119,
-                P_delta_theta,
-                M_phi_theta,
-                P_delta_theta,
-                Jxx_theta,
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                self.dU,
-                ::carvallo::Number::like(self.w, 0.0),
-                t136,
-                ::carvallo::Number::like(self.w, 0.0),
-                t159,
-                t148,
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                t151,
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                self.kU,
-                Sz_all,
-                t160,
-                Sz_theta,
-                t160,
-                t161,
-                ::carvallo::Number::like(self.w, 0.0),
-                Sz_theta,
-                ::carvallo::Number::like(self.w, 0.0),
-                Sz_theta,
-                ::carvallo::Number::like(self.w, 0.0),
-                t154,
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                t157,
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                t162,
-                ::carvallo::Number::like(self.w, 0.0),
-            ];
-            WhippleLeaningMatrices {
-                m: matrix(&entries, 0),
-                c0: matrix(&entries, 9),
-                c1: matrix(&entries, 18),
-                kc: matrix(&entries, 27),
-                k0: matrix(&entries, 36),
-                k2: matrix(&entries, 45),
-            }
-        }
+        WhippleLeaningMatrices::from_entries([
+            t40, t76, M_phi_theta, t76, t119, P_delta_theta, M_phi_theta, P_delta_theta, Jxx_theta,
+            self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
+            self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.dU,
+            self.w.like(0.0), t136, self.w.like(0.0), t159, t148, self.w.like(0.0),
+            self.w.like(0.0), t151, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
+            self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
+            self.w.like(0.0), self.w.like(0.0), self.kU, Sz_all, t160, Sz_theta, t160, t161,
+            self.w.like(0.0), Sz_theta, self.w.like(0.0), Sz_theta, self.w.like(0.0), t154,
+            self.w.like(0.0), self.w.like(0.0), t157, self.w.like(0.0), self.w.like(0.0), t162,
+            self.w.like(0.0),
+        ])
     }
 }
+
+// --- Rates and forces of the mechanism -----------------------------------------------------------
+
 /// Rates and forces of [`WhippleLeaning`] that follow from its coordinates q = (`phi`, `delta`, `theta`), to first order and in SI units.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleLeaningKinematics<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleLeaningKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
-    pub lateral: ::carvallo::Rate<T, 3>,
+    pub lateral: Rate<T, 3>,
     /// Yaw rate, to the right, in rad/s: of `B`.
-    pub yaw: ::carvallo::Rate<T, 3>,
+    pub yaw: Rate<T, 3>,
     /// Spin of the wheel `R`, rear wheel: about the y axis, so negative in forward motion, in rad/s.
-    pub wheel_R: ::carvallo::Rate<T, 3>,
+    pub wheel_R: Rate<T, 3>,
     /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in rad/s.
-    pub wheel_F: ::carvallo::Rate<T, 3>,
+    pub wheel_F: Rate<T, 3>,
     /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m, `Ttheta` (hip torque) in N*m.
     pub forces: [[T; 3]; 3],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
+
+impl<T: Scalar> WhippleLeaning<T> {
     /// Rates and forces that follow from the coordinates:
     /// 1 multiplication, 3 divisions, 2 negations and 1 trigonometric function: 7 operations.
     ///
@@ -540,1520 +296,150 @@ impl<T: ::carvallo::Scalar> WhippleLeaning<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleLeaningKinematics<T> {
-        let yaw_per_v_delta = (::carvallo::Number::cos(self.lam)) / self.w;
+        let yaw_per_v_delta = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t12 = -(::carvallo::Number::like(self.w, 1.0) / self.rR);
-        let t13 = -(::carvallo::Number::like(self.w, 1.0) / self.rF);
+        let t12 = -(self.w.like(1.0) / self.rR);
+        let t13 = -(self.w.like(1.0) / self.rF);
         WhippleLeaningKinematics {
-            lateral: ::carvallo::Rate {
-                speed: ::carvallo::Number::like(self.w, 0.0),
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 1.0),
+            lateral: Rate {
+                speed: self.w.like(0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(1.0),
             },
-            yaw: ::carvallo::Rate {
-                speed: ::carvallo::Number::like(self.w, 0.0),
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    yaw_by_delta,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    yaw_per_v_delta,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+            yaw: Rate {
+                speed: self.w.like(0.0),
+                rates: [self.w.like(0.0), yaw_by_delta, self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), yaw_per_v_delta, self.w.like(0.0)],
+                heading: self.w.like(0.0),
             },
-            wheel_R: ::carvallo::Rate {
+            wheel_R: Rate {
                 speed: t12,
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(0.0),
             },
-            wheel_F: ::carvallo::Rate {
+            wheel_F: Rate {
                 speed: t13,
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(0.0),
             },
             forces: [
-                [
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                ],
+                [self.w.like(1.0), self.w.like(0.0), self.w.like(0.0)],
+                [self.w.like(0.0), self.w.like(1.0), self.w.like(0.0)],
+                [self.w.like(0.0), self.w.like(0.0), self.w.like(1.0)],
             ],
         }
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Model<3> for WhippleLeaning<T> {
-    type Scalar = T;
-    type Array<U: ::core::marker::Copy> = [U; 36];
-    type Over<U: ::carvallo::Number> = WhippleLeaning<U>;
-    const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
-        name: "WhippleLeaning",
-        docs: "The Whipple-Carvallo bicycle with a rider whose upper body leans on a sprung and damped hip.\n\nFive rigid bodies (rear wheel R, rear frame with the rider's legs B, upper body U, front frame H, front wheel F),\nlaterally symmetric, on knife-edged wheels that roll without slip on level ground. The hip axis lies along x. Axes:\norigin at the rear contact point, x forward, y to the right, z down.",
-        source: "Mechanism: Moore (2012), Human Control of a Bicycle, dissertation, University of California, Davis, leaning rider",
-        parameters: &[
-            ::carvallo::ParameterInfo {
-                name: "w",
-                symbol: "w",
-                docs: "Wheel base.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "c",
-                symbol: "c",
-                docs: "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "lam",
-                symbol: "λ",
-                docs: "Steer axis tilt: 90 degrees minus the head angle.",
-                unit: "rad",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(-1.5707963267948966),
-                    upper: ::carvallo::Bound::Open(1.5707963267948966),
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "g",
-                symbol: "g",
-                docs: "Gravitational field strength.",
-                unit: "N/kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rR",
-                symbol: "rR",
-                docs: "Radius of the rear wheel.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mR",
-                symbol: "mR",
-                docs: "Mass of the rear wheel.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IRxx",
-                symbol: "IRxx",
-                docs: "Radial moment of inertia of the rear wheel; by symmetry also about the vertical.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IRyy",
-                symbol: "IRyy",
-                docs: "Axial moment of inertia of the rear wheel.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xB",
-                symbol: "xB",
-                docs: "Centre of mass of the rear frame and rider, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zB",
-                symbol: "zB",
-                docs: "Centre of mass of the rear frame and rider, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mB",
-                symbol: "mB",
-                docs: "Mass of the rear frame and rider.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBxx",
-                symbol: "IBxx",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IByy",
-                symbol: "IByy",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBzz",
-                symbol: "IBzz",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBxz",
-                symbol: "IBxz",
-                docs: "Product of inertia of the rear frame and rider about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xH",
-                symbol: "xH",
-                docs: "Centre of mass of the front frame, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zH",
-                symbol: "zH",
-                docs: "Centre of mass of the front frame, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mH",
-                symbol: "mH",
-                docs: "Mass of the front frame.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHxx",
-                symbol: "IHxx",
-                docs: "Moment of inertia of the front frame about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHyy",
-                symbol: "IHyy",
-                docs: "Moment of inertia of the front frame about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHzz",
-                symbol: "IHzz",
-                docs: "Moment of inertia of the front frame about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHxz",
-                symbol: "IHxz",
-                docs: "Product of inertia of the front frame about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rF",
-                symbol: "rF",
-                docs: "Radius of the front wheel.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mF",
-                symbol: "mF",
-                docs: "Mass of the front wheel.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IFxx",
-                symbol: "IFxx",
-                docs: "Radial moment of inertia of the front wheel; by symmetry also about the vertical.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IFyy",
-                symbol: "IFyy",
-                docs: "Axial moment of inertia of the front wheel.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zP",
-                symbol: "zP",
-                docs: "Height of the rider's hip axis, downward from the ground, so negative.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mU",
-                symbol: "mU",
-                docs: "Mass of the rider's upper body.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xU",
-                symbol: "xU",
-                docs: "Centre of mass of the upper body, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zU",
-                symbol: "zU",
-                docs: "Centre of mass of the upper body, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IUxx",
-                symbol: "IUxx",
-                docs: "Moment of inertia of the upper body about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IUyy",
-                symbol: "IUyy",
-                docs: "Moment of inertia of the upper body about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IUzz",
-                symbol: "IUzz",
-                docs: "Moment of inertia of the upper body about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IUxz",
-                symbol: "IUxz",
-                docs: "Product of inertia of the upper body about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "kU",
-                symbol: "kU",
-                docs: "Stiffness of the hip.",
-                unit: "N*m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "dU",
-                symbol: "dU",
-                docs: "Damping of the hip.",
-                unit: "N*m*s",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-        ],
-        coordinates: &[
-            ::carvallo::CoordinateInfo {
-                name: "phi",
-                label: "lean",
-                docs: "Lean of the rear frame, positive to the right.",
-                unit: "rad",
-            },
-            ::carvallo::CoordinateInfo {
-                name: "delta",
-                label: "steer",
-                docs: "Steer of the front frame relative to the rear frame, positive to the right.",
-                unit: "rad",
-            },
-            ::carvallo::CoordinateInfo {
-                name: "theta",
-                label: "upper body",
-                docs: "Lean of the upper body relative to the rear frame, positive to the right.",
-                unit: "rad",
-            },
-        ],
-        matrices: &[
-            ::carvallo::MatrixName::M,
-            ::carvallo::MatrixName::C0,
-            ::carvallo::MatrixName::C1,
-            ::carvallo::MatrixName::Kc,
-            ::carvallo::MatrixName::K0,
-            ::carvallo::MatrixName::K2,
-        ],
-        entries: &[
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::M, 0, 1),
-                    (::carvallo::MatrixName::M, 1, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::M, 0, 2),
-                    (::carvallo::MatrixName::M, 2, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::M, 1, 2),
-                    (::carvallo::MatrixName::M, 2, 1),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 2, 2)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C0, 2, 2)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 2, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::Kc, 2, 2)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::K0, 0, 1),
-                    (::carvallo::MatrixName::K0, 1, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::K0, 0, 2),
-                    (::carvallo::MatrixName::K0, 2, 0),
-                    (::carvallo::MatrixName::K0, 2, 2),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 2, 1)],
-            },
-        ],
-        sets: &[
-            ::carvallo::SetInfo {
-                name: "example",
-                docs: "",
-                source: "The benchmark of Meijaard et al. (2007), Table 1, with 40 kg of rear frame and rider as an upper body",
-                values: &[
-                    1.02,
-                    0.08,
-                    0.3141592653589793,
-                    9.81,
-                    0.3,
-                    2.0,
-                    0.0603,
-                    0.12,
-                    0.3,
-                    -0.7,
-                    45.0,
-                    4.0,
-                    5.5,
-                    1.8,
-                    1.2,
-                    0.9,
-                    -0.7,
-                    4.0,
-                    0.05892,
-                    0.06,
-                    0.00708,
-                    -0.00756,
-                    0.35,
-                    3.0,
-                    0.1405,
-                    0.28,
-                    -0.85,
-                    40.0,
-                    0.3,
-                    -1.125,
-                    1.6,
-                    1.6,
-                    0.6,
-                    0.0,
-                    600.0,
-                    60.0,
-                ],
-            },
-        ],
-        gravity: ::core::option::Option::Some(3),
-    };
-    fn from_slice(
-        values: &[T],
-    ) -> ::core::result::Result<Self, ::carvallo::LengthError> {
-        if values.len() != 36 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "WhippleLeaning",
-                expected: 36,
-                found: values.len(),
-            });
-        }
-        ::core::result::Result::Ok(Self {
-            w: values[0],
-            c: values[1],
-            lam: values[2],
-            g: values[3],
-            rR: values[4],
-            mR: values[5],
-            IRxx: values[6],
-            IRyy: values[7],
-            xB: values[8],
-            zB: values[9],
-            mB: values[10],
-            IBxx: values[11],
-            IByy: values[12],
-            IBzz: values[13],
-            IBxz: values[14],
-            xH: values[15],
-            zH: values[16],
-            mH: values[17],
-            IHxx: values[18],
-            IHyy: values[19],
-            IHzz: values[20],
-            IHxz: values[21],
-            rF: values[22],
-            mF: values[23],
-            IFxx: values[24],
-            IFyy: values[25],
-            zP: values[26],
-            mU: values[27],
-            xU: values[28],
-            zU: values[29],
-            IUxx: values[30],
-            IUyy: values[31],
-            IUzz: values[32],
-            IUxz: values[33],
-            kU: values[34],
-            dU: values[35],
-        })
-    }
-    fn write_to(
-        &self,
-        values: &mut [T],
-    ) -> ::core::result::Result<(), ::carvallo::LengthError> {
-        if values.len() != 36 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "WhippleLeaning",
-                expected: 36,
-                found: values.len(),
-            });
-        }
-        values.copy_from_slice(&self.to_array());
-        ::core::result::Result::Ok(())
-    }
-    #[inline(always)]
-    fn array<U: ::core::marker::Copy>(
-        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
-    ) -> Self::Array<U> {
-        ::core::array::from_fn(element)
-    }
-    #[inline(always)]
-    fn parameters(&self) -> Self::Array<T> {
-        self.to_array()
-    }
-    fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
-        let info = <Self as ::carvallo::Model<3>>::INFO;
-        info.validate(
-            &[
-                ::carvallo::Scalar::to_f64(self.w),
-                ::carvallo::Scalar::to_f64(self.c),
-                ::carvallo::Scalar::to_f64(self.lam),
-                ::carvallo::Scalar::to_f64(self.g),
-                ::carvallo::Scalar::to_f64(self.rR),
-                ::carvallo::Scalar::to_f64(self.mR),
-                ::carvallo::Scalar::to_f64(self.IRxx),
-                ::carvallo::Scalar::to_f64(self.IRyy),
-                ::carvallo::Scalar::to_f64(self.xB),
-                ::carvallo::Scalar::to_f64(self.zB),
-                ::carvallo::Scalar::to_f64(self.mB),
-                ::carvallo::Scalar::to_f64(self.IBxx),
-                ::carvallo::Scalar::to_f64(self.IByy),
-                ::carvallo::Scalar::to_f64(self.IBzz),
-                ::carvallo::Scalar::to_f64(self.IBxz),
-                ::carvallo::Scalar::to_f64(self.xH),
-                ::carvallo::Scalar::to_f64(self.zH),
-                ::carvallo::Scalar::to_f64(self.mH),
-                ::carvallo::Scalar::to_f64(self.IHxx),
-                ::carvallo::Scalar::to_f64(self.IHyy),
-                ::carvallo::Scalar::to_f64(self.IHzz),
-                ::carvallo::Scalar::to_f64(self.IHxz),
-                ::carvallo::Scalar::to_f64(self.rF),
-                ::carvallo::Scalar::to_f64(self.mF),
-                ::carvallo::Scalar::to_f64(self.IFxx),
-                ::carvallo::Scalar::to_f64(self.IFyy),
-                ::carvallo::Scalar::to_f64(self.zP),
-                ::carvallo::Scalar::to_f64(self.mU),
-                ::carvallo::Scalar::to_f64(self.xU),
-                ::carvallo::Scalar::to_f64(self.zU),
-                ::carvallo::Scalar::to_f64(self.IUxx),
-                ::carvallo::Scalar::to_f64(self.IUyy),
-                ::carvallo::Scalar::to_f64(self.IUzz),
-                ::carvallo::Scalar::to_f64(self.IUxz),
-                ::carvallo::Scalar::to_f64(self.kU),
-                ::carvallo::Scalar::to_f64(self.dU),
-            ],
-        )?;
-        ::core::result::Result::Ok(())
-    }
-    #[inline]
-    fn coefficients(&self) -> ::carvallo::Coefficients<T, 3> {
-        let matrices = self.matrices();
-        ::carvallo::Coefficients::from_rows([
-            matrices.m,
-            matrices.c0,
-            matrices.c1,
-            matrices.kc,
-            matrices.k0,
-            matrices.k2,
-        ])
-    }
-    fn gravity(&self) -> ::core::option::Option<T> {
-        ::core::option::Option::Some(self.g)
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 3> for WhippleLeaning<T> {
-    type Entries = [T; 19];
-    #[inline(always)]
-    fn from_parameters(
-        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
-    ) -> Self {
-        Self {
-            w: parameter(0),
-            c: parameter(1),
-            lam: parameter(2),
-            g: parameter(3),
-            rR: parameter(4),
-            mR: parameter(5),
-            IRxx: parameter(6),
-            IRyy: parameter(7),
-            xB: parameter(8),
-            zB: parameter(9),
-            mB: parameter(10),
-            IBxx: parameter(11),
-            IByy: parameter(12),
-            IBzz: parameter(13),
-            IBxz: parameter(14),
-            xH: parameter(15),
-            zH: parameter(16),
-            mH: parameter(17),
-            IHxx: parameter(18),
-            IHyy: parameter(19),
-            IHzz: parameter(20),
-            IHxz: parameter(21),
-            rF: parameter(22),
-            mF: parameter(23),
-            IFxx: parameter(24),
-            IFyy: parameter(25),
-            zP: parameter(26),
-            mU: parameter(27),
-            xU: parameter(28),
-            zU: parameter(29),
-            IUxx: parameter(30),
-            IUyy: parameter(31),
-            IUzz: parameter(32),
-            IUxz: parameter(33),
-            kU: parameter(34),
-            dU: parameter(35),
-        }
-    }
-    #[inline(always)]
-    fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0],
-            matrices.m[0][1],
-            matrices.m[0][2],
-            matrices.m[1][1],
-            matrices.m[1][2],
-            matrices.m[2][2],
-            matrices.c0[2][2],
-            matrices.c1[0][1],
-            matrices.c1[1][0],
-            matrices.c1[1][1],
-            matrices.c1[2][1],
-            matrices.kc[2][2],
-            matrices.k0[0][0],
-            matrices.k0[0][1],
-            matrices.k0[0][2],
-            matrices.k0[1][1],
-            matrices.k2[0][1],
-            matrices.k2[1][1],
-            matrices.k2[2][1],
-        ]
-    }
-    #[inline(always)]
-    fn rows(&self) -> [[[T; 3]; 3]; 6] {
-        let matrices = self.matrices();
-        [matrices.m, matrices.c0, matrices.c1, matrices.kc, matrices.k0, matrices.k2]
-    }
-}
-/// The derivatives of the matrices of [`WhippleLeaning`] with respect to its parameters, in SI units: those that are not zero for all parameters.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleLeaningDerivatives<T = ::core::primitive::f64> {
+
+// --- The derivatives of the matrices -------------------------------------------------------------
+
+/// The derivatives of the matrices of [`WhippleLeaning`] with respect to its parameters, in SI units: those that are not
+/// zero for all parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleLeaningDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 164],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl WhippleLeaningDerivatives {
-    /// Which derivatives there are, by parameters.
-    pub const PARTIALS: &'static [::carvallo::Partial; 243] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 0, 2).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 0, 2).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 0, 6).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 8),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 9).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 10).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 0, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 12),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 12),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 16).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 1, 18).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 19),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 19),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 21).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 2, 24).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 2, 24).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 25).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 2, 28).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 31).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 2, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 34),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 37).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 38),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 39),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 40),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 41).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 42),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 44),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 45),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 46),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 46).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 47),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 48).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 48).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 49),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 50).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 51),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 52).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 52).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 53).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 54),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 55),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 56).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 56).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 57).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 58),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 59).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 60),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 61).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 61).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 62),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 63).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 64),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 65),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 66).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 66).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 67).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 68).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 69),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 44),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 45),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 71),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 72).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 72).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 73),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 74).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 75),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 76).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 76).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 77).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 78),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 79),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 80),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 80),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 81),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 82),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 83),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 84),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 85),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 85),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 86),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 87).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 88).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 89),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 90),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 90),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 92),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 93),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 95),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 95),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 96),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 97).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 98).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 100),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 101),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 102),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 103),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 103),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 104),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 71),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 105),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 106),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 107),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 107),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 108),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 109),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 110),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 111),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 112).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 113).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 113).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 114).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 115),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 116),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 117),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 118),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 118),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 119),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 120),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 121),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 122).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 123),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 123),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 124),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 125),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 126).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 127),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 102),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 128),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 128).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 129),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 130),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 26, 131),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 26, 132),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 26, 131),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 26, 132),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 26, 133).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 26, 134),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 26, 135).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 26, 135).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 26, 135).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 26, 136),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 27, 137),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 27, 138).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 27, 139),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 27, 138).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 27, 140),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 27, 141).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 27, 139),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 27, 141).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 27, 142),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 27, 143).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 27, 144),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 27, 145).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27, 146),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27, 147).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 27, 148),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27, 147).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27, 149).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 27, 148),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 27, 148),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 27, 150).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 27, 151),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 27, 152).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 28, 153).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 28, 153).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 28, 154),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 28, 155).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 28, 155).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 28, 156).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 28, 157),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 28, 158).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 28, 159).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 28, 159).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 28, 160).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 28, 161),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 29, 162),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 29, 132).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 29, 163),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 29, 132).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 29, 132).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 29, 163),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 29, 132).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 29, 133),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 29, 134).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 29, 134).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 29, 135),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 2, 29, 135),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 0, 29, 135),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 2, 2, 29, 135),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 29, 136).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 2, 1, 29, 136).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 30, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 2, 30, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 0, 30, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 2, 30, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 32, 44),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 32, 45),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 33, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 33, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 2, 33, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 2, 1, 33, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 33, 71),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 2, 1, 33, 71),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 2, 2, 34, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 2, 2, 35, 43),
-    ];
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleLeaningDerivatives<T> {
-    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
-    /// if there is no such parameter.
-    #[must_use]
-    pub fn with_respect_to(
-        &self,
-        parameter: ::core::primitive::usize,
-    ) -> ::core::option::Option<WhippleLeaningMatrices<T>> {
-        if parameter >= 36 {
-            return ::core::option::Option::None;
-        }
-        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
-        let mut matrices = WhippleLeaningMatrices {
-            m: [[zero; 3]; 3],
-            c0: [[zero; 3]; 3],
-            c1: [[zero; 3]; 3],
-            kc: [[zero; 3]; 3],
-            k0: [[zero; 3]; 3],
-            k2: [[zero; 3]; 3],
-        };
-        for position in 0..243 {
-            let partial = <WhippleLeaningDerivatives>::PARTIALS[position];
-            if partial.parameter != parameter {
-                continue;
-            }
-            let matrix = match partial.matrix {
-                ::carvallo::MatrixName::M => &mut matrices.m,
-                ::carvallo::MatrixName::C0 => &mut matrices.c0,
-                ::carvallo::MatrixName::C1 => &mut matrices.c1,
-                ::carvallo::MatrixName::Kc => &mut matrices.kc,
-                ::carvallo::MatrixName::K0 => &mut matrices.k0,
-                ::carvallo::MatrixName::K2 => &mut matrices.k2,
-            };
-            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
-                &partial,
-                &self.values,
-            );
-        }
-        ::core::option::Option::Some(matrices)
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleLeaning<T> {
+
+impl<T: Number> WhippleLeaning<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
     /// 196 additions, 308 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 511 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
-    pub fn matrices_and_derivatives(
-        &self,
-    ) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
+    pub fn matrices_and_derivatives(&self) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
         let (
-            t5,
-            Sz_theta,
-            Jxx_theta,
-            t14,
-            t18,
-            Jxx_delta,
-            t25,
-            t29,
-            t31,
-            t32,
-            t40,
-            t42,
-            t54,
-            t48,
-            t50,
-            Jxz_delta,
-            t55,
-            hx_delta,
-            t57,
-            yaw_per_v_delta,
-            yaw_by_delta,
-            Sx_theta,
-            Jxz_theta,
-            Sz_delta,
-            Jxz_all,
-            t77,
-            M_phi_theta,
-            t81,
-            t83,
-            t84,
-            t86,
-            t89,
-            hz_delta,
-            t94,
-            t96,
-            M_yaw_delta,
-            t101,
-            t103,
-            t105,
-            t113,
-            P_delta_yaw_yaw_by_delta,
-            t115,
-            P_delta_yaw,
-            t117,
-            t120,
-            P_delta_theta,
-            t125,
-            h_spin_F,
-            t127,
-            t129,
-            t130,
-            h_wheels_all,
-            Sz_all,
-            t135,
-            t137,
-            t139,
-            Sx_all,
-            t149,
-            t151,
-            t153,
-            t154,
-            t156,
-            t157,
-            t158,
-            K222_yaw_per_v_delta,
-            t160,
-            t161,
-            C112_h_spin_F,
-            t163,
-            t165,
-            t166,
-            M12_yaw_per_v_delta,
-            t169,
-            t170,
-            M22_Jxz_delta,
-            t173,
-            t176,
-            t178,
-            t179,
-            t180,
-            t181,
-            t182,
-            t183,
-            M_yaw_delta_w,
-            t185,
-            P_delta_yaw_w,
-            t188,
-            M22_yaw_by_delta,
-            M22_yaw_per_v_delta,
-            t195,
-            P_delta_theta_yaw_per_v_delta,
-            t197,
-            t198,
-            t200,
-            C112_yaw_per_v_delta,
-            t204,
-            t205,
-            t206,
-            t209,
-            t212,
-            C122_yaw_by_delta,
-            C122_yaw_per_v_delta,
-            t220,
-            C132_yaw_per_v_delta,
-            t223,
-            t224,
-            t225,
-            t228,
-            t229,
-            t232,
-            t234,
-            hz_delta_c,
-            t238,
-            t240,
-            M_yaw_delta_c,
-            t251,
-            t254,
-            t255,
-            t259,
-            t261,
-            t262,
-            t263,
-            hx_delta_lam,
-            t266,
-            t268,
-            hz_delta_lam,
-            t273,
-            M_yaw_delta_lam,
-            t286,
-            t287,
-            t289,
-            t291,
-            t294,
-            t298,
-            t299,
-            t302,
-            t303,
-            t307,
-            t308,
-            t309,
-            t310,
-            t311,
-            t312,
-            t313,
-            t314,
-            t315,
-            t316,
-            t317,
-            t319,
-            t320,
-            t321,
-            t322,
-            t323,
-            t324,
-            t325,
-            P_delta_yaw_xB,
-            t328,
-            t329,
-            t331,
-            t333,
-            t334,
-            t335,
-            t336,
-            t338,
-            t339,
-            t340,
-            t341,
-            t342,
-            P_delta_yaw_mB,
-            t344,
-            t345,
-            t348,
-            t349,
-            t350,
-            t351,
-            M_yaw_delta_xH,
-            P_delta_yaw_xH,
-            t355,
-            t358,
-            P_delta_lateral_xH,
-            t363,
-            t364,
-            t365,
-            t366,
-            t367,
-            t369,
-            t371,
-            t373,
-            t374,
-            t376,
-            M_yaw_delta_zH,
-            M22_Jxx_delta,
-            t383,
-            t387,
-            t389,
-            t391,
-            t392,
-            t395,
-            t396,
-            t397,
-            t398,
-            t399,
-            t400,
-            hz_delta_mH,
-            t404,
-            M_yaw_delta_mH,
-            P_delta_yaw_mH,
-            t410,
-            t414,
-            t415,
-            t419,
-            t421,
-            t422,
-            t423,
-            t424,
-            t428,
-            t430,
-            t432,
-            K222_h_spin_F,
-            t434,
-            t436,
-            t438,
-            t440,
-            t441,
-            t443,
-            M_yaw_delta_rF,
-            t449,
-            t453,
-            t454,
-            t456,
-            t457,
-            t458,
-            t461,
-            t462,
-            t464,
-            t467,
-            t468,
-            t469,
-            hz_delta_mF,
-            t473,
-            M_yaw_delta_mF,
-            P_delta_yaw_mF,
-            t479,
-            t483,
-            t484,
-            t488,
-            t490,
-            t491,
-            t492,
-            t493,
-            t494,
+            t5, Sz_theta, Jxx_theta, t14, t18, Jxx_delta, t25, t29, t31, t32, t40, t42, t54, t48,
+            t50, Jxz_delta, t55, hx_delta, t57, yaw_per_v_delta, yaw_by_delta, Sx_theta, Jxz_theta,
+            Sz_delta, Jxz_all, t77, M_phi_theta, t81, t83, t84, t86, t89, hz_delta, t94, t96,
+            M_yaw_delta, t101, t103, t105, t113, P_delta_yaw_yaw_by_delta, t115, P_delta_yaw, t117,
+            t120, P_delta_theta, t125, h_spin_F, t127, t129, t130, h_wheels_all, Sz_all, t135, t137,
+            t139, Sx_all, t149, t151, t153, t154, t156, t157, t158, K222_yaw_per_v_delta, t160,
+            t161, C112_h_spin_F, t163, t165, t166, M12_yaw_per_v_delta, t169, t170, M22_Jxz_delta,
+            t173, t176, t178, t179, t180, t181, t182, t183, M_yaw_delta_w, t185, P_delta_yaw_w,
+            t188, M22_yaw_by_delta, M22_yaw_per_v_delta, t195, P_delta_theta_yaw_per_v_delta, t197,
+            t198, t200, C112_yaw_per_v_delta, t204, t205, t206, t209, t212, C122_yaw_by_delta,
+            C122_yaw_per_v_delta, t220, C132_yaw_per_v_delta, t223, t224, t225, t228, t229, t232,
+            t234, hz_delta_c, t238, t240, M_yaw_delta_c, t251, t254, t255, t259, t261, t262, t263,
+            hx_delta_lam, t266, t268, hz_delta_lam, t273, M_yaw_delta_lam, t286, t287, t289, t291,
+            t294, t298, t299, t302, t303, t307, t308, t309, t310, t311, t312, t313, t314, t315,
+            t316, t317, t319, t320, t321, t322, t323, t324, t325, P_delta_yaw_xB, t328, t329, t331,
+            t333, t334, t335, t336, t338, t339, t340, t341, t342, P_delta_yaw_mB, t344, t345, t348,
+            t349, t350, t351, M_yaw_delta_xH, P_delta_yaw_xH, t355, t358, P_delta_lateral_xH, t363,
+            t364, t365, t366, t367, t369, t371, t373, t374, t376, M_yaw_delta_zH, M22_Jxx_delta,
+            t383, t387, t389, t391, t392, t395, t396, t397, t398, t399, t400, hz_delta_mH, t404,
+            M_yaw_delta_mH, P_delta_yaw_mH, t410, t414, t415, t419, t421, t422, t423, t424, t428,
+            t430, t432, K222_h_spin_F, t434, t436, t438, t440, t441, t443, M_yaw_delta_rF, t449,
+            t453, t454, t456, t457, t458, t461, t462, t464, t467, t468, t469, hz_delta_mF, t473,
+            M_yaw_delta_mF, P_delta_yaw_mF, t479, t483, t484, t488, t490, t491, t492, t493, t494,
         );
         t5 = self.zU - self.zP;
         Sz_theta = t5 * self.mU;
-        Jxx_theta = self.IUxx + (t5 * Sz_theta);
+        Jxx_theta = self.IUxx + t5 * Sz_theta;
         t14 = self.zH * self.mH;
         t18 = self.rF * self.mF;
-        Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t14)) + (self.rF * t18);
+        Jxx_delta = self.IHxx + self.IFxx + self.zH * t14 + self.rF * t18;
         t25 = self.rR * self.mR;
         t29 = self.zB * self.mB;
         t31 = self.zP * self.mU;
         t32 = Sz_theta + t31;
-        t40 = (((((self.IRxx + self.IBxx) + Jxx_theta) + Jxx_delta) + (self.rR * t25))
-            + (self.zB * t29)) + (self.zP * (Sz_theta + t32));
-        (t42, t54) = ::carvallo::Number::sin_cos(self.lam);
+        t40 = self.IRxx + self.IBxx + Jxx_theta + Jxx_delta + self.rR * t25
+            + self.zB * t29 + self.zP * (Sz_theta + t32);
+        (t42, t54) = self.lam.sin_cos();
         t48 = self.c + self.w;
         t50 = t48 - self.xH;
-        Jxz_delta = (self.IHxz + (t14 * t50)) - (t18 * self.c);
+        Jxz_delta = self.IHxz + t14 * t50 - t18 * self.c;
         t55 = Jxz_delta * t54;
-        hx_delta = (Jxx_delta * t42) + t55;
-        t57 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        hx_delta = Jxx_delta * t42 + t55;
+        t57 = self.w.like(1.0) / self.w;
         yaw_per_v_delta = t54 * t57;
         yaw_by_delta = self.c * yaw_per_v_delta;
         Sx_theta = self.mU * self.xU;
-        Jxz_theta = self.IUxz - (t5 * Sx_theta);
+        Jxz_theta = self.IUxz - t5 * Sx_theta;
         Sz_delta = t14 - t18;
-        Jxz_all = ((((Jxz_delta + self.IBxz) + Jxz_theta) - (t29 * self.xB))
-            - (self.zP * Sx_theta)) - (t48 * Sz_delta);
-        t77 = hx_delta + (yaw_by_delta * Jxz_all);
-        M_phi_theta = Jxx_theta + (self.zP * Sz_theta);
+        Jxz_all = Jxz_delta + self.IBxz + Jxz_theta - t29 * self.xB - self.zP * Sx_theta
+            - t48 * Sz_delta;
+        t77 = hx_delta + yaw_by_delta * Jxz_all;
+        M_phi_theta = Jxx_theta + self.zP * Sz_theta;
         t81 = t42 * Jxz_delta;
         t83 = self.IFxx + self.IHzz;
         t84 = self.mF * self.c;
         t86 = self.mH * t50;
-        t89 = (t83 + (self.c * t84)) + (t50 * t86);
-        hz_delta = t81 + (t54 * t89);
+        t89 = t83 + self.c * t84 + t50 * t86;
+        hz_delta = t81 + t54 * t89;
         t94 = t84 + t86;
-        t96 = (t42 * Sz_delta) + (t54 * t94);
-        M_yaw_delta = hz_delta - (t48 * t96);
+        t96 = t42 * Sz_delta + t54 * t94;
+        M_yaw_delta = hz_delta - t48 * t96;
         t101 = self.mB * self.xB;
         t103 = self.xH * self.xH;
         t105 = self.w * self.w;
-        t113 = (((((self.IRxx + t83) + self.IBzz) + self.IUzz) + (self.xB * t101))
-            + (self.mH * t103)) + (self.mF * t105);
-        P_delta_yaw_yaw_by_delta = t113 + (self.xU * Sx_theta);
+        t113 = self.IRxx + t83 + self.IBzz + self.IUzz + self.xB * t101 + self.mH * t103
+            + self.mF * t105;
+        P_delta_yaw_yaw_by_delta = t113 + self.xU * Sx_theta;
         t115 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
         P_delta_yaw = M_yaw_delta + t115;
         t117 = M_yaw_delta + P_delta_yaw;
-        t120 = ((t42 * hx_delta) + (t54 * hz_delta)) + (yaw_by_delta * t117);
+        t120 = t42 * hx_delta + t54 * hz_delta + yaw_by_delta * t117;
         P_delta_theta = yaw_by_delta * Jxz_theta;
-        t125 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        t125 = self.w.like(1.0) / self.rF;
         h_spin_F = self.IFyy * t125;
         t127 = t54 * h_spin_F;
-        t129 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        t129 = self.w.like(1.0) / self.rR;
         t130 = self.IRyy * t129;
         h_wheels_all = h_spin_F + t130;
-        Sz_all = ((t29 + t32) + Sz_delta) - t25;
+        Sz_all = t29 + t32 + Sz_delta - t25;
         t135 = h_wheels_all - Sz_all;
         t137 = yaw_per_v_delta * Jxz_all;
-        t139 = (t127 + (yaw_by_delta * t135)) + t137;
-        Sx_all = ((Sx_theta + t101) + (t48 * (self.mH + self.mF))) - t94;
-        t149 = t96 - (yaw_by_delta * Sx_all);
-        t151 = (yaw_per_v_delta * P_delta_yaw) - (yaw_by_delta * t149);
+        t139 = t127 + yaw_by_delta * t135 + t137;
+        Sx_all = Sx_theta + t101 + t48 * (self.mH + self.mF) - t94;
+        t149 = t96 - yaw_by_delta * Sx_all;
+        t151 = yaw_per_v_delta * P_delta_yaw - yaw_by_delta * t149;
         t153 = yaw_per_v_delta * Jxz_theta;
-        t154 = t153 - (Sz_theta * yaw_by_delta);
+        t154 = t153 - Sz_theta * yaw_by_delta;
         t156 = t42 * t149;
         t157 = yaw_per_v_delta * t135;
         t158 = t42 * h_spin_F;
@@ -2062,15 +448,15 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t161 = Sz_theta * yaw_per_v_delta;
         C112_h_spin_F = t54 + yaw_by_delta;
         t163 = t14 * C112_h_spin_F;
-        t165 = t163 - (yaw_by_delta * Sz_delta);
+        t165 = t163 - yaw_by_delta * Sz_delta;
         t166 = t57 * yaw_per_v_delta;
         M12_yaw_per_v_delta = self.c * Jxz_all;
-        t169 = t165 - (t166 * M12_yaw_per_v_delta);
+        t169 = t165 - t166 * M12_yaw_per_v_delta;
         t170 = t42 * t54;
         M22_Jxz_delta = t170 + t170;
         t173 = t50 * t54;
-        t176 = (self.mH * t173) + (t54 * t86);
-        t178 = (t14 * M22_Jxz_delta) + (t54 * t176);
+        t176 = self.mH * t173 + t54 * t86;
+        t178 = t14 * M22_Jxz_delta + t54 * t176;
         t179 = t14 * t42;
         t180 = t176 + t179;
         t181 = t180 - t96;
@@ -2078,66 +464,64 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t183 = t48 * t182;
         M_yaw_delta_w = t181 - t183;
         t185 = yaw_by_delta + yaw_by_delta;
-        P_delta_yaw_w = (self.mF * self.w) * t185;
+        P_delta_yaw_w = self.mF * self.w * t185;
         t188 = M_yaw_delta_w + P_delta_yaw_w;
         M22_yaw_by_delta = t115 + t117;
         M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        t195 = (t178 + (yaw_by_delta * (M_yaw_delta_w + t188)))
-            - (t166 * M22_yaw_per_v_delta);
+        t195 = t178 + yaw_by_delta * (M_yaw_delta_w + t188) - t166 * M22_yaw_per_v_delta;
         P_delta_theta_yaw_per_v_delta = self.c * Jxz_theta;
         t197 = t166 * P_delta_theta_yaw_per_v_delta;
         t198 = t14 * yaw_per_v_delta;
-        t200 = t198 - (yaw_per_v_delta * Sz_delta);
-        C112_yaw_per_v_delta = Jxz_all + (self.c * t135);
-        t204 = t200 - (t166 * C112_yaw_per_v_delta);
+        t200 = t198 - yaw_per_v_delta * Sz_delta;
+        C112_yaw_per_v_delta = Jxz_all + self.c * t135;
+        t204 = t200 - t166 * C112_yaw_per_v_delta;
         t205 = self.c * h_wheels_all;
         t206 = t166 * t205;
         t209 = self.c * Sx_all;
-        t212 = (t182 + (t166 * t209)) - (self.mF * yaw_by_delta);
-        C122_yaw_by_delta = (yaw_per_v_delta * P_delta_yaw_yaw_by_delta) - t149;
-        C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
-        t220 = ((yaw_per_v_delta * t188) - (yaw_by_delta * t212))
-            - (t166 * C122_yaw_per_v_delta);
-        C132_yaw_per_v_delta = Jxz_theta - (Sz_theta * self.c);
+        t212 = t182 + t166 * t209 - self.mF * yaw_by_delta;
+        C122_yaw_by_delta = yaw_per_v_delta * P_delta_yaw_yaw_by_delta - t149;
+        C122_yaw_per_v_delta = P_delta_yaw + self.c * C122_yaw_by_delta;
+        t220 = yaw_per_v_delta * t188 - yaw_by_delta * t212
+            - t166 * C122_yaw_per_v_delta;
+        C132_yaw_per_v_delta = Jxz_theta - Sz_theta * self.c;
         t223 = t166 * C132_yaw_per_v_delta;
         t224 = t42 * t212;
         t225 = t135 * t166;
-        t228 = (yaw_per_v_delta * t212) + (K222_yaw_per_v_delta * t166);
+        t228 = yaw_per_v_delta * t212 + K222_yaw_per_v_delta * t166;
         t229 = Sz_theta * t166;
-        t232 = (t137 + t165) - (t18 * C112_h_spin_F);
+        t232 = t137 + t165 - t18 * C112_h_spin_F;
         t234 = self.c * t54;
-        hz_delta_c = (self.mF * t234) + (t54 * t84);
+        hz_delta_c = self.mF * t234 + t54 * t84;
         t238 = t18 * t42;
-        t240 = t182 + (self.mF * t54);
-        M_yaw_delta_c = ((t181 + hz_delta_c) - t238) - (t48 * t240);
-        t251 = (((t178 + (t185 * M_yaw_delta_c)) + (t54 * hz_delta_c))
-            + (yaw_per_v_delta * M22_yaw_by_delta)) - (t18 * M22_Jxz_delta);
-        t254 = t200 + (yaw_per_v_delta * (t135 - t18));
+        t240 = t182 + self.mF * t54;
+        M_yaw_delta_c = t181 + hz_delta_c - t238 - t48 * t240;
+        t251 = t178 + t185 * M_yaw_delta_c + t54 * hz_delta_c
+            + yaw_per_v_delta * M22_yaw_by_delta - t18 * M22_Jxz_delta;
+        t254 = t200 + yaw_per_v_delta * (t135 - t18);
         t255 = yaw_per_v_delta * h_wheels_all;
-        t259 = t240 - (yaw_per_v_delta * Sx_all);
-        t261 = (yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c))
-            - (yaw_by_delta * t259);
+        t259 = t240 - yaw_per_v_delta * Sx_all;
+        t261 = yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c)
+            - yaw_by_delta * t259;
         t262 = t42 * t259;
         t263 = yaw_per_v_delta * t259;
-        hx_delta_lam = (Jxx_delta * t54) - t81;
+        hx_delta_lam = Jxx_delta * t54 - t81;
         t266 = t42 * t57;
-        t268 = hx_delta_lam - (M12_yaw_per_v_delta * t266);
-        hz_delta_lam = t55 - (t42 * t89);
-        t273 = (t54 * Sz_delta) - (t42 * t94);
-        M_yaw_delta_lam = hz_delta_lam - (t48 * t273);
-        t286 = (((((t185 * M_yaw_delta_lam) + (t42 * hx_delta_lam))
-            + (t54 * hz_delta_lam)) + (t54 * hx_delta)) - (t42 * hz_delta))
-            - (M22_yaw_per_v_delta * t266);
+        t268 = hx_delta_lam - M12_yaw_per_v_delta * t266;
+        hz_delta_lam = t55 - t42 * t89;
+        t273 = t54 * Sz_delta - t42 * t94;
+        M_yaw_delta_lam = hz_delta_lam - t48 * t273;
+        t286 = t185 * M_yaw_delta_lam + t42 * hx_delta_lam + t54 * hz_delta_lam
+            + t54 * hx_delta - t42 * hz_delta - M22_yaw_per_v_delta * t266;
         t287 = P_delta_theta_yaw_per_v_delta * t266;
-        t289 = t158 + (C112_yaw_per_v_delta * t266);
-        t291 = t158 + (t205 * t266);
-        t294 = t273 + (t209 * t266);
-        t298 = ((yaw_per_v_delta * M_yaw_delta_lam) - (yaw_by_delta * t294))
-            - (C122_yaw_per_v_delta * t266);
+        t289 = t158 + C112_yaw_per_v_delta * t266;
+        t291 = t158 + t205 * t266;
+        t294 = t273 + t209 * t266;
+        t298 = yaw_per_v_delta * M_yaw_delta_lam - yaw_by_delta * t294
+            - C122_yaw_per_v_delta * t266;
         t299 = C132_yaw_per_v_delta * t266;
-        t302 = (t42 * t294) + (t54 * t149);
+        t302 = t42 * t294 + t54 * t149;
         t303 = t135 * t266;
-        t307 = (yaw_per_v_delta * (t127 - t294)) - (K222_yaw_per_v_delta * t266);
+        t307 = yaw_per_v_delta * (t127 - t294) - K222_yaw_per_v_delta * t266;
         t308 = Sz_theta * t266;
         t309 = t25 + t25;
         t310 = t129 * t130;
@@ -2155,15 +539,15 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t323 = t29 * yaw_by_delta;
         t324 = yaw_by_delta * self.xB;
         t325 = self.mB * t324;
-        P_delta_yaw_xB = t325 + (yaw_by_delta * t101);
+        P_delta_yaw_xB = t325 + yaw_by_delta * t101;
         t328 = yaw_by_delta * P_delta_yaw_xB;
         t329 = t29 * yaw_per_v_delta;
         t331 = self.mB * yaw_by_delta;
-        t333 = (yaw_per_v_delta * P_delta_yaw_xB) + (yaw_by_delta * t331);
+        t333 = yaw_per_v_delta * P_delta_yaw_xB + yaw_by_delta * t331;
         t334 = t42 * t331;
         t335 = yaw_per_v_delta * t331;
         t336 = t29 + t29;
-        t338 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        t338 = yaw_by_delta + yaw_per_v_delta * self.xB;
         t339 = self.mB * t338;
         t340 = self.mB * yaw_per_v_delta;
         t341 = self.zB * self.zB;
@@ -2171,33 +555,33 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         P_delta_yaw_mB = self.xB * t324;
         t344 = yaw_by_delta * P_delta_yaw_mB;
         t345 = self.zB * t338;
-        t348 = (yaw_per_v_delta * P_delta_yaw_mB) + (yaw_by_delta * t324);
+        t348 = yaw_per_v_delta * P_delta_yaw_mB + yaw_by_delta * t324;
         t349 = t42 * t324;
         t350 = self.zB * yaw_per_v_delta;
         t351 = yaw_per_v_delta * t324;
         M_yaw_delta_xH = t183 - t180;
-        P_delta_yaw_xH = (self.mH * self.xH) * t185;
+        P_delta_yaw_xH = self.mH * self.xH * t185;
         t355 = M_yaw_delta_xH + P_delta_yaw_xH;
-        t358 = (yaw_by_delta * (M_yaw_delta_xH + t355)) - t178;
-        P_delta_lateral_xH = t182 + (self.mH * yaw_by_delta);
-        t363 = (yaw_per_v_delta * t355) + (yaw_by_delta * P_delta_lateral_xH);
+        t358 = yaw_by_delta * (M_yaw_delta_xH + t355) - t178;
+        P_delta_lateral_xH = t182 + self.mH * yaw_by_delta;
+        t363 = yaw_per_v_delta * t355 + yaw_by_delta * P_delta_lateral_xH;
         t364 = t42 * P_delta_lateral_xH;
         t365 = yaw_per_v_delta * P_delta_lateral_xH;
         t366 = t14 + t14;
         t367 = t48 * yaw_by_delta;
         t369 = self.zH * t42;
-        t371 = ((t50 * C112_h_spin_F) + t369) - t367;
-        t373 = t179 + (self.mH * t371);
+        t371 = t50 * C112_h_spin_F + t369 - t367;
+        t373 = t179 + self.mH * t371;
         t374 = self.mH * t42;
         t376 = t42 * t50;
-        M_yaw_delta_zH = (self.mH * t376) - (t48 * t374);
+        M_yaw_delta_zH = self.mH * t376 - t48 * t374;
         M22_Jxx_delta = t42 * t42;
-        t383 = (self.zH * M22_Jxx_delta) + (t50 * M22_Jxz_delta);
-        t387 = ((t185 * M_yaw_delta_zH) + (self.mH * t383)) + (t14 * M22_Jxx_delta);
-        t389 = yaw_by_delta + (t48 * yaw_per_v_delta);
-        t391 = (t50 * yaw_per_v_delta) - t389;
+        t383 = self.zH * M22_Jxx_delta + t50 * M22_Jxz_delta;
+        t387 = t185 * M_yaw_delta_zH + self.mH * t383 + t14 * M22_Jxx_delta;
+        t389 = yaw_by_delta + t48 * yaw_per_v_delta;
+        t391 = t50 * yaw_per_v_delta - t389;
         t392 = self.mH * t391;
-        t395 = (yaw_per_v_delta * M_yaw_delta_zH) - (yaw_by_delta * t374);
+        t395 = yaw_per_v_delta * M_yaw_delta_zH - yaw_by_delta * t374;
         t396 = t42 * t374;
         t397 = self.mH * yaw_per_v_delta;
         t398 = yaw_per_v_delta * t374;
@@ -2205,95 +589,59 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t400 = self.zH * t371;
         hz_delta_mH = t50 * t173;
         t404 = t173 + t369;
-        M_yaw_delta_mH = (hz_delta_mH + (self.zH * t376)) - (t48 * t404);
+        M_yaw_delta_mH = hz_delta_mH + self.zH * t376 - t48 * t404;
         P_delta_yaw_mH = yaw_by_delta * t103;
         t410 = M_yaw_delta_mH + P_delta_yaw_mH;
-        t414 = ((self.zH * t383) + (t54 * hz_delta_mH))
-            + (yaw_by_delta * (M_yaw_delta_mH + t410));
+        t414 = self.zH * t383 + t54 * hz_delta_mH
+            + yaw_by_delta * (M_yaw_delta_mH + t410);
         t415 = self.zH * t391;
-        t419 = t404 - (yaw_by_delta * (t48 - t50));
-        t421 = (yaw_per_v_delta * t410) - (yaw_by_delta * t419);
+        t419 = t404 - yaw_by_delta * (t48 - t50);
+        t421 = yaw_per_v_delta * t410 - yaw_by_delta * t419;
         t422 = t42 * t419;
         t423 = self.zH * yaw_per_v_delta;
         t424 = yaw_per_v_delta * t419;
-        t428 = (t319 + (t54 * t54)) + (t54 * t185);
-        t430 = t320 + (t54 * yaw_per_v_delta);
-        t432 = M22_Jxz_delta + (t42 * t185);
+        t428 = t319 + t54 * t54 + t54 * t185;
+        t430 = t320 + t54 * yaw_per_v_delta;
+        t432 = M22_Jxz_delta + t42 * t185;
         K222_h_spin_F = t42 * yaw_per_v_delta;
         t434 = t18 + t18;
         t436 = self.rF * t42;
-        t438 = (t367 + t436) - (self.c * C112_h_spin_F);
-        t440 = t238 + (self.mF * t438);
+        t438 = t367 + t436 - self.c * C112_h_spin_F;
+        t440 = t238 + self.mF * t438;
         t441 = self.mF * t42;
         t443 = t42 * self.c;
-        M_yaw_delta_rF = (t48 * t441) - (self.mF * t443);
-        t449 = (self.rF * M22_Jxx_delta) - (self.c * M22_Jxz_delta);
-        t453 = ((t185 * M_yaw_delta_rF) + (self.mF * t449)) + (t18 * M22_Jxx_delta);
+        M_yaw_delta_rF = t48 * t441 - self.mF * t443;
+        t449 = self.rF * M22_Jxx_delta - self.c * M22_Jxz_delta;
+        t453 = t185 * M_yaw_delta_rF + self.mF * t449 + t18 * M22_Jxx_delta;
         t454 = t389 - yaw_by_delta;
         t456 = t125 * h_spin_F;
         t457 = C112_h_spin_F * t456;
-        t458 = (self.mF * t454) - t457;
-        t461 = (yaw_by_delta * t441) + (yaw_per_v_delta * M_yaw_delta_rF);
+        t458 = self.mF * t454 - t457;
+        t461 = yaw_by_delta * t441 + yaw_per_v_delta * M_yaw_delta_rF;
         t462 = t42 * t441;
         t464 = yaw_per_v_delta * (self.mF - t456);
-        t467 = (yaw_per_v_delta * t441) - (K222_h_spin_F * t456);
+        t467 = yaw_per_v_delta * t441 - K222_h_spin_F * t456;
         t468 = self.rF * self.rF;
         t469 = self.rF * t438;
         hz_delta_mF = self.c * t234;
         t473 = t234 - t436;
-        M_yaw_delta_mF = (hz_delta_mF - (t48 * t473)) - (self.rF * t443);
+        M_yaw_delta_mF = hz_delta_mF - t48 * t473 - self.rF * t443;
         P_delta_yaw_mF = yaw_by_delta * t105;
         t479 = M_yaw_delta_mF + P_delta_yaw_mF;
-        t483 = ((self.rF * t449) + (t54 * hz_delta_mF))
-            + (yaw_by_delta * (M_yaw_delta_mF + t479));
+        t483 = self.rF * t449 + t54 * hz_delta_mF
+            + yaw_by_delta * (M_yaw_delta_mF + t479);
         t484 = self.rF * t454;
-        t488 = t473 - (yaw_by_delta * (t48 - self.c));
-        t490 = (yaw_per_v_delta * t479) - (yaw_by_delta * t488);
+        t488 = t473 - yaw_by_delta * (t48 - self.c);
+        t490 = yaw_per_v_delta * t479 - yaw_by_delta * t488;
         t491 = t42 * t488;
         t492 = self.rF * yaw_per_v_delta;
         t493 = yaw_per_v_delta * t488;
         t494 = M22_Jxx_delta + t428;
         let (
-            t495,
-            t496,
-            t497,
-            t498,
-            t499,
-            t500,
-            t501,
-            t502,
-            t504,
-            t505,
-            t506,
-            Jxx_theta_mU,
-            t510,
-            t511,
-            t512,
-            t513,
-            P_delta_yaw_Sx_theta,
-            P_delta_yaw_mU,
-            t516,
-            t517,
-            t518,
-            t519,
-            t521,
-            t524,
-            t525,
-            t527,
-            t528,
-            t529,
-            t530,
-            P_delta_yaw_xU,
-            t533,
-            t534,
-            t535,
-            t538,
-            t539,
-            t540,
-            t541,
-            t542,
-            t543,
-            t544,
+            t495, t496, t497, t498, t499, t500, t501, t502, t504, t505, t506, Jxx_theta_mU, t510,
+            t511, t512, t513, P_delta_yaw_Sx_theta, P_delta_yaw_mU, t516, t517, t518, t519, t521,
+            t524, t525, t527, t528, t529, t530, P_delta_yaw_xU, t533, t534, t535, t538, t539, t540,
+            t541, t542, t543, t544,
         );
         t495 = t125 * C112_h_spin_F;
         t496 = yaw_per_v_delta * t125;
@@ -2303,12 +651,12 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t500 = Sz_theta - t499;
         t501 = yaw_by_delta * Sx_theta;
         t502 = self.mU * yaw_by_delta;
-        t504 = t502 + (yaw_per_v_delta * Sx_theta);
+        t504 = t502 + yaw_per_v_delta * Sx_theta;
         t505 = self.mU * yaw_per_v_delta;
         t506 = self.zP + t5;
         Jxx_theta_mU = t5 * t5;
-        t510 = Jxx_theta_mU + (self.zP * t5);
-        t511 = (self.zP * t506) + t510;
+        t510 = Jxx_theta_mU + self.zP * t5;
+        t511 = self.zP * t506 + t510;
         t512 = yaw_by_delta * t506;
         t513 = self.xU * t512;
         P_delta_yaw_Sx_theta = yaw_by_delta * self.xU;
@@ -2317,301 +665,565 @@ impl<T: ::carvallo::Number> WhippleLeaning<T> {
         t517 = t5 * yaw_by_delta;
         t518 = self.xU * t517;
         t519 = yaw_per_v_delta * t506;
-        t521 = t512 + (self.xU * t519);
-        t524 = (yaw_per_v_delta * P_delta_yaw_mU)
-            + (yaw_by_delta * P_delta_yaw_Sx_theta);
+        t521 = t512 + self.xU * t519;
+        t524 = yaw_per_v_delta * P_delta_yaw_mU + yaw_by_delta * P_delta_yaw_Sx_theta;
         t525 = t5 * yaw_per_v_delta;
-        t527 = t517 + (self.xU * t525);
+        t527 = t517 + self.xU * t525;
         t528 = t42 * P_delta_yaw_Sx_theta;
         t529 = yaw_per_v_delta * P_delta_yaw_Sx_theta;
         t530 = self.mU * t512;
-        P_delta_yaw_xU = t501 + (self.mU * P_delta_yaw_Sx_theta);
+        P_delta_yaw_xU = t501 + self.mU * P_delta_yaw_Sx_theta;
         t533 = yaw_by_delta * P_delta_yaw_xU;
         t534 = self.mU * t517;
         t535 = self.mU * t519;
-        t538 = (yaw_per_v_delta * P_delta_yaw_xU) + (yaw_by_delta * t502);
+        t538 = yaw_per_v_delta * P_delta_yaw_xU + yaw_by_delta * t502;
         t539 = self.mU * t525;
         t540 = t42 * t502;
         t541 = yaw_per_v_delta * t502;
         t542 = t31 + t499;
-        t543 = -(t127 + (yaw_by_delta * h_wheels_all));
+        t543 = -(t127 + yaw_by_delta * h_wheels_all);
         t544 = -t161;
         (
-            {
-                #[inline(always)]
-                fn matrix<T: ::core::marker::Copy>(
-                    entries: &[T; 54],
-                    first: ::core::primitive::usize,
-                ) -> [[T; 3]; 3] {
-                    [
-                        [entries[first], entries[first + 1], entries[first + 2]],
-                        [entries[first + 3], entries[first + 4], entries[first + 5]],
-                        [entries[first + 6], entries[first + 7], entries[first + 8]],
-                    ]
-                }
-                let entries = [
-                    t40,
-                    t77,
-                    M_phi_theta,
-                    t77,
-                    t120,
-                    P_delta_theta,
-                    M_phi_theta,
-                    P_delta_theta,
-                    Jxx_theta,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    self.dU,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t139,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t543,
-                    t151,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t154,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    self.kU,
-                    Sz_all,
-                    t149,
-                    Sz_theta,
-                    t149,
-                    t156,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    Sz_theta,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    Sz_theta,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t157,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t160,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t544,
-                    ::carvallo::Number::like(self.w, 0.0),
-                ];
-                WhippleLeaningMatrices {
-                    m: matrix(&entries, 0),
-                    c0: matrix(&entries, 9),
-                    c1: matrix(&entries, 18),
-                    kc: matrix(&entries, 27),
-                    k0: matrix(&entries, 36),
-                    k2: matrix(&entries, 45),
-                }
-            },
+            WhippleLeaningMatrices::from_entries([
+                t40, t77, M_phi_theta, t77, t120, P_delta_theta, M_phi_theta, P_delta_theta,
+                Jxx_theta, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
+                self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.dU,
+                self.w.like(0.0), t139, self.w.like(0.0), t543, t151, self.w.like(0.0),
+                self.w.like(0.0), t154, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
+                self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
+                self.w.like(0.0), self.w.like(0.0), self.kU, Sz_all, t149, Sz_theta, t149, t156,
+                self.w.like(0.0), Sz_theta, self.w.like(0.0), Sz_theta, self.w.like(0.0), t157,
+                self.w.like(0.0), self.w.like(0.0), t160, self.w.like(0.0), self.w.like(0.0), t544,
+                self.w.like(0.0),
+            ]),
             WhippleLeaningDerivatives {
                 values: [
-                    t169,
-                    t195,
-                    t197,
-                    t204,
-                    t206,
-                    t220,
-                    t223,
-                    t212,
-                    t224,
-                    t225,
-                    t228,
-                    t229,
-                    t232,
-                    t251,
-                    t153,
-                    t254,
-                    t255,
-                    t261,
-                    t161,
-                    t259,
-                    t262,
-                    t263,
-                    t268,
-                    t286,
-                    t287,
-                    t289,
-                    t291,
-                    t298,
-                    t299,
-                    t294,
-                    t302,
-                    t303,
-                    t307,
-                    t308,
-                    t309,
-                    t312,
-                    t313,
-                    self.mR,
-                    t314,
-                    t315,
-                    t316,
-                    self.rR,
-                    t317,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t319,
-                    t320,
-                    t321,
-                    t322,
-                    t323,
-                    t328,
-                    t329,
-                    t333,
-                    t331,
-                    t334,
-                    t335,
-                    t336,
-                    t325,
-                    t339,
-                    self.mB,
-                    t340,
-                    t341,
-                    t342,
-                    t344,
-                    t345,
-                    t348,
-                    self.zB,
-                    t324,
-                    t349,
-                    t350,
-                    t351,
-                    yaw_by_delta,
-                    yaw_per_v_delta,
-                    t163,
-                    t358,
-                    t198,
-                    t363,
-                    P_delta_lateral_xH,
-                    t364,
-                    t365,
-                    t366,
-                    t373,
-                    t387,
-                    t392,
-                    t395,
-                    self.mH,
-                    t374,
-                    t396,
-                    t397,
-                    t398,
-                    t399,
-                    t400,
-                    t414,
-                    t415,
-                    t421,
-                    self.zH,
-                    t419,
-                    t422,
-                    t423,
-                    t424,
-                    t42,
-                    M22_Jxx_delta,
-                    t428,
-                    t430,
-                    C112_h_spin_F,
-                    t432,
-                    K222_h_spin_F,
-                    t434,
-                    t440,
-                    t453,
-                    t458,
-                    t457,
-                    t461,
-                    self.mF,
-                    t441,
-                    t462,
-                    t464,
-                    t467,
-                    t468,
-                    t469,
-                    t483,
-                    t484,
-                    t490,
-                    self.rF,
-                    t488,
-                    t491,
-                    t492,
-                    t493,
-                    t494,
-                    t495,
-                    t496,
-                    t497,
-                    t500,
-                    t501,
-                    t498,
-                    t504,
-                    self.mU,
-                    t505,
-                    t511,
-                    t513,
-                    t510,
-                    t516,
-                    t518,
-                    Jxx_theta_mU,
-                    t521,
-                    t524,
-                    t527,
-                    t506,
-                    P_delta_yaw_Sx_theta,
-                    t5,
-                    t528,
-                    t519,
-                    t529,
-                    t525,
-                    t530,
-                    t533,
-                    t534,
-                    t535,
-                    t538,
-                    t539,
-                    t502,
-                    t540,
-                    t541,
-                    t542,
-                    t499,
+                    t169, t195, t197, t204, t206, t220, t223, t212, t224, t225, t228, t229, t232,
+                    t251, t153, t254, t255, t261, t161, t259, t262, t263, t268, t286, t287, t289,
+                    t291, t298, t299, t294, t302, t303, t307, t308, t309, t312, t313, self.mR, t314,
+                    t315, t316, self.rR, t317, self.w.like(1.0), t319, t320, t321, t322, t323, t328,
+                    t329, t333, t331, t334, t335, t336, t325, t339, self.mB, t340, t341, t342, t344,
+                    t345, t348, self.zB, t324, t349, t350, t351, yaw_by_delta, yaw_per_v_delta,
+                    t163, t358, t198, t363, P_delta_lateral_xH, t364, t365, t366, t373, t387, t392,
+                    t395, self.mH, t374, t396, t397, t398, t399, t400, t414, t415, t421, self.zH,
+                    t419, t422, t423, t424, t42, M22_Jxx_delta, t428, t430, C112_h_spin_F, t432,
+                    K222_h_spin_F, t434, t440, t453, t458, t457, t461, self.mF, t441, t462, t464,
+                    t467, t468, t469, t483, t484, t490, self.rF, t488, t491, t492, t493, t494, t495,
+                    t496, t497, t500, t501, t498, t504, self.mU, t505, t511, t513, t510, t516, t518,
+                    Jxx_theta_mU, t521, t524, t527, t506, P_delta_yaw_Sx_theta, t5, t528, t519,
+                    t529, t525, t530, t533, t534, t535, t538, t539, t502, t540, t541, t542, t499,
                 ],
             },
         )
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<3> for WhippleLeaning<T> {
-    type Derivatives = [::carvallo::Coefficients<T, 3>; 36];
-    fn coefficients_and_derivatives(
-        &self,
-    ) -> (::carvallo::Coefficients<T, 3>, Self::Derivatives) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        let mut all = [::carvallo::Coefficients::from_rows(
-            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 3]; 3]; 6],
-        ); 36];
-        for position in 0..243 {
-            ::carvallo::Partial::write(
-                &<WhippleLeaningDerivatives>::PARTIALS[position],
-                &derivatives.values,
-                &mut all,
-            );
+
+// --- Parameter sets ------------------------------------------------------------------------------
+
+impl WhippleLeaning<f64> {
+    /// The parameter set `example`.
+    ///
+    /// Source: The benchmark of Meijaard et al. (2007), Table 1, with 40 kg of rear frame and rider as an upper body
+    pub const EXAMPLE: Self = Self {
+        w: 1.02, c: 0.08, lam: 0.3141592653589793, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.0603,
+        IRyy: 0.12, xB: 0.3, zB: -0.7, mB: 45.0, IBxx: 4.0, IByy: 5.5, IBzz: 1.8, IBxz: 1.2,
+        xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.05892, IHyy: 0.06, IHzz: 0.00708, IHxz: -0.00756,
+        rF: 0.35, mF: 3.0, IFxx: 0.1405, IFyy: 0.28, zP: -0.85, mU: 40.0, xU: 0.3, zU: -1.125,
+        IUxx: 1.6, IUyy: 1.6, IUzz: 0.6, IUxz: 0.0, kU: 600.0, dU: 60.0,
+    };
+}
+
+// --- Parameters and matrices as arrays -----------------------------------------------------------
+
+impl<T: Number> WhippleLeaning<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 36]) -> Self {
+        Self {
+            w: values[0], c: values[1], lam: values[2], g: values[3], rR: values[4], mR: values[5],
+            IRxx: values[6], IRyy: values[7], xB: values[8], zB: values[9], mB: values[10],
+            IBxx: values[11], IByy: values[12], IBzz: values[13], IBxz: values[14], xH: values[15],
+            zH: values[16], mH: values[17], IHxx: values[18], IHyy: values[19], IHzz: values[20],
+            IHxz: values[21], rF: values[22], mF: values[23], IFxx: values[24], IFyy: values[25],
+            zP: values[26], mU: values[27], xU: values[28], zU: values[29], IUxx: values[30],
+            IUyy: values[31], IUzz: values[32], IUxz: values[33], kU: values[34], dU: values[35],
         }
-        (
-            ::carvallo::Coefficients::from_rows([
-                matrices.m,
-                matrices.c0,
-                matrices.c1,
-                matrices.kc,
-                matrices.k0,
-                matrices.k2,
-            ]),
-            all,
-        )
     }
+
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 36] {
+        [
+            self.w, self.c, self.lam, self.g, self.rR, self.mR, self.IRxx, self.IRyy, self.xB,
+            self.zB, self.mB, self.IBxx, self.IByy, self.IBzz, self.IBxz, self.xH, self.zH, self.mH,
+            self.IHxx, self.IHyy, self.IHzz, self.IHxz, self.rF, self.mF, self.IFxx, self.IFyy,
+            self.zP, self.mU, self.xU, self.zU, self.IUxx, self.IUyy, self.IUzz, self.IUxz, self.kU,
+            self.dU,
+        ]
+    }
+}
+
+impl<T: Scalar> WhippleLeaning<T> {
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: Scalar>(&self) -> WhippleLeaning<U> {
+        let values = self.to_array();
+        WhippleLeaning::from_array(values.map(|value| Scalar::from_f64(Scalar::to_f64(value))))
+    }
+}
+
+impl<T: Number> WhippleLeaningMatrices<T> {
+    /// From the entries of one matrix after the other, each row by row.
+    #[inline(always)]
+    fn from_entries(entries: [T; 54]) -> Self {
+        Self {
+            m: carvallo::rows(&entries, 0),
+            c0: carvallo::rows(&entries, 9),
+            c1: carvallo::rows(&entries, 18),
+            kc: carvallo::rows(&entries, 27),
+            k0: carvallo::rows(&entries, 36),
+            k2: carvallo::rows(&entries, 45),
+        }
+    }
+
+    /// The rows of M, C0, C1, Kc, K0 and K2.
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 3]; 3]; 6] {
+        [self.m, self.c0, self.c1, self.kc, self.k0, self.k2]
+    }
+}
+
+// --- What the runtime knows of the model ---------------------------------------------------------
+
+impl<T: Scalar> Model<3> for WhippleLeaning<T> {
+    type Scalar = T;
+
+    type Array<U: Copy> = [U; 36];
+
+    type Over<U: Number> = WhippleLeaning<U>;
+
+    const INFO: &'static ModelInfo = &ModelInfo {
+        name: "WhippleLeaning",
+        docs: "The Whipple-Carvallo bicycle with a rider whose upper body leans on a sprung and damped hip.\n\nFive rigid bodies (rear wheel R, rear frame with the rider's legs B, upper body U, front frame H, front wheel F),\nlaterally symmetric, on knife-edged wheels that roll without slip on level ground. The hip axis lies along x. Axes:\norigin at the rear contact point, x forward, y to the right, z down.",
+        source: "Mechanism: Moore (2012), Human Control of a Bicycle, dissertation, University of California, Davis, leaning rider",
+        parameters: &[
+            ParameterInfo::new("w", "m", Domain::POSITIVE).docs("Wheel base."),
+            ParameterInfo::new("c", "m", Domain::FINITE)
+                .docs(
+                    "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
+                ),
+            ParameterInfo::new(
+                    "lam",
+                    "rad",
+                    Domain::between(Bound::Open(-1.5707963267948966), Bound::Open(1.5707963267948966)),
+                )
+                .symbol("λ")
+                .docs("Steer axis tilt: 90 degrees minus the head angle."),
+            ParameterInfo::new("g", "N/kg", Domain::NONNEGATIVE)
+                .docs("Gravitational field strength."),
+            ParameterInfo::new("rR", "m", Domain::POSITIVE)
+                .docs("Radius of the rear wheel."),
+            ParameterInfo::new("mR", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear wheel."),
+            ParameterInfo::new("IRxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the rear wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IRyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the rear wheel."),
+            ParameterInfo::new("xB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, forward of the rear contact."),
+            ParameterInfo::new("zB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, downward."),
+            ParameterInfo::new("mB", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear frame and rider."),
+            ParameterInfo::new("IBxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in roll."),
+            ParameterInfo::new("IByy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IBzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in yaw."),
+            ParameterInfo::new("IBxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the rear frame and rider about its centre of mass."),
+            ParameterInfo::new("xH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, forward of the rear contact."),
+            ParameterInfo::new("zH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, downward."),
+            ParameterInfo::new("mH", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front frame."),
+            ParameterInfo::new("IHxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in roll."),
+            ParameterInfo::new("IHyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IHzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in yaw."),
+            ParameterInfo::new("IHxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the front frame about its centre of mass."),
+            ParameterInfo::new("rF", "m", Domain::POSITIVE)
+                .docs("Radius of the front wheel."),
+            ParameterInfo::new("mF", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front wheel."),
+            ParameterInfo::new("IFxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the front wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IFyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the front wheel."),
+            ParameterInfo::new("zP", "m", Domain::FINITE)
+                .docs("Height of the rider's hip axis, downward from the ground, so negative."),
+            ParameterInfo::new("mU", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rider's upper body."),
+            ParameterInfo::new("xU", "m", Domain::FINITE)
+                .docs("Centre of mass of the upper body, forward of the rear contact."),
+            ParameterInfo::new("zU", "m", Domain::FINITE)
+                .docs("Centre of mass of the upper body, downward."),
+            ParameterInfo::new("IUxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the upper body about its centre of mass, in roll."),
+            ParameterInfo::new("IUyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the upper body about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IUzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the upper body about its centre of mass, in yaw."),
+            ParameterInfo::new("IUxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the upper body about its centre of mass."),
+            ParameterInfo::new("kU", "N*m", Domain::NONNEGATIVE)
+                .docs("Stiffness of the hip."),
+            ParameterInfo::new("dU", "N*m*s", Domain::NONNEGATIVE)
+                .docs("Damping of the hip."),
+        ],
+        coordinates: &[
+            CoordinateInfo::new("phi", "rad")
+                .label("lean")
+                .docs("Lean of the rear frame, positive to the right."),
+            CoordinateInfo::new("delta", "rad")
+                .label("steer")
+                .docs("Steer of the front frame relative to the rear frame, positive to the right."),
+            CoordinateInfo::new("theta", "rad")
+                .label("upper body")
+                .docs("Lean of the upper body relative to the rear frame, positive to the right."),
+        ],
+        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        entries: &[
+            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
+            EntryInfo::at(&[("M", 0, 2), ("M", 2, 0)]), EntryInfo::at(&[("M", 1, 1)]),
+            EntryInfo::at(&[("M", 1, 2), ("M", 2, 1)]), EntryInfo::at(&[("M", 2, 2)]),
+            EntryInfo::at(&[("C0", 2, 2)]), EntryInfo::at(&[("C1", 0, 1)]),
+            EntryInfo::at(&[("C1", 1, 0)]), EntryInfo::at(&[("C1", 1, 1)]),
+            EntryInfo::at(&[("C1", 2, 1)]), EntryInfo::at(&[("Kc", 2, 2)]),
+            EntryInfo::at(&[("K0", 0, 0)]), EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0)]),
+            EntryInfo::at(&[("K0", 0, 2), ("K0", 2, 0), ("K0", 2, 2)]),
+            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 1)]),
+            EntryInfo::at(&[("K2", 1, 1)]), EntryInfo::at(&[("K2", 2, 1)]),
+        ],
+        sets: &[
+            SetInfo {
+                name: "example",
+                docs: "",
+                source: "The benchmark of Meijaard et al. (2007), Table 1, with 40 kg of rear frame and rider as an upper body",
+                values: &WhippleLeaning::<f64>::EXAMPLE.to_array(),
+            },
+        ],
+        gravity: Some(3),
+    };
+
+    fn from_slice(values: &[T]) -> Result<Self, LengthError> {
+        LengthError::check("WhippleLeaning", 36, values)?;
+        Ok(<Self as Evaluator<T, 3>>::from_parameters(|position| values[position]))
+    }
+
+    fn write_to(&self, values: &mut [T]) -> Result<(), LengthError> {
+        LengthError::check("WhippleLeaning", 36, values)?;
+        values.copy_from_slice(&self.to_array());
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U> {
+        core::array::from_fn(element)
+    }
+
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
+        self.to_array()
+    }
+
+    fn validate(&self) -> Result<(), ParameterError> {
+        let info = <Self as Model<3>>::INFO;
+        info.validate(&self.to_array().map(Scalar::to_f64))?;
+        Ok(())
+    }
+
+    #[inline]
+    fn coefficients(&self) -> Coefficients<T, 3> {
+        Coefficients::from_rows(WhippleLeaningMatrices::rows(&self.matrices()))
+    }
+
+    fn gravity(&self) -> Option<T> {
+        Some(self.g)
+    }
+}
+
+impl<T: Number> Evaluator<T, 3> for WhippleLeaning<T> {
+    type Entries = [T; 19];
+
+    #[inline(always)]
+    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
+        Self::from_array(core::array::from_fn(parameter))
+    }
+
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0], matrices.m[0][1], matrices.m[0][2], matrices.m[1][1],
+            matrices.m[1][2], matrices.m[2][2], matrices.c0[2][2], matrices.c1[0][1],
+            matrices.c1[1][0], matrices.c1[1][1], matrices.c1[2][1], matrices.kc[2][2],
+            matrices.k0[0][0], matrices.k0[0][1], matrices.k0[0][2], matrices.k0[1][1],
+            matrices.k2[0][1], matrices.k2[1][1], matrices.k2[2][1],
+        ]
+    }
+
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 3]; 3]; 6] {
+        WhippleLeaningMatrices::rows(&self.matrices())
+    }
+}
+
+// --- Which derivatives there are -----------------------------------------------------------------
+
+impl<T: Scalar> WhippleLeaningDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(&self, parameter: usize) -> Option<WhippleLeaningMatrices<T>> {
+        if parameter >= 36 {
+            return None;
+        }
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut matrices = WhippleLeaningMatrices {
+            m: [[zero; 3]; 3], c0: [[zero; 3]; 3], c1: [[zero; 3]; 3], kc: [[zero; 3]; 3],
+            k0: [[zero; 3]; 3], k2: [[zero; 3]; 3],
+        };
+        for position in 0..243 {
+            let partial = <WhippleLeaningDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                MatrixName::M => &mut matrices.m,
+                MatrixName::C0 => &mut matrices.c0,
+                MatrixName::C1 => &mut matrices.c1,
+                MatrixName::Kc => &mut matrices.kc,
+                MatrixName::K0 => &mut matrices.k0,
+                MatrixName::K2 => &mut matrices.k2,
+            };
+            matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
+        }
+        Some(matrices)
+    }
+}
+
+impl<T: Scalar> Differentiable<3> for WhippleLeaning<T> {
+    type Derivatives = [Coefficients<T, 3>; 36];
+
+    fn coefficients_and_derivatives(&self) -> (Coefficients<T, 3>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut all = [Coefficients::from_rows([[[zero; 3]; 3]; 6]); 36];
+        for position in 0..243 {
+            Partial::write(&<WhippleLeaningDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
+        }
+        (Coefficients::from_rows(WhippleLeaningMatrices::rows(&matrices)), all)
+    }
+}
+
+impl WhippleLeaningDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [Partial; 243] = &[
+        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
+        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::M, 1, 2, 0, 2).negative(),
+        Partial::new(MatrixName::M, 2, 1, 0, 2).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 0, 3), Partial::new(MatrixName::C1, 1, 0, 0, 4),
+        Partial::new(MatrixName::C1, 1, 1, 0, 5),
+        Partial::new(MatrixName::C1, 2, 1, 0, 6).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 0, 7), Partial::new(MatrixName::K0, 1, 0, 0, 7),
+        Partial::new(MatrixName::K0, 1, 1, 0, 8),
+        Partial::new(MatrixName::K2, 0, 1, 0, 9).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 10).negative(),
+        Partial::new(MatrixName::K2, 2, 1, 0, 11), Partial::new(MatrixName::M, 0, 1, 1, 12),
+        Partial::new(MatrixName::M, 1, 0, 1, 12), Partial::new(MatrixName::M, 1, 1, 1, 13),
+        Partial::new(MatrixName::M, 1, 2, 1, 14), Partial::new(MatrixName::M, 2, 1, 1, 14),
+        Partial::new(MatrixName::C1, 0, 1, 1, 15),
+        Partial::new(MatrixName::C1, 1, 0, 1, 16).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 17),
+        Partial::new(MatrixName::C1, 2, 1, 1, 18).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 1, 19),
+        Partial::new(MatrixName::K0, 1, 0, 1, 19),
+        Partial::new(MatrixName::K0, 1, 1, 1, 20),
+        Partial::new(MatrixName::K2, 1, 1, 1, 21).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 22), Partial::new(MatrixName::M, 1, 0, 2, 22),
+        Partial::new(MatrixName::M, 1, 1, 2, 23),
+        Partial::new(MatrixName::M, 1, 2, 2, 24).negative(),
+        Partial::new(MatrixName::M, 2, 1, 2, 24).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 2, 25).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 26),
+        Partial::new(MatrixName::C1, 1, 1, 2, 27),
+        Partial::new(MatrixName::C1, 2, 1, 2, 28).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 2, 29),
+        Partial::new(MatrixName::K0, 1, 0, 2, 29),
+        Partial::new(MatrixName::K0, 1, 1, 2, 30),
+        Partial::new(MatrixName::K2, 0, 1, 2, 31).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 32), Partial::new(MatrixName::K2, 2, 1, 2, 33),
+        Partial::new(MatrixName::M, 0, 0, 4, 34), Partial::new(MatrixName::C1, 0, 1, 4, 35),
+        Partial::new(MatrixName::C1, 1, 0, 4, 36),
+        Partial::new(MatrixName::K0, 0, 0, 4, 37).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 38),
+        Partial::new(MatrixName::M, 0, 0, 5, 39),
+        Partial::new(MatrixName::C1, 0, 1, 5, 40),
+        Partial::new(MatrixName::K0, 0, 0, 5, 41).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 42), Partial::new(MatrixName::M, 0, 0, 6, 43),
+        Partial::new(MatrixName::M, 1, 1, 6, 44), Partial::new(MatrixName::C1, 1, 1, 6, 45),
+        Partial::new(MatrixName::C1, 0, 1, 7, 46),
+        Partial::new(MatrixName::C1, 1, 0, 7, 46).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 47),
+        Partial::new(MatrixName::M, 0, 1, 8, 48).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 48).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 49),
+        Partial::new(MatrixName::C1, 0, 1, 8, 50).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 51),
+        Partial::new(MatrixName::K0, 0, 1, 8, 52).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 52).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 53).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 54), Partial::new(MatrixName::M, 0, 0, 9, 55),
+        Partial::new(MatrixName::M, 0, 1, 9, 56).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 56).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 57).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 58),
+        Partial::new(MatrixName::K2, 0, 1, 9, 59).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 60),
+        Partial::new(MatrixName::M, 0, 1, 10, 61).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 61).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 62),
+        Partial::new(MatrixName::C1, 0, 1, 10, 63).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 64),
+        Partial::new(MatrixName::K0, 0, 0, 10, 65),
+        Partial::new(MatrixName::K0, 0, 1, 10, 66).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 66).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 67).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 68).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 69), Partial::new(MatrixName::M, 0, 0, 11, 43),
+        Partial::new(MatrixName::M, 1, 1, 13, 44), Partial::new(MatrixName::C1, 1, 1, 13, 45),
+        Partial::new(MatrixName::M, 0, 1, 14, 70), Partial::new(MatrixName::M, 1, 0, 14, 70),
+        Partial::new(MatrixName::C1, 0, 1, 14, 71),
+        Partial::new(MatrixName::M, 0, 1, 15, 72).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 72).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 73),
+        Partial::new(MatrixName::C1, 0, 1, 15, 74).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 75),
+        Partial::new(MatrixName::K0, 0, 1, 15, 76).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 76).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 77).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 78), Partial::new(MatrixName::M, 0, 0, 16, 79),
+        Partial::new(MatrixName::M, 0, 1, 16, 80), Partial::new(MatrixName::M, 1, 0, 16, 80),
+        Partial::new(MatrixName::M, 1, 1, 16, 81), Partial::new(MatrixName::C1, 0, 1, 16, 82),
+        Partial::new(MatrixName::C1, 1, 1, 16, 83), Partial::new(MatrixName::K0, 0, 0, 16, 84),
+        Partial::new(MatrixName::K0, 0, 1, 16, 85), Partial::new(MatrixName::K0, 1, 0, 16, 85),
+        Partial::new(MatrixName::K0, 1, 1, 16, 86),
+        Partial::new(MatrixName::K2, 0, 1, 16, 87).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 88).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 89), Partial::new(MatrixName::M, 0, 1, 17, 90),
+        Partial::new(MatrixName::M, 1, 0, 17, 90), Partial::new(MatrixName::M, 1, 1, 17, 91),
+        Partial::new(MatrixName::C1, 0, 1, 17, 92), Partial::new(MatrixName::C1, 1, 1, 17, 93),
+        Partial::new(MatrixName::K0, 0, 0, 17, 94), Partial::new(MatrixName::K0, 0, 1, 17, 95),
+        Partial::new(MatrixName::K0, 1, 0, 17, 95), Partial::new(MatrixName::K0, 1, 1, 17, 96),
+        Partial::new(MatrixName::K2, 0, 1, 17, 97).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 98).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 43), Partial::new(MatrixName::M, 0, 1, 18, 99),
+        Partial::new(MatrixName::M, 1, 0, 18, 99), Partial::new(MatrixName::M, 1, 1, 18, 100),
+        Partial::new(MatrixName::M, 1, 1, 20, 101), Partial::new(MatrixName::C1, 1, 1, 20, 102),
+        Partial::new(MatrixName::M, 0, 1, 21, 103), Partial::new(MatrixName::M, 1, 0, 21, 103),
+        Partial::new(MatrixName::M, 1, 1, 21, 104), Partial::new(MatrixName::C1, 0, 1, 21, 71),
+        Partial::new(MatrixName::C1, 1, 1, 21, 105), Partial::new(MatrixName::M, 0, 0, 22, 106),
+        Partial::new(MatrixName::M, 0, 1, 22, 107), Partial::new(MatrixName::M, 1, 0, 22, 107),
+        Partial::new(MatrixName::M, 1, 1, 22, 108), Partial::new(MatrixName::C1, 0, 1, 22, 109),
+        Partial::new(MatrixName::C1, 1, 0, 22, 110), Partial::new(MatrixName::C1, 1, 1, 22, 111),
+        Partial::new(MatrixName::K0, 0, 0, 22, 112).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 113).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 113).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 114).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 115), Partial::new(MatrixName::K2, 1, 1, 22, 116),
+        Partial::new(MatrixName::M, 0, 0, 23, 117), Partial::new(MatrixName::M, 0, 1, 23, 118),
+        Partial::new(MatrixName::M, 1, 0, 23, 118), Partial::new(MatrixName::M, 1, 1, 23, 119),
+        Partial::new(MatrixName::C1, 0, 1, 23, 120), Partial::new(MatrixName::C1, 1, 1, 23, 121),
+        Partial::new(MatrixName::K0, 0, 0, 23, 122).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 123), Partial::new(MatrixName::K0, 1, 0, 23, 123),
+        Partial::new(MatrixName::K0, 1, 1, 23, 124), Partial::new(MatrixName::K2, 0, 1, 23, 125),
+        Partial::new(MatrixName::K2, 1, 1, 23, 126).negative(),
+        Partial::new(MatrixName::M, 0, 0, 24, 43), Partial::new(MatrixName::M, 0, 1, 24, 99),
+        Partial::new(MatrixName::M, 1, 0, 24, 99), Partial::new(MatrixName::M, 1, 1, 24, 127),
+        Partial::new(MatrixName::C1, 1, 1, 24, 102), Partial::new(MatrixName::C1, 0, 1, 25, 128),
+        Partial::new(MatrixName::C1, 1, 0, 25, 128).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 129), Partial::new(MatrixName::K2, 1, 1, 25, 130),
+        Partial::new(MatrixName::M, 0, 2, 26, 131), Partial::new(MatrixName::M, 1, 2, 26, 132),
+        Partial::new(MatrixName::M, 2, 0, 26, 131), Partial::new(MatrixName::M, 2, 1, 26, 132),
+        Partial::new(MatrixName::M, 2, 2, 26, 133).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 26, 134),
+        Partial::new(MatrixName::K0, 0, 2, 26, 135).negative(),
+        Partial::new(MatrixName::K0, 2, 0, 26, 135).negative(),
+        Partial::new(MatrixName::K0, 2, 2, 26, 135).negative(),
+        Partial::new(MatrixName::K2, 2, 1, 26, 136),
+        Partial::new(MatrixName::M, 0, 0, 27, 137),
+        Partial::new(MatrixName::M, 0, 1, 27, 138).negative(),
+        Partial::new(MatrixName::M, 0, 2, 27, 139),
+        Partial::new(MatrixName::M, 1, 0, 27, 138).negative(),
+        Partial::new(MatrixName::M, 1, 1, 27, 140),
+        Partial::new(MatrixName::M, 1, 2, 27, 141).negative(),
+        Partial::new(MatrixName::M, 2, 0, 27, 139),
+        Partial::new(MatrixName::M, 2, 1, 27, 141).negative(),
+        Partial::new(MatrixName::M, 2, 2, 27, 142),
+        Partial::new(MatrixName::C1, 0, 1, 27, 143).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 27, 144),
+        Partial::new(MatrixName::C1, 2, 1, 27, 145).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 27, 146),
+        Partial::new(MatrixName::K0, 0, 1, 27, 147).negative(),
+        Partial::new(MatrixName::K0, 0, 2, 27, 148),
+        Partial::new(MatrixName::K0, 1, 0, 27, 147).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 27, 149).negative(),
+        Partial::new(MatrixName::K0, 2, 0, 27, 148),
+        Partial::new(MatrixName::K0, 2, 2, 27, 148),
+        Partial::new(MatrixName::K2, 0, 1, 27, 150).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 27, 151),
+        Partial::new(MatrixName::K2, 2, 1, 27, 152).negative(),
+        Partial::new(MatrixName::M, 0, 1, 28, 153).negative(),
+        Partial::new(MatrixName::M, 1, 0, 28, 153).negative(),
+        Partial::new(MatrixName::M, 1, 1, 28, 154),
+        Partial::new(MatrixName::M, 1, 2, 28, 155).negative(),
+        Partial::new(MatrixName::M, 2, 1, 28, 155).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 28, 156).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 28, 157),
+        Partial::new(MatrixName::C1, 2, 1, 28, 158).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 28, 159).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 28, 159).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 28, 160).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 28, 161),
+        Partial::new(MatrixName::M, 0, 0, 29, 162),
+        Partial::new(MatrixName::M, 0, 1, 29, 132).negative(),
+        Partial::new(MatrixName::M, 0, 2, 29, 163),
+        Partial::new(MatrixName::M, 1, 0, 29, 132).negative(),
+        Partial::new(MatrixName::M, 1, 2, 29, 132).negative(),
+        Partial::new(MatrixName::M, 2, 0, 29, 163),
+        Partial::new(MatrixName::M, 2, 1, 29, 132).negative(),
+        Partial::new(MatrixName::M, 2, 2, 29, 133),
+        Partial::new(MatrixName::C1, 0, 1, 29, 134).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 29, 134).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 29, 135), Partial::new(MatrixName::K0, 0, 2, 29, 135),
+        Partial::new(MatrixName::K0, 2, 0, 29, 135), Partial::new(MatrixName::K0, 2, 2, 29, 135),
+        Partial::new(MatrixName::K2, 0, 1, 29, 136).negative(),
+        Partial::new(MatrixName::K2, 2, 1, 29, 136).negative(),
+        Partial::new(MatrixName::M, 0, 0, 30, 43), Partial::new(MatrixName::M, 0, 2, 30, 43),
+        Partial::new(MatrixName::M, 2, 0, 30, 43), Partial::new(MatrixName::M, 2, 2, 30, 43),
+        Partial::new(MatrixName::M, 1, 1, 32, 44), Partial::new(MatrixName::C1, 1, 1, 32, 45),
+        Partial::new(MatrixName::M, 0, 1, 33, 70), Partial::new(MatrixName::M, 1, 0, 33, 70),
+        Partial::new(MatrixName::M, 1, 2, 33, 70), Partial::new(MatrixName::M, 2, 1, 33, 70),
+        Partial::new(MatrixName::C1, 0, 1, 33, 71), Partial::new(MatrixName::C1, 2, 1, 33, 71),
+        Partial::new(MatrixName::Kc, 2, 2, 34, 43), Partial::new(MatrixName::C0, 2, 2, 35, 43),
+    ];
 }

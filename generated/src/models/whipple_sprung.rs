@@ -2,6 +2,16 @@
 // To write it anew: cargo regenerate
 // Hash of the source: f9b201944e308ecc
 
+#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+
+use carvallo::{
+    Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
+    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
+    Partial, Rate, Scalar, SetInfo,
+};
+
+// --- The parameters ------------------------------------------------------------------------------
+
 /// The Whipple-Carvallo bicycle with a spring and a damper between rear frame and front frame.
 ///
 /// Four rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally
@@ -13,14 +23,8 @@
 /// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleSprung<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleSprung<T = f64> {
     /// Wheel base.
     ///
     /// `w` in m: > 0.
@@ -134,194 +138,14 @@ pub struct WhippleSprung<T = ::core::primitive::f64> {
     /// `d` in N*m*s: >= 0.
     pub d: T,
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl WhippleSprung<::core::primitive::f64> {
-    /// The parameter set `benchmark`.
-    ///
-    /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; spring and damper are examples
-    pub const BENCHMARK: Self = Self {
-        w: 1.02,
-        c: 0.08,
-        lam: 0.3141592653589793,
-        g: 9.81,
-        rR: 0.3,
-        mR: 2.0,
-        IRxx: 0.0603,
-        IRyy: 0.12,
-        xB: 0.3,
-        zB: -0.9,
-        mB: 85.0,
-        IBxx: 9.2,
-        IByy: 11.0,
-        IBzz: 2.8,
-        IBxz: 2.4,
-        xH: 0.9,
-        zH: -0.7,
-        mH: 4.0,
-        IHxx: 0.05892,
-        IHyy: 0.06,
-        IHzz: 0.00708,
-        IHxz: -0.00756,
-        rF: 0.35,
-        mF: 3.0,
-        IFxx: 0.1405,
-        IFyy: 0.28,
-        k: 0.5,
-        d: 0.25,
-    };
-    /// The parameter set `benchmark_2005`.
-    ///
-    /// Source: Schwab, Meijaard & Papadopoulos (2005), ENOC 2005; spring and damper are examples
-    pub const BENCHMARK_2005: Self = Self {
-        w: 1.02,
-        c: 0.08,
-        lam: 0.3217505543966422,
-        g: 9.81,
-        rR: 0.3,
-        mR: 2.0,
-        IRxx: 0.06,
-        IRyy: 0.12,
-        xB: 0.3,
-        zB: -0.9,
-        mB: 85.0,
-        IBxx: 9.2,
-        IByy: 11.0,
-        IBzz: 2.8,
-        IBxz: 2.4,
-        xH: 0.9,
-        zH: -0.7,
-        mH: 4.0,
-        IHxx: 0.0546,
-        IHyy: 0.06,
-        IHzz: 0.0114,
-        IHxz: -0.0162,
-        rF: 0.35,
-        mF: 3.0,
-        IFxx: 0.14,
-        IFyy: 0.28,
-        k: 0.5,
-        d: 0.25,
-    };
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleSprung<T> {
-    /// The parameters from an array in declared order.
-    #[must_use]
-    pub const fn from_array(values: [T; 28]) -> Self {
-        Self {
-            w: values[0],
-            c: values[1],
-            lam: values[2],
-            g: values[3],
-            rR: values[4],
-            mR: values[5],
-            IRxx: values[6],
-            IRyy: values[7],
-            xB: values[8],
-            zB: values[9],
-            mB: values[10],
-            IBxx: values[11],
-            IByy: values[12],
-            IBzz: values[13],
-            IBxz: values[14],
-            xH: values[15],
-            zH: values[16],
-            mH: values[17],
-            IHxx: values[18],
-            IHyy: values[19],
-            IHzz: values[20],
-            IHxz: values[21],
-            rF: values[22],
-            mF: values[23],
-            IFxx: values[24],
-            IFyy: values[25],
-            k: values[26],
-            d: values[27],
-        }
-    }
-    /// The parameters as an array in declared order.
-    #[must_use]
-    pub const fn to_array(&self) -> [T; 28] {
-        [
-            self.w,
-            self.c,
-            self.lam,
-            self.g,
-            self.rR,
-            self.mR,
-            self.IRxx,
-            self.IRyy,
-            self.xB,
-            self.zB,
-            self.mB,
-            self.IBxx,
-            self.IByy,
-            self.IBzz,
-            self.IBxz,
-            self.xH,
-            self.zH,
-            self.mH,
-            self.IHxx,
-            self.IHyy,
-            self.IHzz,
-            self.IHxz,
-            self.rF,
-            self.mF,
-            self.IFxx,
-            self.IFyy,
-            self.k,
-            self.d,
-        ]
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleSprung<T> {
-    /// The same parameters in another number type, each rounded to the nearest.
-    #[must_use]
-    pub fn cast<U: ::carvallo::Scalar>(&self) -> WhippleSprung<U> {
-        WhippleSprung {
-            w: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.w)),
-            c: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.c)),
-            lam: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.lam)),
-            g: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.g)),
-            rR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rR)),
-            mR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mR)),
-            IRxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IRxx)),
-            IRyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IRyy)),
-            xB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xB)),
-            zB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zB)),
-            mB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mB)),
-            IBxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBxx)),
-            IByy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IByy)),
-            IBzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBzz)),
-            IBxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBxz)),
-            xH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xH)),
-            zH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zH)),
-            mH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mH)),
-            IHxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHxx)),
-            IHyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHyy)),
-            IHzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHzz)),
-            IHxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHxz)),
-            rF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rF)),
-            mF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mF)),
-            IFxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IFxx)),
-            IFyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IFyy)),
-            k: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.k)),
-            d: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.d)),
-        }
-    }
-}
+
+// --- The coefficient matrices --------------------------------------------------------------------
+
 /// The coefficient matrices of [`WhippleSprung`], each 2 x 2 and row by row, in SI units.
 ///
 /// Matrices that are not among them are zero.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleSprungMatrices<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleSprungMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
     pub m: [[T; 2]; 2],
     /// Damping C0, a coefficient of q'. Symmetric, proved.
@@ -335,8 +159,8 @@ pub struct WhippleSprungMatrices<T = ::core::primitive::f64> {
     /// Stiffness K2, a coefficient of v^2 q.
     pub k2: [[T; 2]; 2],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleSprung<T> {
+
+impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 45 additions, 46 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 99 operations.
     ///
@@ -346,122 +170,77 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
     pub fn matrices(&self) -> WhippleSprungMatrices<T> {
         let t6 = self.zH * self.mH;
         let t10 = self.rF * self.mF;
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
-            + (self.zB * t21);
-        let (t28, t41) = ::carvallo::Number::sin_cos(self.lam);
+        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (t28, t41) = self.lam.sin_cos();
         let t35 = self.c + self.w;
         let t36 = self.xH - t35;
         let t37 = self.mH * t36;
-        let Jxz_delta = (self.IHxz - (t10 * self.c)) - (self.zH * t37);
-        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t41);
+        let Jxz_delta = self.IHxz - t10 * self.c - self.zH * t37;
+        let hx_delta = Jxx_delta * t28 + Jxz_delta * t41;
         let yaw_per_v_delta = t41 / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let Sz_delta = t6 - t10;
-        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t35 * Sz_delta);
-        let t55 = hx_delta + (yaw_by_delta * Jxz_all);
+        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
+        let t55 = hx_delta + yaw_by_delta * Jxz_all;
         let t58 = self.mF * self.c;
         let t61 = self.IFxx + self.IHzz;
-        let hz_delta = (t28 * Jxz_delta)
-            + (t41 * (((t36 * t37) + (self.c * t58)) + t61));
+        let hz_delta = t28 * Jxz_delta + t41 * (t36 * t37 + self.c * t58 + t61);
         let Sx_delta = t37 - t58;
-        let py_delta = (t41 * Sx_delta) - (t28 * Sz_delta);
-        let M_yaw_delta = hz_delta + (t35 * py_delta);
+        let py_delta = t41 * Sx_delta - t28 * Sz_delta;
+        let M_yaw_delta = hz_delta + t35 * py_delta;
         let t73 = self.mB * self.xB;
         let t75 = self.mH * self.xH;
         let t77 = self.mF * self.w;
         let t84 = yaw_by_delta
-            * (((((self.IRxx + t61) + self.IBzz) + (self.xB * t73)) + (self.xH * t75))
-                + (self.w * t77));
+            * (self.IRxx + t61 + self.IBzz + self.xB * t73 + self.xH * t75
+                + self.w * t77);
         let P_delta_yaw = M_yaw_delta + t84;
-        let t91 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t28 * hx_delta))
-            + (t41 * hz_delta);
+        let t91 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + t28 * hx_delta
+            + t41 * hz_delta;
         let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
-        let Sz_all = (t21 + Sz_delta) - t17;
+        let h_wheels_all = h_spin_F + self.IRyy / self.rR;
+        let Sz_all = t21 + Sz_delta - t17;
         let t101 = h_wheels_all - Sz_all;
         let t104 = t41 * h_spin_F;
-        let t106 = ((yaw_by_delta * t101) + (yaw_per_v_delta * Jxz_all)) + t104;
-        let Sx_all = (t73 + t75) + t77;
-        let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t115 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let t106 = yaw_by_delta * t101 + yaw_per_v_delta * Jxz_all + t104;
+        let Sx_all = t73 + t75 + t77;
+        let P_delta_lateral = py_delta + yaw_by_delta * Sx_all;
+        let t115 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
         let t118 = yaw_per_v_delta * t101;
-        let t121 = yaw_per_v_delta * (P_delta_lateral + (t28 * h_spin_F));
-        let t122 = -(t104 + (yaw_by_delta * h_wheels_all));
+        let t121 = yaw_per_v_delta * (P_delta_lateral + t28 * h_spin_F);
+        let t122 = -(t104 + yaw_by_delta * h_wheels_all);
         let t123 = -P_delta_lateral;
         let t124 = -(t28 * P_delta_lateral);
-        {
-            #[inline(always)]
-            fn matrix<T: ::core::marker::Copy>(
-                entries: &[T; 24],
-                first: ::core::primitive::usize,
-            ) -> [[T; 2]; 2] {
-                [
-                    [entries[first], entries[first + 1]],
-                    [entries[first + 2], entries[first + 3]],
-                ]
-            }
-            let entries = [
-                t26,
-                t55,
-                t55,
-                t91,
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                self.d,
-                ::carvallo::Number::like(self.w, 0.0),
-                t106,
-                t122,
-                t115,
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                ::carvallo::Number::like(self.w, 0.0),
-                self.k,
-                Sz_all,
-                t123,
-                t123,
-                t124,
-                ::carvallo::Number::like(self.w, 0.0),
-                t118,
-                ::carvallo::Number::like(self.w, 0.0),
-                t121,
-            ];
-            WhippleSprungMatrices {
-                m: matrix(&entries, 0),
-                c0: matrix(&entries, 4),
-                c1: matrix(&entries, 8),
-                kc: matrix(&entries, 12),
-                k0: matrix(&entries, 16),
-                k2: matrix(&entries, 20),
-            }
-        }
+        WhippleSprungMatrices::from_entries([
+            t26, t55, t55, t91, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.d,
+            self.w.like(0.0), t106, t122, t115, self.w.like(0.0), self.w.like(0.0),
+            self.w.like(0.0), self.k, Sz_all, t123, t123, t124, self.w.like(0.0), t118,
+            self.w.like(0.0), t121,
+        ])
     }
 }
+
+// --- Rates and forces of the mechanism -----------------------------------------------------------
+
 /// Rates and forces of [`WhippleSprung`] that follow from its coordinates q = (`phi`, `delta`), to first order and in SI units.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleSprungKinematics<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleSprungKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
-    pub lateral: ::carvallo::Rate<T, 2>,
+    pub lateral: Rate<T, 2>,
     /// Yaw rate, to the right, in rad/s: of `B`.
-    pub yaw: ::carvallo::Rate<T, 2>,
+    pub yaw: Rate<T, 2>,
     /// Spin of the wheel `R`, rear wheel: about the y axis, so negative in forward motion, in rad/s.
-    pub wheel_R: ::carvallo::Rate<T, 2>,
+    pub wheel_R: Rate<T, 2>,
     /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in rad/s.
-    pub wheel_F: ::carvallo::Rate<T, 2>,
+    pub wheel_F: Rate<T, 2>,
     /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m.
     pub forces: [[T; 2]; 2],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleSprung<T> {
+
+impl<T: Scalar> WhippleSprung<T> {
     /// Rates and forces that follow from the coordinates:
     /// 1 multiplication, 3 divisions, 2 negations and 1 trigonometric function: 7 operations.
     ///
@@ -469,1094 +248,185 @@ impl<T: ::carvallo::Scalar> WhippleSprung<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleSprungKinematics<T> {
-        let yaw_per_v_delta = (::carvallo::Number::cos(self.lam)) / self.w;
+        let yaw_per_v_delta = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t12 = -(::carvallo::Number::like(self.w, 1.0) / self.rR);
-        let t13 = -(::carvallo::Number::like(self.w, 1.0) / self.rF);
+        let t12 = -(self.w.like(1.0) / self.rR);
+        let t13 = -(self.w.like(1.0) / self.rF);
         WhippleSprungKinematics {
-            lateral: ::carvallo::Rate {
-                speed: ::carvallo::Number::like(self.w, 0.0),
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 1.0),
+            lateral: Rate {
+                speed: self.w.like(0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(1.0),
             },
-            yaw: ::carvallo::Rate {
-                speed: ::carvallo::Number::like(self.w, 0.0),
-                rates: [::carvallo::Number::like(self.w, 0.0), yaw_by_delta],
-                coordinates: [::carvallo::Number::like(self.w, 0.0), yaw_per_v_delta],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+            yaw: Rate {
+                speed: self.w.like(0.0),
+                rates: [self.w.like(0.0), yaw_by_delta],
+                coordinates: [self.w.like(0.0), yaw_per_v_delta],
+                heading: self.w.like(0.0),
             },
-            wheel_R: ::carvallo::Rate {
+            wheel_R: Rate {
                 speed: t12,
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(0.0),
             },
-            wheel_F: ::carvallo::Rate {
+            wheel_F: Rate {
                 speed: t13,
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(0.0),
             },
             forces: [
-                [
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                ],
+                [self.w.like(1.0), self.w.like(0.0)],
+                [self.w.like(0.0), self.w.like(1.0)],
             ],
         }
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleSprung<T> {
-    type Scalar = T;
-    type Array<U: ::core::marker::Copy> = [U; 28];
-    type Over<U: ::carvallo::Number> = WhippleSprung<U>;
-    const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
-        name: "WhippleSprung",
-        docs: "The Whipple-Carvallo bicycle with a spring and a damper between rear frame and front frame.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.",
-        source: "Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3",
-        parameters: &[
-            ::carvallo::ParameterInfo {
-                name: "w",
-                symbol: "w",
-                docs: "Wheel base.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "c",
-                symbol: "c",
-                docs: "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "lam",
-                symbol: "λ",
-                docs: "Steer axis tilt: 90 degrees minus the head angle.",
-                unit: "rad",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(-1.5707963267948966),
-                    upper: ::carvallo::Bound::Open(1.5707963267948966),
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "g",
-                symbol: "g",
-                docs: "Gravitational field strength.",
-                unit: "N/kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rR",
-                symbol: "rR",
-                docs: "Radius of the rear wheel.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mR",
-                symbol: "mR",
-                docs: "Mass of the rear wheel.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IRxx",
-                symbol: "IRxx",
-                docs: "Radial moment of inertia of the rear wheel; by symmetry also about the vertical.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IRyy",
-                symbol: "IRyy",
-                docs: "Axial moment of inertia of the rear wheel.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xB",
-                symbol: "xB",
-                docs: "Centre of mass of the rear frame and rider, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zB",
-                symbol: "zB",
-                docs: "Centre of mass of the rear frame and rider, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mB",
-                symbol: "mB",
-                docs: "Mass of the rear frame and rider.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBxx",
-                symbol: "IBxx",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IByy",
-                symbol: "IByy",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBzz",
-                symbol: "IBzz",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBxz",
-                symbol: "IBxz",
-                docs: "Product of inertia of the rear frame and rider about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xH",
-                symbol: "xH",
-                docs: "Centre of mass of the front frame, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zH",
-                symbol: "zH",
-                docs: "Centre of mass of the front frame, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mH",
-                symbol: "mH",
-                docs: "Mass of the front frame.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHxx",
-                symbol: "IHxx",
-                docs: "Moment of inertia of the front frame about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHyy",
-                symbol: "IHyy",
-                docs: "Moment of inertia of the front frame about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHzz",
-                symbol: "IHzz",
-                docs: "Moment of inertia of the front frame about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHxz",
-                symbol: "IHxz",
-                docs: "Product of inertia of the front frame about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rF",
-                symbol: "rF",
-                docs: "Radius of the front wheel.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mF",
-                symbol: "mF",
-                docs: "Mass of the front wheel.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IFxx",
-                symbol: "IFxx",
-                docs: "Radial moment of inertia of the front wheel; by symmetry also about the vertical.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IFyy",
-                symbol: "IFyy",
-                docs: "Axial moment of inertia of the front wheel.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "k",
-                symbol: "k",
-                docs: "Stiffness of the steering spring.",
-                unit: "N*m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "d",
-                symbol: "d",
-                docs: "Damping of the steering damper.",
-                unit: "N*m*s",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-        ],
-        coordinates: &[
-            ::carvallo::CoordinateInfo {
-                name: "phi",
-                label: "lean",
-                docs: "Lean of the rear frame, positive to the right.",
-                unit: "rad",
-            },
-            ::carvallo::CoordinateInfo {
-                name: "delta",
-                label: "steer",
-                docs: "Steer of the front frame relative to the rear frame, positive to the right.",
-                unit: "rad",
-            },
-        ],
-        matrices: &[
-            ::carvallo::MatrixName::M,
-            ::carvallo::MatrixName::C0,
-            ::carvallo::MatrixName::C1,
-            ::carvallo::MatrixName::Kc,
-            ::carvallo::MatrixName::K0,
-            ::carvallo::MatrixName::K2,
-        ],
-        entries: &[
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::M, 0, 1),
-                    (::carvallo::MatrixName::M, 1, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C0, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::Kc, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::K0, 0, 1),
-                    (::carvallo::MatrixName::K0, 1, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 1, 1)],
-            },
-        ],
-        sets: &[
-            ::carvallo::SetInfo {
-                name: "benchmark",
-                docs: "",
-                source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; spring and damper are examples",
-                values: &[
-                    1.02,
-                    0.08,
-                    0.3141592653589793,
-                    9.81,
-                    0.3,
-                    2.0,
-                    0.0603,
-                    0.12,
-                    0.3,
-                    -0.9,
-                    85.0,
-                    9.2,
-                    11.0,
-                    2.8,
-                    2.4,
-                    0.9,
-                    -0.7,
-                    4.0,
-                    0.05892,
-                    0.06,
-                    0.00708,
-                    -0.00756,
-                    0.35,
-                    3.0,
-                    0.1405,
-                    0.28,
-                    0.5,
-                    0.25,
-                ],
-            },
-            ::carvallo::SetInfo {
-                name: "benchmark_2005",
-                docs: "",
-                source: "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005; spring and damper are examples",
-                values: &[
-                    1.02,
-                    0.08,
-                    0.3217505543966422,
-                    9.81,
-                    0.3,
-                    2.0,
-                    0.06,
-                    0.12,
-                    0.3,
-                    -0.9,
-                    85.0,
-                    9.2,
-                    11.0,
-                    2.8,
-                    2.4,
-                    0.9,
-                    -0.7,
-                    4.0,
-                    0.0546,
-                    0.06,
-                    0.0114,
-                    -0.0162,
-                    0.35,
-                    3.0,
-                    0.14,
-                    0.28,
-                    0.5,
-                    0.25,
-                ],
-            },
-        ],
-        gravity: ::core::option::Option::Some(3),
-    };
-    fn from_slice(
-        values: &[T],
-    ) -> ::core::result::Result<Self, ::carvallo::LengthError> {
-        if values.len() != 28 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "WhippleSprung",
-                expected: 28,
-                found: values.len(),
-            });
-        }
-        ::core::result::Result::Ok(Self {
-            w: values[0],
-            c: values[1],
-            lam: values[2],
-            g: values[3],
-            rR: values[4],
-            mR: values[5],
-            IRxx: values[6],
-            IRyy: values[7],
-            xB: values[8],
-            zB: values[9],
-            mB: values[10],
-            IBxx: values[11],
-            IByy: values[12],
-            IBzz: values[13],
-            IBxz: values[14],
-            xH: values[15],
-            zH: values[16],
-            mH: values[17],
-            IHxx: values[18],
-            IHyy: values[19],
-            IHzz: values[20],
-            IHxz: values[21],
-            rF: values[22],
-            mF: values[23],
-            IFxx: values[24],
-            IFyy: values[25],
-            k: values[26],
-            d: values[27],
-        })
-    }
-    fn write_to(
-        &self,
-        values: &mut [T],
-    ) -> ::core::result::Result<(), ::carvallo::LengthError> {
-        if values.len() != 28 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "WhippleSprung",
-                expected: 28,
-                found: values.len(),
-            });
-        }
-        values.copy_from_slice(&self.to_array());
-        ::core::result::Result::Ok(())
-    }
-    #[inline(always)]
-    fn array<U: ::core::marker::Copy>(
-        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
-    ) -> Self::Array<U> {
-        ::core::array::from_fn(element)
-    }
-    #[inline(always)]
-    fn parameters(&self) -> Self::Array<T> {
-        self.to_array()
-    }
-    fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
-        let info = <Self as ::carvallo::Model<2>>::INFO;
-        info.validate(
-            &[
-                ::carvallo::Scalar::to_f64(self.w),
-                ::carvallo::Scalar::to_f64(self.c),
-                ::carvallo::Scalar::to_f64(self.lam),
-                ::carvallo::Scalar::to_f64(self.g),
-                ::carvallo::Scalar::to_f64(self.rR),
-                ::carvallo::Scalar::to_f64(self.mR),
-                ::carvallo::Scalar::to_f64(self.IRxx),
-                ::carvallo::Scalar::to_f64(self.IRyy),
-                ::carvallo::Scalar::to_f64(self.xB),
-                ::carvallo::Scalar::to_f64(self.zB),
-                ::carvallo::Scalar::to_f64(self.mB),
-                ::carvallo::Scalar::to_f64(self.IBxx),
-                ::carvallo::Scalar::to_f64(self.IByy),
-                ::carvallo::Scalar::to_f64(self.IBzz),
-                ::carvallo::Scalar::to_f64(self.IBxz),
-                ::carvallo::Scalar::to_f64(self.xH),
-                ::carvallo::Scalar::to_f64(self.zH),
-                ::carvallo::Scalar::to_f64(self.mH),
-                ::carvallo::Scalar::to_f64(self.IHxx),
-                ::carvallo::Scalar::to_f64(self.IHyy),
-                ::carvallo::Scalar::to_f64(self.IHzz),
-                ::carvallo::Scalar::to_f64(self.IHxz),
-                ::carvallo::Scalar::to_f64(self.rF),
-                ::carvallo::Scalar::to_f64(self.mF),
-                ::carvallo::Scalar::to_f64(self.IFxx),
-                ::carvallo::Scalar::to_f64(self.IFyy),
-                ::carvallo::Scalar::to_f64(self.k),
-                ::carvallo::Scalar::to_f64(self.d),
-            ],
-        )?;
-        ::core::result::Result::Ok(())
-    }
-    #[inline]
-    fn coefficients(&self) -> ::carvallo::Coefficients<T, 2> {
-        let matrices = self.matrices();
-        ::carvallo::Coefficients::from_rows([
-            matrices.m,
-            matrices.c0,
-            matrices.c1,
-            matrices.kc,
-            matrices.k0,
-            matrices.k2,
-        ])
-    }
-    fn gravity(&self) -> ::core::option::Option<T> {
-        ::core::option::Option::Some(self.g)
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleSprung<T> {
-    type Entries = [T; 13];
-    #[inline(always)]
-    fn from_parameters(
-        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
-    ) -> Self {
-        Self {
-            w: parameter(0),
-            c: parameter(1),
-            lam: parameter(2),
-            g: parameter(3),
-            rR: parameter(4),
-            mR: parameter(5),
-            IRxx: parameter(6),
-            IRyy: parameter(7),
-            xB: parameter(8),
-            zB: parameter(9),
-            mB: parameter(10),
-            IBxx: parameter(11),
-            IByy: parameter(12),
-            IBzz: parameter(13),
-            IBxz: parameter(14),
-            xH: parameter(15),
-            zH: parameter(16),
-            mH: parameter(17),
-            IHxx: parameter(18),
-            IHyy: parameter(19),
-            IHzz: parameter(20),
-            IHxz: parameter(21),
-            rF: parameter(22),
-            mF: parameter(23),
-            IFxx: parameter(24),
-            IFyy: parameter(25),
-            k: parameter(26),
-            d: parameter(27),
-        }
-    }
-    #[inline(always)]
-    fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0],
-            matrices.m[0][1],
-            matrices.m[1][1],
-            matrices.c0[1][1],
-            matrices.c1[0][1],
-            matrices.c1[1][0],
-            matrices.c1[1][1],
-            matrices.kc[1][1],
-            matrices.k0[0][0],
-            matrices.k0[0][1],
-            matrices.k0[1][1],
-            matrices.k2[0][1],
-            matrices.k2[1][1],
-        ]
-    }
-    #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
-        let matrices = self.matrices();
-        [matrices.m, matrices.c0, matrices.c1, matrices.kc, matrices.k0, matrices.k2]
-    }
-}
-/// The derivatives of the matrices of [`WhippleSprung`] with respect to its parameters, in SI units: those that are not zero for all parameters.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleSprungDerivatives<T = ::core::primitive::f64> {
+
+// --- The derivatives of the matrices -------------------------------------------------------------
+
+/// The derivatives of the matrices of [`WhippleSprung`] with respect to its parameters, in SI units: those that are not
+/// zero for all parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleSprungDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 123],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl WhippleSprungDerivatives {
-    /// Which derivatives there are, by parameters.
-    pub const PARTIALS: &'static [::carvallo::Partial; 160] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 7).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 8).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 12).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 13),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 16).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 19).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 20),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 24).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 25),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 29).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 30),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 31),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 33).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 34),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 37),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 38),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 38).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 39),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 40).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 40).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 41),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 42).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 43),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 44).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 44).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 45).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 46),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 47),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 48).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 48).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 49).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 50),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 51).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 52),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 53).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 53).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 54),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 55).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 56),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 57),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 58).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 58).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 59).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 60).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 61),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 37),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 62),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 62),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 63),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 64).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 64).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 65),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 66).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 67),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 68).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 68).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 69).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 71),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 72),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 72),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 73),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 74).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 75).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 76),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 77),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 77),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 78),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 79).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 80).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 81),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 82),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 82),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 83),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 84).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 85),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 86),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 87).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 87).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 88).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 89).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 90),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 92),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 93),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 95),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 95),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 96),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 63),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 97),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 98),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 100),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 101),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 102),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 103),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 104).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 105).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 105).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 106).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 107),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 108),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 109),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 110),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 110),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 111),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 112),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 113),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 114).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 115),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 115),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 116).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 117),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 118),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 119),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 120),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 120).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 121),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 122),
-        ::carvallo::Partial::new(::carvallo::MatrixName::Kc, 1, 1, 26, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C0, 1, 1, 27, 35),
-    ];
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleSprungDerivatives<T> {
-    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
-    /// if there is no such parameter.
-    #[must_use]
-    pub fn with_respect_to(
-        &self,
-        parameter: ::core::primitive::usize,
-    ) -> ::core::option::Option<WhippleSprungMatrices<T>> {
-        if parameter >= 28 {
-            return ::core::option::Option::None;
-        }
-        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
-        let mut matrices = WhippleSprungMatrices {
-            m: [[zero; 2]; 2],
-            c0: [[zero; 2]; 2],
-            c1: [[zero; 2]; 2],
-            kc: [[zero; 2]; 2],
-            k0: [[zero; 2]; 2],
-            k2: [[zero; 2]; 2],
-        };
-        for position in 0..160 {
-            let partial = <WhippleSprungDerivatives>::PARTIALS[position];
-            if partial.parameter != parameter {
-                continue;
-            }
-            let matrix = match partial.matrix {
-                ::carvallo::MatrixName::M => &mut matrices.m,
-                ::carvallo::MatrixName::C0 => &mut matrices.c0,
-                ::carvallo::MatrixName::C1 => &mut matrices.c1,
-                ::carvallo::MatrixName::Kc => &mut matrices.kc,
-                ::carvallo::MatrixName::K0 => &mut matrices.k0,
-                ::carvallo::MatrixName::K2 => &mut matrices.k2,
-            };
-            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
-                &partial,
-                &self.values,
-            );
-        }
-        ::core::option::Option::Some(matrices)
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleSprung<T> {
+
+impl<T: Number> WhippleSprung<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
     /// 168 additions, 258 multiplications, 3 divisions, 3 negations and 2 trigonometric functions: 434 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
-    pub fn matrices_and_derivatives(
-        &self,
-    ) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
+    pub fn matrices_and_derivatives(&self) -> (WhippleSprungMatrices<T>, WhippleSprungDerivatives<T>) {
         let t6 = self.zH * self.mH;
         let t10 = self.rF * self.mF;
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
-            + (self.zB * t21);
-        let (t28, t41) = ::carvallo::Number::sin_cos(self.lam);
+        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (t28, t41) = self.lam.sin_cos();
         let t35 = self.c + self.w;
         let t36 = self.xH - t35;
         let t37 = self.mH * t36;
-        let Jxz_delta = (self.IHxz - (t10 * self.c)) - (self.zH * t37);
+        let Jxz_delta = self.IHxz - t10 * self.c - self.zH * t37;
         let t42 = Jxz_delta * t41;
-        let hx_delta = (Jxx_delta * t28) + t42;
-        let t44 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let hx_delta = Jxx_delta * t28 + t42;
+        let t44 = self.w.like(1.0) / self.w;
         let yaw_per_v_delta = t41 * t44;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let Sz_delta = t6 - t10;
-        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t35 * Sz_delta);
-        let t56 = hx_delta + (yaw_by_delta * Jxz_all);
+        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
+        let t56 = hx_delta + yaw_by_delta * Jxz_all;
         let t58 = t28 * Jxz_delta;
         let t60 = self.IFxx + self.IHzz;
         let t61 = self.mF * self.c;
-        let t65 = (t60 + (self.c * t61)) + (t36 * t37);
-        let hz_delta = t58 + (t41 * t65);
+        let t65 = t60 + self.c * t61 + t36 * t37;
+        let hz_delta = t58 + t41 * t65;
         let Sx_delta = t37 - t61;
-        let py_delta = (t41 * Sx_delta) - (t28 * Sz_delta);
-        let M_yaw_delta = hz_delta + (t35 * py_delta);
+        let py_delta = t41 * Sx_delta - t28 * Sz_delta;
+        let M_yaw_delta = hz_delta + t35 * py_delta;
         let t76 = self.mF * self.w;
         let t78 = self.mB * self.xB;
         let t80 = self.mH * self.xH;
-        let P_delta_yaw_yaw_by_delta = ((((self.IRxx + t60) + self.IBzz)
-            + (self.w * t76)) + (self.xB * t78)) + (self.xH * t80);
+        let P_delta_yaw_yaw_by_delta = self.IRxx + t60 + self.IBzz + self.w * t76
+            + self.xB * t78 + self.xH * t80;
         let t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
         let P_delta_yaw = M_yaw_delta + t87;
         let t89 = M_yaw_delta + P_delta_yaw;
-        let t92 = ((t28 * hx_delta) + (t41 * hz_delta)) + (yaw_by_delta * t89);
-        let t96 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        let t92 = t28 * hx_delta + t41 * hz_delta + yaw_by_delta * t89;
+        let t96 = self.w.like(1.0) / self.rF;
         let h_spin_F = self.IFyy * t96;
         let t98 = t41 * h_spin_F;
-        let t100 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        let t100 = self.w.like(1.0) / self.rR;
         let t101 = self.IRyy * t100;
         let h_wheels_all = h_spin_F + t101;
-        let Sz_all = (t21 + Sz_delta) - t17;
+        let Sz_all = t21 + Sz_delta - t17;
         let t105 = h_wheels_all - Sz_all;
         let t107 = yaw_per_v_delta * Jxz_all;
-        let t109 = (t98 + (yaw_by_delta * t105)) + t107;
-        let Sx_all = (t76 + t78) + t80;
-        let P_delta_lateral = py_delta + (yaw_by_delta * Sx_all);
-        let t118 = (yaw_per_v_delta * P_delta_yaw) + (yaw_by_delta * P_delta_lateral);
+        let t109 = t98 + yaw_by_delta * t105 + t107;
+        let Sx_all = t76 + t78 + t80;
+        let P_delta_lateral = py_delta + yaw_by_delta * Sx_all;
+        let t118 = yaw_per_v_delta * P_delta_yaw + yaw_by_delta * P_delta_lateral;
         let t121 = yaw_per_v_delta * t105;
         let t122 = t28 * h_spin_F;
         let K222_yaw_per_v_delta = P_delta_lateral + t122;
         let t124 = yaw_per_v_delta * K222_yaw_per_v_delta;
         let t126 = self.zH * t41;
         let t127 = self.mH * t126;
-        let t129 = t127 + (t6 * yaw_by_delta);
-        let t130 = t129 - (yaw_by_delta * Sz_delta);
+        let t129 = t127 + t6 * yaw_by_delta;
+        let t130 = t129 - yaw_by_delta * Sz_delta;
         let t131 = t44 * yaw_per_v_delta;
         let M12_yaw_per_v_delta = self.c * Jxz_all;
-        let t134 = t130 - (t131 * M12_yaw_per_v_delta);
-        let py_delta_mH = (t36 * t41) - (self.zH * t28);
+        let t134 = t130 - t131 * M12_yaw_per_v_delta;
+        let py_delta_mH = t36 * t41 - self.zH * t28;
         let t140 = t37 * t41;
-        let t141 = (self.mH * py_delta_mH) + t140;
-        let t143 = (t41 * t141) - (t28 * t127);
+        let t141 = self.mH * py_delta_mH + t140;
+        let t143 = t41 * t141 - t28 * t127;
         let t144 = self.mH * t41;
-        let t146 = t141 + (t35 * t144);
+        let t146 = t141 + t35 * t144;
         let t147 = py_delta - t146;
         let t148 = yaw_by_delta + yaw_by_delta;
-        let t150 = (t147 * t148) - t143;
+        let t150 = t147 * t148 - t143;
         let t151 = self.w * yaw_by_delta;
-        let P_delta_yaw_w = (self.mF * t151) + (yaw_by_delta * t76);
+        let P_delta_yaw_w = self.mF * t151 + yaw_by_delta * t76;
         let M22_yaw_by_delta = t87 + t89;
         let M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        let t160 = (t150 + (yaw_by_delta * P_delta_yaw_w))
-            - (t131 * M22_yaw_per_v_delta);
+        let t160 = t150 + yaw_by_delta * P_delta_yaw_w - t131 * M22_yaw_per_v_delta;
         let t162 = t6 * yaw_per_v_delta;
-        let t163 = t162 - (yaw_per_v_delta * Sz_delta);
-        let C112_yaw_per_v_delta = Jxz_all + (self.c * t105);
-        let t167 = t163 - (t131 * C112_yaw_per_v_delta);
+        let t163 = t162 - yaw_per_v_delta * Sz_delta;
+        let C112_yaw_per_v_delta = Jxz_all + self.c * t105;
+        let t167 = t163 - t131 * C112_yaw_per_v_delta;
         let t168 = self.c * h_wheels_all;
         let t169 = t131 * t168;
         let t170 = yaw_per_v_delta * t147;
         let P_delta_lateral_yaw_per_v_delta = self.c * Sx_all;
-        let t176 = (t144 + (t131 * P_delta_lateral_yaw_per_v_delta))
-            - (self.mF * yaw_by_delta);
+        let t176 = t144 + t131 * P_delta_lateral_yaw_per_v_delta
+            - self.mF * yaw_by_delta;
         let C122_yaw_by_delta = P_delta_lateral
-            + (yaw_per_v_delta * P_delta_yaw_yaw_by_delta);
-        let C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
-        let t185 = ((t170 + (yaw_per_v_delta * P_delta_yaw_w)) - (yaw_by_delta * t176))
-            - (t131 * C122_yaw_per_v_delta);
+            + yaw_per_v_delta * P_delta_yaw_yaw_by_delta;
+        let C122_yaw_per_v_delta = P_delta_yaw + self.c * C122_yaw_by_delta;
+        let t185 = t170 + yaw_per_v_delta * P_delta_yaw_w - yaw_by_delta * t176
+            - t131 * C122_yaw_per_v_delta;
         let t186 = t28 * t176;
         let t187 = t105 * t131;
-        let t190 = (yaw_per_v_delta * t176) + (K222_yaw_per_v_delta * t131);
+        let t190 = yaw_per_v_delta * t176 + K222_yaw_per_v_delta * t131;
         let t191 = t10 * t41;
-        let t195 = ((t107 + t130) - t191) - (t10 * yaw_by_delta);
+        let t195 = t107 + t130 - t191 - t10 * yaw_by_delta;
         let hx_delta_rF = t10 * t28;
         let t197 = self.c * t41;
-        let hz_delta_c = ((self.mF * t197) + (t41 * t61)) - hx_delta_rF;
+        let hz_delta_c = self.mF * t197 + t41 * t61 - hx_delta_rF;
         let t202 = self.mF * t41;
-        let M_yaw_delta_c = hz_delta_c - (t35 * t202);
-        let t212 = (((t150 + (t148 * M_yaw_delta_c)) + (t41 * hz_delta_c))
-            + (yaw_per_v_delta * M22_yaw_by_delta)) - (t28 * t191);
-        let t215 = t163 + (yaw_per_v_delta * (t105 - t10));
+        let M_yaw_delta_c = hz_delta_c - t35 * t202;
+        let t212 = t150 + t148 * M_yaw_delta_c + t41 * hz_delta_c
+            + yaw_per_v_delta * M22_yaw_by_delta - t28 * t191;
+        let t215 = t163 + yaw_per_v_delta * (t105 - t10);
         let t216 = yaw_per_v_delta * h_wheels_all;
-        let t221 = (t144 + t202) - (yaw_per_v_delta * Sx_all);
-        let t224 = (t170 + (yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c)))
-            - (yaw_by_delta * t221);
+        let t221 = t144 + t202 - yaw_per_v_delta * Sx_all;
+        let t224 = t170 + yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c)
+            - yaw_by_delta * t221;
         let t225 = t28 * t221;
         let t226 = yaw_per_v_delta * t221;
-        let hx_delta_lam = (Jxx_delta * t41) - t58;
+        let hx_delta_lam = Jxx_delta * t41 - t58;
         let t229 = t28 * t44;
-        let t231 = hx_delta_lam - (M12_yaw_per_v_delta * t229);
-        let hz_delta_lam = t42 - (t28 * t65);
-        let t236 = (t41 * Sz_delta) + (t28 * Sx_delta);
-        let M_yaw_delta_lam = hz_delta_lam - (t35 * t236);
-        let t249 = (((((t148 * M_yaw_delta_lam) + (t28 * hx_delta_lam))
-            + (t41 * hz_delta_lam)) + (t41 * hx_delta)) - (t28 * hz_delta))
-            - (M22_yaw_per_v_delta * t229);
-        let t251 = t122 + (C112_yaw_per_v_delta * t229);
-        let t253 = t122 + (t168 * t229);
-        let t256 = t236 + (P_delta_lateral_yaw_per_v_delta * t229);
-        let t260 = ((yaw_per_v_delta * M_yaw_delta_lam) - (yaw_by_delta * t256))
-            - (C122_yaw_per_v_delta * t229);
-        let t263 = (t28 * t256) - (t41 * P_delta_lateral);
+        let t231 = hx_delta_lam - M12_yaw_per_v_delta * t229;
+        let hz_delta_lam = t42 - t28 * t65;
+        let t236 = t41 * Sz_delta + t28 * Sx_delta;
+        let M_yaw_delta_lam = hz_delta_lam - t35 * t236;
+        let t249 = t148 * M_yaw_delta_lam + t28 * hx_delta_lam + t41 * hz_delta_lam
+            + t41 * hx_delta - t28 * hz_delta - M22_yaw_per_v_delta * t229;
+        let t251 = t122 + C112_yaw_per_v_delta * t229;
+        let t253 = t122 + t168 * t229;
+        let t256 = t236 + P_delta_lateral_yaw_per_v_delta * t229;
+        let t260 = yaw_per_v_delta * M_yaw_delta_lam - yaw_by_delta * t256
+            - C122_yaw_per_v_delta * t229;
+        let t263 = t28 * t256 - t41 * P_delta_lateral;
         let t264 = t105 * t229;
-        let t268 = (yaw_per_v_delta * (t98 - t256)) - (K222_yaw_per_v_delta * t229);
+        let t268 = yaw_per_v_delta * (t98 - t256) - K222_yaw_per_v_delta * t229;
         let t269 = t17 + t17;
         let t270 = t100 * t101;
         let t271 = self.mR - t270;
@@ -1573,16 +443,15 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t283 = t21 * yaw_by_delta;
         let P_delta_lateral_mB = yaw_by_delta * self.xB;
         let t285 = self.mB * P_delta_lateral_mB;
-        let P_delta_yaw_xB = t285 + (yaw_by_delta * t78);
+        let P_delta_yaw_xB = t285 + yaw_by_delta * t78;
         let t288 = yaw_by_delta * P_delta_yaw_xB;
         let t289 = t21 * yaw_per_v_delta;
         let P_delta_lateral_xB = self.mB * yaw_by_delta;
-        let t293 = (yaw_per_v_delta * P_delta_yaw_xB)
-            + (yaw_by_delta * P_delta_lateral_xB);
+        let t293 = yaw_per_v_delta * P_delta_yaw_xB + yaw_by_delta * P_delta_lateral_xB;
         let t294 = t28 * P_delta_lateral_xB;
         let t295 = yaw_per_v_delta * P_delta_lateral_xB;
         let t296 = t21 + t21;
-        let t298 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        let t298 = yaw_by_delta + yaw_per_v_delta * self.xB;
         let t299 = self.mB * t298;
         let t300 = self.mB * yaw_per_v_delta;
         let t301 = self.zB * self.zB;
@@ -1590,86 +459,85 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let P_delta_yaw_mB = self.xB * P_delta_lateral_mB;
         let t304 = yaw_by_delta * P_delta_yaw_mB;
         let t305 = self.zB * t298;
-        let t308 = (yaw_per_v_delta * P_delta_yaw_mB)
-            + (yaw_by_delta * P_delta_lateral_mB);
+        let t308 = yaw_per_v_delta * P_delta_yaw_mB + yaw_by_delta * P_delta_lateral_mB;
         let t309 = t28 * P_delta_lateral_mB;
         let t310 = self.zB * yaw_per_v_delta;
         let t311 = yaw_per_v_delta * P_delta_lateral_mB;
         let t312 = self.xH * yaw_by_delta;
-        let t316 = (t146 + (self.mH * t312)) + (yaw_by_delta * t80);
-        let t319 = t143 + (yaw_by_delta * (t146 + t316));
+        let t316 = t146 + self.mH * t312 + yaw_by_delta * t80;
+        let t319 = t143 + yaw_by_delta * (t146 + t316);
         let t321 = self.mH * yaw_by_delta;
         let P_delta_lateral_xH = t144 + t321;
-        let t324 = (yaw_per_v_delta * t316) + (yaw_by_delta * P_delta_lateral_xH);
+        let t324 = yaw_per_v_delta * t316 + yaw_by_delta * P_delta_lateral_xH;
         let t325 = t28 * P_delta_lateral_xH;
         let t326 = yaw_per_v_delta * P_delta_lateral_xH;
         let Jxx_delta_zH = t6 + t6;
-        let hx_delta_zH = (t28 * Jxx_delta_zH) - t140;
-        let t331 = t37 + (self.mH * t35);
-        let t333 = hx_delta_zH - (yaw_by_delta * t331);
+        let hx_delta_zH = t28 * Jxx_delta_zH - t140;
+        let t331 = t37 + self.mH * t35;
+        let t333 = hx_delta_zH - yaw_by_delta * t331;
         let t334 = t28 * t37;
         let t335 = self.mH * t28;
-        let t337 = t334 + (t35 * t335);
-        let t342 = ((t28 * hx_delta_zH) - (t148 * t337)) - (t41 * t334);
-        let t344 = t321 + (yaw_per_v_delta * t331);
-        let t347 = (yaw_per_v_delta * t337) + (yaw_by_delta * t335);
+        let t337 = t334 + t35 * t335;
+        let t342 = t28 * hx_delta_zH - t148 * t337 - t41 * t334;
+        let t344 = t321 + yaw_per_v_delta * t331;
+        let t347 = yaw_per_v_delta * t337 + yaw_by_delta * t335;
         let t348 = t28 * t335;
         let t349 = self.mH * yaw_per_v_delta;
         let t350 = yaw_per_v_delta * t335;
         let Jxx_delta_mH = self.zH * self.zH;
-        let hx_delta_mH = (t28 * Jxx_delta_mH) - (t36 * t126);
-        let t357 = (self.zH * t35) + (self.zH * t36);
-        let t359 = hx_delta_mH - (yaw_by_delta * t357);
+        let hx_delta_mH = t28 * Jxx_delta_mH - t36 * t126;
+        let t357 = self.zH * t35 + self.zH * t36;
+        let t359 = hx_delta_mH - yaw_by_delta * t357;
         let hz_delta_mH = t36 * py_delta_mH;
-        let M_yaw_delta_mH = hz_delta_mH + (t35 * py_delta_mH);
+        let M_yaw_delta_mH = hz_delta_mH + t35 * py_delta_mH;
         let P_delta_yaw_mH = self.xH * t312;
         let t366 = M_yaw_delta_mH + P_delta_yaw_mH;
-        let t370 = ((t28 * hx_delta_mH) + (t41 * hz_delta_mH))
-            + (yaw_by_delta * (M_yaw_delta_mH + t366));
-        let t373 = (self.zH * yaw_by_delta) + (yaw_per_v_delta * t357);
+        let t370 = t28 * hx_delta_mH + t41 * hz_delta_mH
+            + yaw_by_delta * (M_yaw_delta_mH + t366);
+        let t373 = self.zH * yaw_by_delta + yaw_per_v_delta * t357;
         let P_delta_lateral_mH = py_delta_mH + t312;
-        let t377 = (yaw_per_v_delta * t366) + (yaw_by_delta * P_delta_lateral_mH);
+        let t377 = yaw_per_v_delta * t366 + yaw_by_delta * P_delta_lateral_mH;
         let t378 = t28 * P_delta_lateral_mH;
         let t379 = self.zH * yaw_per_v_delta;
         let t380 = yaw_per_v_delta * P_delta_lateral_mH;
         let t381 = t28 * t28;
         let C112_h_spin_F = t41 + yaw_by_delta;
-        let t386 = (yaw_by_delta * (t41 + C112_h_spin_F)) + (t41 * t41);
-        let t388 = t280 + (t41 * yaw_per_v_delta);
-        let t391 = (t28 * t41) + (t28 * yaw_by_delta);
+        let t386 = yaw_by_delta * (t41 + C112_h_spin_F) + t41 * t41;
+        let t388 = t280 + t41 * yaw_per_v_delta;
+        let t391 = t28 * t41 + t28 * yaw_by_delta;
         let t392 = t391 + t391;
         let K222_h_spin_F = t28 * yaw_per_v_delta;
         let t394 = t10 + t10;
-        let t396 = t197 - (self.rF * t28);
+        let t396 = t197 - self.rF * t28;
         let t397 = t35 - self.c;
-        let t399 = (yaw_by_delta * t397) - t396;
-        let t401 = hx_delta_rF + (self.mF * t399);
+        let t399 = yaw_by_delta * t397 - t396;
+        let t401 = hx_delta_rF + self.mF * t399;
         let t402 = t28 * self.c;
-        let t404 = (t28 * t35) - t402;
-        let t409 = ((t148 * t404) - (t28 * t396)) - (t41 * t402);
-        let t412 = (self.mF * t409) + (t28 * hx_delta_rF);
-        let t414 = yaw_by_delta + (yaw_per_v_delta * t397);
+        let t404 = t28 * t35 - t402;
+        let t409 = t148 * t404 - t28 * t396 - t41 * t402;
+        let t412 = self.mF * t409 + t28 * hx_delta_rF;
+        let t414 = yaw_by_delta + yaw_per_v_delta * t397;
         let t416 = t96 * h_spin_F;
         let t417 = C112_h_spin_F * t416;
-        let t418 = (self.mF * t414) - t417;
+        let t418 = self.mF * t414 - t417;
         let t419 = yaw_per_v_delta * t404;
         let P_delta_lateral_rF = self.mF * t28;
-        let t423 = (self.mF * t419) + (yaw_by_delta * P_delta_lateral_rF);
+        let t423 = self.mF * t419 + yaw_by_delta * P_delta_lateral_rF;
         let t424 = t28 * P_delta_lateral_rF;
         let t426 = yaw_per_v_delta * (self.mF - t416);
-        let t429 = (yaw_per_v_delta * P_delta_lateral_rF) - (K222_h_spin_F * t416);
+        let t429 = yaw_per_v_delta * P_delta_lateral_rF - K222_h_spin_F * t416;
         let t430 = self.rF * self.rF;
         let t431 = self.rF * t399;
         let hz_delta_mF = self.c * t197;
-        let M_yaw_delta_mF = hz_delta_mF - (t35 * t197);
+        let M_yaw_delta_mF = hz_delta_mF - t35 * t197;
         let P_delta_yaw_mF = self.w * t151;
         let t438 = M_yaw_delta_mF + P_delta_yaw_mF;
-        let t442 = ((self.rF * t409) + (t41 * hz_delta_mF))
-            + (yaw_by_delta * (M_yaw_delta_mF + t438));
+        let t442 = self.rF * t409 + t41 * hz_delta_mF
+            + yaw_by_delta * (M_yaw_delta_mF + t438);
         let t443 = self.rF * t414;
         let P_delta_lateral_mF = t151 - t396;
-        let t449 = ((self.rF * t419) + (yaw_per_v_delta * t438))
-            + (yaw_by_delta * P_delta_lateral_mF);
+        let t449 = self.rF * t419 + yaw_per_v_delta * t438
+            + yaw_by_delta * P_delta_lateral_mF;
         let t450 = t28 * P_delta_lateral_mF;
         let t451 = self.rF * yaw_per_v_delta;
         let t452 = yaw_per_v_delta * P_delta_lateral_mF;
@@ -1677,214 +545,462 @@ impl<T: ::carvallo::Number> WhippleSprung<T> {
         let t454 = t96 * C112_h_spin_F;
         let t455 = yaw_per_v_delta * t96;
         let t456 = t96 * K222_h_spin_F;
-        let t457 = -(t98 + (yaw_by_delta * h_wheels_all));
+        let t457 = -(t98 + yaw_by_delta * h_wheels_all);
         let t458 = -P_delta_lateral;
         let t459 = -(t28 * P_delta_lateral);
         let t460 = t396 - t151;
         (
-            {
-                #[inline(always)]
-                fn matrix<T: ::core::marker::Copy>(
-                    entries: &[T; 24],
-                    first: ::core::primitive::usize,
-                ) -> [[T; 2]; 2] {
-                    [
-                        [entries[first], entries[first + 1]],
-                        [entries[first + 2], entries[first + 3]],
-                    ]
-                }
-                let entries = [
-                    t26,
-                    t56,
-                    t56,
-                    t92,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    self.d,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t109,
-                    t457,
-                    t118,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                    self.k,
-                    Sz_all,
-                    t458,
-                    t458,
-                    t459,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t121,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t124,
-                ];
-                WhippleSprungMatrices {
-                    m: matrix(&entries, 0),
-                    c0: matrix(&entries, 4),
-                    c1: matrix(&entries, 8),
-                    kc: matrix(&entries, 12),
-                    k0: matrix(&entries, 16),
-                    k2: matrix(&entries, 20),
-                }
-            },
+            WhippleSprungMatrices::from_entries([
+                t26, t56, t56, t92, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.d,
+                self.w.like(0.0), t109, t457, t118, self.w.like(0.0), self.w.like(0.0),
+                self.w.like(0.0), self.k, Sz_all, t458, t458, t459, self.w.like(0.0), t121,
+                self.w.like(0.0), t124,
+            ]),
             WhippleSprungDerivatives {
                 values: [
-                    t134,
-                    t160,
-                    t167,
-                    t169,
-                    t185,
-                    t176,
-                    t186,
-                    t187,
-                    t190,
-                    t195,
-                    t212,
-                    t215,
-                    t216,
-                    t224,
-                    t221,
-                    t225,
-                    t226,
-                    t231,
-                    t249,
-                    t251,
-                    t253,
-                    t260,
-                    t256,
-                    t263,
-                    t264,
-                    t268,
-                    t269,
-                    t272,
-                    t273,
-                    self.mR,
-                    t274,
-                    t275,
-                    t276,
-                    self.rR,
-                    t277,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    t279,
-                    t280,
-                    t281,
-                    t282,
-                    t283,
-                    t288,
-                    t289,
-                    t293,
-                    P_delta_lateral_xB,
-                    t294,
-                    t295,
-                    t296,
-                    t285,
-                    t299,
-                    self.mB,
-                    t300,
-                    t301,
-                    t302,
-                    t304,
-                    t305,
-                    t308,
-                    self.zB,
-                    P_delta_lateral_mB,
-                    t309,
-                    t310,
-                    t311,
-                    yaw_by_delta,
-                    yaw_per_v_delta,
-                    t129,
-                    t319,
-                    t162,
-                    t324,
-                    P_delta_lateral_xH,
-                    t325,
-                    t326,
-                    Jxx_delta_zH,
-                    t333,
-                    t342,
-                    t344,
-                    t347,
-                    self.mH,
-                    t335,
-                    t348,
-                    t349,
-                    t350,
-                    Jxx_delta_mH,
-                    t359,
-                    t370,
-                    t373,
-                    t377,
-                    self.zH,
-                    P_delta_lateral_mH,
-                    t378,
-                    t379,
-                    t380,
-                    t28,
-                    t381,
-                    t386,
-                    t388,
-                    C112_h_spin_F,
-                    t392,
-                    K222_h_spin_F,
-                    t394,
-                    t401,
-                    t412,
-                    t418,
-                    t417,
-                    t423,
-                    self.mF,
-                    P_delta_lateral_rF,
-                    t424,
-                    t426,
-                    t429,
-                    t430,
-                    t431,
-                    t442,
-                    t443,
-                    t449,
-                    self.rF,
-                    t460,
-                    t450,
-                    t451,
-                    t452,
-                    t453,
-                    t454,
-                    t455,
-                    t456,
+                    t134, t160, t167, t169, t185, t176, t186, t187, t190, t195, t212, t215, t216,
+                    t224, t221, t225, t226, t231, t249, t251, t253, t260, t256, t263, t264, t268,
+                    t269, t272, t273, self.mR, t274, t275, t276, self.rR, t277, self.w.like(1.0),
+                    t279, t280, t281, t282, t283, t288, t289, t293, P_delta_lateral_xB, t294, t295,
+                    t296, t285, t299, self.mB, t300, t301, t302, t304, t305, t308, self.zB,
+                    P_delta_lateral_mB, t309, t310, t311, yaw_by_delta, yaw_per_v_delta, t129, t319,
+                    t162, t324, P_delta_lateral_xH, t325, t326, Jxx_delta_zH, t333, t342, t344,
+                    t347, self.mH, t335, t348, t349, t350, Jxx_delta_mH, t359, t370, t373, t377,
+                    self.zH, P_delta_lateral_mH, t378, t379, t380, t28, t381, t386, t388,
+                    C112_h_spin_F, t392, K222_h_spin_F, t394, t401, t412, t418, t417, t423, self.mF,
+                    P_delta_lateral_rF, t424, t426, t429, t430, t431, t442, t443, t449, self.rF,
+                    t460, t450, t451, t452, t453, t454, t455, t456,
                 ],
             },
         )
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleSprung<T> {
-    type Derivatives = [::carvallo::Coefficients<T, 2>; 28];
-    fn coefficients_and_derivatives(
-        &self,
-    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        let mut all = [::carvallo::Coefficients::from_rows(
-            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
-        ); 28];
-        for position in 0..160 {
-            ::carvallo::Partial::write(
-                &<WhippleSprungDerivatives>::PARTIALS[position],
-                &derivatives.values,
-                &mut all,
-            );
+
+// --- Parameter sets ------------------------------------------------------------------------------
+
+impl WhippleSprung<f64> {
+    /// The parameter set `benchmark`.
+    ///
+    /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; spring and damper are examples
+    pub const BENCHMARK: Self = Self {
+        w: 1.02, c: 0.08, lam: 0.3141592653589793, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.0603,
+        IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
+        xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.05892, IHyy: 0.06, IHzz: 0.00708, IHxz: -0.00756,
+        rF: 0.35, mF: 3.0, IFxx: 0.1405, IFyy: 0.28, k: 0.5, d: 0.25,
+    };
+
+    /// The parameter set `benchmark_2005`.
+    ///
+    /// Source: Schwab, Meijaard & Papadopoulos (2005), ENOC 2005; spring and damper are examples
+    pub const BENCHMARK_2005: Self = Self {
+        w: 1.02, c: 0.08, lam: 0.3217505543966422, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.06,
+        IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
+        xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.0546, IHyy: 0.06, IHzz: 0.0114, IHxz: -0.0162, rF: 0.35,
+        mF: 3.0, IFxx: 0.14, IFyy: 0.28, k: 0.5, d: 0.25,
+    };
+}
+
+// --- Parameters and matrices as arrays -----------------------------------------------------------
+
+impl<T: Number> WhippleSprung<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 28]) -> Self {
+        Self {
+            w: values[0], c: values[1], lam: values[2], g: values[3], rR: values[4], mR: values[5],
+            IRxx: values[6], IRyy: values[7], xB: values[8], zB: values[9], mB: values[10],
+            IBxx: values[11], IByy: values[12], IBzz: values[13], IBxz: values[14], xH: values[15],
+            zH: values[16], mH: values[17], IHxx: values[18], IHyy: values[19], IHzz: values[20],
+            IHxz: values[21], rF: values[22], mF: values[23], IFxx: values[24], IFyy: values[25],
+            k: values[26], d: values[27],
         }
-        (
-            ::carvallo::Coefficients::from_rows([
-                matrices.m,
-                matrices.c0,
-                matrices.c1,
-                matrices.kc,
-                matrices.k0,
-                matrices.k2,
-            ]),
-            all,
-        )
     }
+
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 28] {
+        [
+            self.w, self.c, self.lam, self.g, self.rR, self.mR, self.IRxx, self.IRyy, self.xB,
+            self.zB, self.mB, self.IBxx, self.IByy, self.IBzz, self.IBxz, self.xH, self.zH, self.mH,
+            self.IHxx, self.IHyy, self.IHzz, self.IHxz, self.rF, self.mF, self.IFxx, self.IFyy,
+            self.k, self.d,
+        ]
+    }
+}
+
+impl<T: Scalar> WhippleSprung<T> {
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: Scalar>(&self) -> WhippleSprung<U> {
+        let values = self.to_array();
+        WhippleSprung::from_array(values.map(|value| Scalar::from_f64(Scalar::to_f64(value))))
+    }
+}
+
+impl<T: Number> WhippleSprungMatrices<T> {
+    /// From the entries of one matrix after the other, each row by row.
+    #[inline(always)]
+    fn from_entries(entries: [T; 24]) -> Self {
+        Self {
+            m: carvallo::rows(&entries, 0),
+            c0: carvallo::rows(&entries, 4),
+            c1: carvallo::rows(&entries, 8),
+            kc: carvallo::rows(&entries, 12),
+            k0: carvallo::rows(&entries, 16),
+            k2: carvallo::rows(&entries, 20),
+        }
+    }
+
+    /// The rows of M, C0, C1, Kc, K0 and K2.
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        [self.m, self.c0, self.c1, self.kc, self.k0, self.k2]
+    }
+}
+
+// --- What the runtime knows of the model ---------------------------------------------------------
+
+impl<T: Scalar> Model<2> for WhippleSprung<T> {
+    type Scalar = T;
+
+    type Array<U: Copy> = [U; 28];
+
+    type Over<U: Number> = WhippleSprung<U>;
+
+    const INFO: &'static ModelInfo = &ModelInfo {
+        name: "WhippleSprung",
+        docs: "The Whipple-Carvallo bicycle with a spring and a damper between rear frame and front frame.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric, on knife-edged wheels that roll without slip on level ground. Axes: origin at the rear contact point,\nx forward, y to the right, z down, so that a centre of mass above the ground has z < 0.",
+        source: "Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3",
+        parameters: &[
+            ParameterInfo::new("w", "m", Domain::POSITIVE).docs("Wheel base."),
+            ParameterInfo::new("c", "m", Domain::FINITE)
+                .docs(
+                    "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
+                ),
+            ParameterInfo::new(
+                    "lam",
+                    "rad",
+                    Domain::between(Bound::Open(-1.5707963267948966), Bound::Open(1.5707963267948966)),
+                )
+                .symbol("λ")
+                .docs("Steer axis tilt: 90 degrees minus the head angle."),
+            ParameterInfo::new("g", "N/kg", Domain::NONNEGATIVE)
+                .docs("Gravitational field strength."),
+            ParameterInfo::new("rR", "m", Domain::POSITIVE)
+                .docs("Radius of the rear wheel."),
+            ParameterInfo::new("mR", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear wheel."),
+            ParameterInfo::new("IRxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the rear wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IRyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the rear wheel."),
+            ParameterInfo::new("xB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, forward of the rear contact."),
+            ParameterInfo::new("zB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, downward."),
+            ParameterInfo::new("mB", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear frame and rider."),
+            ParameterInfo::new("IBxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in roll."),
+            ParameterInfo::new("IByy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IBzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in yaw."),
+            ParameterInfo::new("IBxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the rear frame and rider about its centre of mass."),
+            ParameterInfo::new("xH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, forward of the rear contact."),
+            ParameterInfo::new("zH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, downward."),
+            ParameterInfo::new("mH", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front frame."),
+            ParameterInfo::new("IHxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in roll."),
+            ParameterInfo::new("IHyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IHzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in yaw."),
+            ParameterInfo::new("IHxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the front frame about its centre of mass."),
+            ParameterInfo::new("rF", "m", Domain::POSITIVE)
+                .docs("Radius of the front wheel."),
+            ParameterInfo::new("mF", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front wheel."),
+            ParameterInfo::new("IFxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the front wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IFyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the front wheel."),
+            ParameterInfo::new("k", "N*m", Domain::NONNEGATIVE)
+                .docs("Stiffness of the steering spring."),
+            ParameterInfo::new("d", "N*m*s", Domain::NONNEGATIVE)
+                .docs("Damping of the steering damper."),
+        ],
+        coordinates: &[
+            CoordinateInfo::new("phi", "rad")
+                .label("lean")
+                .docs("Lean of the rear frame, positive to the right."),
+            CoordinateInfo::new("delta", "rad")
+                .label("steer")
+                .docs("Steer of the front frame relative to the rear frame, positive to the right."),
+        ],
+        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        entries: &[
+            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
+            EntryInfo::at(&[("M", 1, 1)]), EntryInfo::at(&[("C0", 1, 1)]),
+            EntryInfo::at(&[("C1", 0, 1)]), EntryInfo::at(&[("C1", 1, 0)]),
+            EntryInfo::at(&[("C1", 1, 1)]), EntryInfo::at(&[("Kc", 1, 1)]),
+            EntryInfo::at(&[("K0", 0, 0)]), EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0)]),
+            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 1)]),
+            EntryInfo::at(&[("K2", 1, 1)]),
+        ],
+        sets: &[
+            SetInfo {
+                name: "benchmark",
+                docs: "",
+                source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; spring and damper are examples",
+                values: &WhippleSprung::<f64>::BENCHMARK.to_array(),
+            },
+            SetInfo {
+                name: "benchmark_2005",
+                docs: "",
+                source: "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005; spring and damper are examples",
+                values: &WhippleSprung::<f64>::BENCHMARK_2005.to_array(),
+            },
+        ],
+        gravity: Some(3),
+    };
+
+    fn from_slice(values: &[T]) -> Result<Self, LengthError> {
+        LengthError::check("WhippleSprung", 28, values)?;
+        Ok(<Self as Evaluator<T, 2>>::from_parameters(|position| values[position]))
+    }
+
+    fn write_to(&self, values: &mut [T]) -> Result<(), LengthError> {
+        LengthError::check("WhippleSprung", 28, values)?;
+        values.copy_from_slice(&self.to_array());
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U> {
+        core::array::from_fn(element)
+    }
+
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
+        self.to_array()
+    }
+
+    fn validate(&self) -> Result<(), ParameterError> {
+        let info = <Self as Model<2>>::INFO;
+        info.validate(&self.to_array().map(Scalar::to_f64))?;
+        Ok(())
+    }
+
+    #[inline]
+    fn coefficients(&self) -> Coefficients<T, 2> {
+        Coefficients::from_rows(WhippleSprungMatrices::rows(&self.matrices()))
+    }
+
+    fn gravity(&self) -> Option<T> {
+        Some(self.g)
+    }
+}
+
+impl<T: Number> Evaluator<T, 2> for WhippleSprung<T> {
+    type Entries = [T; 13];
+
+    #[inline(always)]
+    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
+        Self::from_array(core::array::from_fn(parameter))
+    }
+
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c0[1][1],
+            matrices.c1[0][1], matrices.c1[1][0], matrices.c1[1][1], matrices.kc[1][1],
+            matrices.k0[0][0], matrices.k0[0][1], matrices.k0[1][1], matrices.k2[0][1],
+            matrices.k2[1][1],
+        ]
+    }
+
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        WhippleSprungMatrices::rows(&self.matrices())
+    }
+}
+
+// --- Which derivatives there are -----------------------------------------------------------------
+
+impl<T: Scalar> WhippleSprungDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(&self, parameter: usize) -> Option<WhippleSprungMatrices<T>> {
+        if parameter >= 28 {
+            return None;
+        }
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut matrices = WhippleSprungMatrices {
+            m: [[zero; 2]; 2], c0: [[zero; 2]; 2], c1: [[zero; 2]; 2], kc: [[zero; 2]; 2],
+            k0: [[zero; 2]; 2], k2: [[zero; 2]; 2],
+        };
+        for position in 0..160 {
+            let partial = <WhippleSprungDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                MatrixName::M => &mut matrices.m,
+                MatrixName::C0 => &mut matrices.c0,
+                MatrixName::C1 => &mut matrices.c1,
+                MatrixName::Kc => &mut matrices.kc,
+                MatrixName::K0 => &mut matrices.k0,
+                MatrixName::K2 => &mut matrices.k2,
+            };
+            matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
+        }
+        Some(matrices)
+    }
+}
+
+impl<T: Scalar> Differentiable<2> for WhippleSprung<T> {
+    type Derivatives = [Coefficients<T, 2>; 28];
+
+    fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 6]); 28];
+        for position in 0..160 {
+            Partial::write(&<WhippleSprungDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
+        }
+        (Coefficients::from_rows(WhippleSprungMatrices::rows(&matrices)), all)
+    }
+}
+
+impl WhippleSprungDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [Partial; 160] = &[
+        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
+        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6),
+        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8).negative(),
+        Partial::new(MatrixName::M, 0, 1, 1, 9), Partial::new(MatrixName::M, 1, 0, 1, 9),
+        Partial::new(MatrixName::M, 1, 1, 1, 10), Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13), Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14), Partial::new(MatrixName::K0, 1, 1, 1, 15),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16).negative(),
+        Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17),
+        Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::K0, 1, 1, 2, 23),
+        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
+        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
+        Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 30),
+        Partial::new(MatrixName::M, 0, 0, 5, 31),
+        Partial::new(MatrixName::C1, 0, 1, 5, 32),
+        Partial::new(MatrixName::K0, 0, 0, 5, 33).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 34), Partial::new(MatrixName::M, 0, 0, 6, 35),
+        Partial::new(MatrixName::M, 1, 1, 6, 36), Partial::new(MatrixName::C1, 1, 1, 6, 37),
+        Partial::new(MatrixName::C1, 0, 1, 7, 38),
+        Partial::new(MatrixName::C1, 1, 0, 7, 38).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 39),
+        Partial::new(MatrixName::M, 0, 1, 8, 40).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 40).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 41),
+        Partial::new(MatrixName::C1, 0, 1, 8, 42).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 43),
+        Partial::new(MatrixName::K0, 0, 1, 8, 44).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 44).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 45).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 46), Partial::new(MatrixName::M, 0, 0, 9, 47),
+        Partial::new(MatrixName::M, 0, 1, 9, 48).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 48).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 49).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 50),
+        Partial::new(MatrixName::K2, 0, 1, 9, 51).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 52),
+        Partial::new(MatrixName::M, 0, 1, 10, 53).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 53).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 54),
+        Partial::new(MatrixName::C1, 0, 1, 10, 55).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 56),
+        Partial::new(MatrixName::K0, 0, 0, 10, 57),
+        Partial::new(MatrixName::K0, 0, 1, 10, 58).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 58).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 59).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 60).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 61), Partial::new(MatrixName::M, 0, 0, 11, 35),
+        Partial::new(MatrixName::M, 1, 1, 13, 36), Partial::new(MatrixName::C1, 1, 1, 13, 37),
+        Partial::new(MatrixName::M, 0, 1, 14, 62), Partial::new(MatrixName::M, 1, 0, 14, 62),
+        Partial::new(MatrixName::C1, 0, 1, 14, 63),
+        Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 65),
+        Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67),
+        Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
+        Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
+        Partial::new(MatrixName::M, 1, 1, 16, 73),
+        Partial::new(MatrixName::C1, 0, 1, 16, 74).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 16, 75).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 16, 76), Partial::new(MatrixName::K0, 0, 1, 16, 77),
+        Partial::new(MatrixName::K0, 1, 0, 16, 77), Partial::new(MatrixName::K0, 1, 1, 16, 78),
+        Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::C1, 0, 1, 17, 84).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 85),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86),
+        Partial::new(MatrixName::K0, 0, 1, 17, 87).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 17, 87).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 17, 88).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90), Partial::new(MatrixName::M, 0, 0, 18, 35),
+        Partial::new(MatrixName::M, 0, 1, 18, 91), Partial::new(MatrixName::M, 1, 0, 18, 91),
+        Partial::new(MatrixName::M, 1, 1, 18, 92), Partial::new(MatrixName::M, 1, 1, 20, 93),
+        Partial::new(MatrixName::C1, 1, 1, 20, 94), Partial::new(MatrixName::M, 0, 1, 21, 95),
+        Partial::new(MatrixName::M, 1, 0, 21, 95), Partial::new(MatrixName::M, 1, 1, 21, 96),
+        Partial::new(MatrixName::C1, 0, 1, 21, 63), Partial::new(MatrixName::C1, 1, 1, 21, 97),
+        Partial::new(MatrixName::M, 0, 0, 22, 98), Partial::new(MatrixName::M, 0, 1, 22, 99),
+        Partial::new(MatrixName::M, 1, 0, 22, 99), Partial::new(MatrixName::M, 1, 1, 22, 100),
+        Partial::new(MatrixName::C1, 0, 1, 22, 101), Partial::new(MatrixName::C1, 1, 0, 22, 102),
+        Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107), Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109), Partial::new(MatrixName::M, 0, 1, 23, 110),
+        Partial::new(MatrixName::M, 1, 0, 23, 110), Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112), Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115),
+        Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 23, 117), Partial::new(MatrixName::K2, 1, 1, 23, 118),
+        Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
+        Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
+        Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),
+        Partial::new(MatrixName::C1, 1, 0, 25, 120).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 121), Partial::new(MatrixName::K2, 1, 1, 25, 122),
+        Partial::new(MatrixName::Kc, 1, 1, 26, 35), Partial::new(MatrixName::C0, 1, 1, 27, 35),
+    ];
 }

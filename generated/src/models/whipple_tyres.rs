@@ -2,6 +2,16 @@
 // To write it anew: cargo regenerate
 // Hash of the source: 6e6bda8fcc5ab6a5
 
+#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+
+use carvallo::{
+    Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
+    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
+    Partial, Rate, Scalar, SetInfo,
+};
+
+// --- The parameters ------------------------------------------------------------------------------
+
 /// The Whipple-Carvallo bicycle on tyres whose cross-sections are circles.
 ///
 /// Four rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally
@@ -14,14 +24,8 @@
 /// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleTyres<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleTyres<T = f64> {
     /// Wheel base.
     ///
     /// `w` in m: > 0.
@@ -135,194 +139,14 @@ pub struct WhippleTyres<T = ::core::primitive::f64> {
     /// `rhoF` in m: >= 0.
     pub rhoF: T,
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl WhippleTyres<::core::primitive::f64> {
-    /// The parameter set `benchmark`.
-    ///
-    /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; tyres are examples
-    pub const BENCHMARK: Self = Self {
-        w: 1.02,
-        c: 0.08,
-        lam: 0.3141592653589793,
-        g: 9.81,
-        rR: 0.3,
-        mR: 2.0,
-        IRxx: 0.0603,
-        IRyy: 0.12,
-        xB: 0.3,
-        zB: -0.9,
-        mB: 85.0,
-        IBxx: 9.2,
-        IByy: 11.0,
-        IBzz: 2.8,
-        IBxz: 2.4,
-        xH: 0.9,
-        zH: -0.7,
-        mH: 4.0,
-        IHxx: 0.05892,
-        IHyy: 0.06,
-        IHzz: 0.00708,
-        IHxz: -0.00756,
-        rF: 0.35,
-        mF: 3.0,
-        IFxx: 0.1405,
-        IFyy: 0.28,
-        rhoR: 0.02,
-        rhoF: 0.02,
-    };
-    /// The parameter set `benchmark_2005`.
-    ///
-    /// Source: Schwab, Meijaard & Papadopoulos (2005), ENOC 2005; tyres are examples
-    pub const BENCHMARK_2005: Self = Self {
-        w: 1.02,
-        c: 0.08,
-        lam: 0.3217505543966422,
-        g: 9.81,
-        rR: 0.3,
-        mR: 2.0,
-        IRxx: 0.06,
-        IRyy: 0.12,
-        xB: 0.3,
-        zB: -0.9,
-        mB: 85.0,
-        IBxx: 9.2,
-        IByy: 11.0,
-        IBzz: 2.8,
-        IBxz: 2.4,
-        xH: 0.9,
-        zH: -0.7,
-        mH: 4.0,
-        IHxx: 0.0546,
-        IHyy: 0.06,
-        IHzz: 0.0114,
-        IHxz: -0.0162,
-        rF: 0.35,
-        mF: 3.0,
-        IFxx: 0.14,
-        IFyy: 0.28,
-        rhoR: 0.02,
-        rhoF: 0.02,
-    };
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleTyres<T> {
-    /// The parameters from an array in declared order.
-    #[must_use]
-    pub const fn from_array(values: [T; 28]) -> Self {
-        Self {
-            w: values[0],
-            c: values[1],
-            lam: values[2],
-            g: values[3],
-            rR: values[4],
-            mR: values[5],
-            IRxx: values[6],
-            IRyy: values[7],
-            xB: values[8],
-            zB: values[9],
-            mB: values[10],
-            IBxx: values[11],
-            IByy: values[12],
-            IBzz: values[13],
-            IBxz: values[14],
-            xH: values[15],
-            zH: values[16],
-            mH: values[17],
-            IHxx: values[18],
-            IHyy: values[19],
-            IHzz: values[20],
-            IHxz: values[21],
-            rF: values[22],
-            mF: values[23],
-            IFxx: values[24],
-            IFyy: values[25],
-            rhoR: values[26],
-            rhoF: values[27],
-        }
-    }
-    /// The parameters as an array in declared order.
-    #[must_use]
-    pub const fn to_array(&self) -> [T; 28] {
-        [
-            self.w,
-            self.c,
-            self.lam,
-            self.g,
-            self.rR,
-            self.mR,
-            self.IRxx,
-            self.IRyy,
-            self.xB,
-            self.zB,
-            self.mB,
-            self.IBxx,
-            self.IByy,
-            self.IBzz,
-            self.IBxz,
-            self.xH,
-            self.zH,
-            self.mH,
-            self.IHxx,
-            self.IHyy,
-            self.IHzz,
-            self.IHxz,
-            self.rF,
-            self.mF,
-            self.IFxx,
-            self.IFyy,
-            self.rhoR,
-            self.rhoF,
-        ]
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleTyres<T> {
-    /// The same parameters in another number type, each rounded to the nearest.
-    #[must_use]
-    pub fn cast<U: ::carvallo::Scalar>(&self) -> WhippleTyres<U> {
-        WhippleTyres {
-            w: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.w)),
-            c: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.c)),
-            lam: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.lam)),
-            g: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.g)),
-            rR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rR)),
-            mR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mR)),
-            IRxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IRxx)),
-            IRyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IRyy)),
-            xB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xB)),
-            zB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zB)),
-            mB: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mB)),
-            IBxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBxx)),
-            IByy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IByy)),
-            IBzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBzz)),
-            IBxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IBxz)),
-            xH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.xH)),
-            zH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.zH)),
-            mH: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mH)),
-            IHxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHxx)),
-            IHyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHyy)),
-            IHzz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHzz)),
-            IHxz: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IHxz)),
-            rF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rF)),
-            mF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.mF)),
-            IFxx: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IFxx)),
-            IFyy: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.IFyy)),
-            rhoR: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rhoR)),
-            rhoF: ::carvallo::Scalar::from_f64(::carvallo::Scalar::to_f64(self.rhoF)),
-        }
-    }
-}
+
+// --- The coefficient matrices --------------------------------------------------------------------
+
 /// The coefficient matrices of [`WhippleTyres`], each 2 x 2 and row by row, in SI units.
 ///
 /// Matrices that are not among them are zero.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleTyresMatrices<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleTyresMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
     pub m: [[T; 2]; 2],
     /// Damping C1, a coefficient of v q'.
@@ -332,8 +156,8 @@ pub struct WhippleTyresMatrices<T = ::core::primitive::f64> {
     /// Stiffness K2, a coefficient of v^2 q.
     pub k2: [[T; 2]; 2],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleTyres<T> {
+
+impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices, from one straight-line program:
     /// 53 additions, 54 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 113 operations.
     ///
@@ -343,115 +167,78 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
     pub fn matrices(&self) -> WhippleTyresMatrices<T> {
         let t6 = self.zH * self.mH;
         let t10 = self.rF * self.mF;
-        let Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
-            + (self.zB * t21);
-        let (t28, t40) = ::carvallo::Number::sin_cos(self.lam);
+        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (t28, t40) = self.lam.sin_cos();
         let t35 = self.c + self.w;
         let t36 = t35 - self.xH;
-        let Jxz_delta = (self.IHxz + (t6 * t36)) - (t10 * self.c);
-        let hx_delta = (Jxx_delta * t28) + (Jxz_delta * t40);
-        let t43 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
+        let hx_delta = Jxx_delta * t28 + Jxz_delta * t40;
+        let t43 = self.w.like(1.0) / self.w;
         let yaw_per_v_delta = t40 * t43;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let Sz_delta = t6 - t10;
-        let Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t35 * Sz_delta);
-        let t55 = hx_delta + (yaw_by_delta * Jxz_all);
+        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
+        let t55 = hx_delta + yaw_by_delta * Jxz_all;
         let t57 = self.mH * t36;
         let t59 = self.mF * self.c;
         let t62 = self.IFxx + self.IHzz;
-        let hz_delta = (t28 * Jxz_delta)
-            + (t40 * (((t36 * t57) + (self.c * t59)) + t62));
+        let hz_delta = t28 * Jxz_delta + t40 * (t36 * t57 + self.c * t59 + t62);
         let t68 = t57 + t59;
-        let t70 = (t28 * Sz_delta) + (t40 * t68);
-        let M_yaw_delta = hz_delta - (t35 * t70);
+        let t70 = t28 * Sz_delta + t40 * t68;
+        let M_yaw_delta = hz_delta - t35 * t70;
         let t74 = self.mB * self.xB;
         let t85 = yaw_by_delta
-            * (((((self.IRxx + t62) + self.IBzz) + (self.xB * t74))
-                + ((self.mH * self.xH) * self.xH)) + ((self.mF * self.w) * self.w));
+            * (self.IRxx + t62 + self.IBzz + self.xB * t74 + self.mH * self.xH * self.xH
+                + self.mF * self.w * self.w);
         let P_delta_yaw = M_yaw_delta + t85;
-        let t92 = ((yaw_by_delta * (M_yaw_delta + P_delta_yaw)) + (t28 * hx_delta))
-            + (t40 * hz_delta);
+        let t92 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + t28 * hx_delta
+            + t40 * hz_delta;
         let h_spin_F = self.IFyy / self.rF;
-        let h_wheels_all = h_spin_F + (self.IRyy / self.rR);
-        let Sz_all = (t21 + Sz_delta) - t17;
+        let h_wheels_all = h_spin_F + self.IRyy / self.rR;
+        let Sz_all = t21 + Sz_delta - t17;
         let t101 = h_wheels_all - Sz_all;
         let t104 = t40 * h_spin_F;
-        let t106 = ((yaw_by_delta * t101) + (yaw_per_v_delta * Jxz_all)) + t104;
+        let t106 = yaw_by_delta * t101 + yaw_per_v_delta * Jxz_all + t104;
         let m_delta = self.mH + self.mF;
-        let Sx_all = (t74 + (t35 * m_delta)) - t68;
-        let P_delta_lateral = (yaw_by_delta * Sx_all) - t70;
-        let t117 = (yaw_by_delta * P_delta_lateral) + (yaw_per_v_delta * P_delta_yaw);
+        let Sx_all = t74 + t35 * m_delta - t68;
+        let P_delta_lateral = yaw_by_delta * Sx_all - t70;
+        let t117 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
         let t119 = t43 * Sx_all;
-        let t127 = (Sz_all + (self.rhoF * t119))
-            + (self.rhoR * (((self.mR + self.mB) + m_delta) - t119));
-        let K_phi_delta = t70 + (t119 * ((t28 * self.rhoF) - (self.c * t40)));
+        let t127 = Sz_all + self.rhoF * t119
+            + self.rhoR * (self.mR + self.mB + m_delta - t119);
+        let K_phi_delta = t70 + t119 * (t28 * self.rhoF - self.c * t40);
         let t133 = t28 * K_phi_delta;
         let t134 = yaw_per_v_delta * t101;
-        let t137 = yaw_per_v_delta * (P_delta_lateral + (t28 * h_spin_F));
-        let t138 = -(t104 + (yaw_by_delta * h_wheels_all));
-        {
-            #[inline(always)]
-            fn matrix<T: ::core::marker::Copy>(
-                entries: &[T; 16],
-                first: ::core::primitive::usize,
-            ) -> [[T; 2]; 2] {
-                [
-                    [entries[first], entries[first + 1]],
-                    [entries[first + 2], entries[first + 3]],
-                ]
-            }
-            let entries = [
-                t26,
-                t55,
-                t55,
-                t92,
-                ::carvallo::Number::like(self.w, 0.0),
-                t106,
-                t138,
-                t117,
-                t127,
-                K_phi_delta,
-                K_phi_delta,
-                t133,
-                ::carvallo::Number::like(self.w, 0.0),
-                t134,
-                ::carvallo::Number::like(self.w, 0.0),
-                t137,
-            ];
-            WhippleTyresMatrices {
-                m: matrix(&entries, 0),
-                c1: matrix(&entries, 4),
-                k0: matrix(&entries, 8),
-                k2: matrix(&entries, 12),
-            }
-        }
+        let t137 = yaw_per_v_delta * (P_delta_lateral + t28 * h_spin_F);
+        let t138 = -(t104 + yaw_by_delta * h_wheels_all);
+        WhippleTyresMatrices::from_entries([
+            t26, t55, t55, t92, self.w.like(0.0), t106, t138, t117, t127, K_phi_delta, K_phi_delta,
+            t133, self.w.like(0.0), t134, self.w.like(0.0), t137,
+        ])
     }
 }
+
+// --- Rates and forces of the mechanism -----------------------------------------------------------
+
 /// Rates and forces of [`WhippleTyres`] that follow from its coordinates q = (`phi`, `delta`), to first order and in SI units.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleTyresKinematics<T = ::core::primitive::f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleTyresKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
-    pub lateral: ::carvallo::Rate<T, 2>,
+    pub lateral: Rate<T, 2>,
     /// Yaw rate, to the right, in rad/s: of `B`.
-    pub yaw: ::carvallo::Rate<T, 2>,
+    pub yaw: Rate<T, 2>,
     /// Spin of the wheel `R`, rear wheel: about the y axis, so negative in forward motion, in rad/s.
-    pub wheel_R: ::carvallo::Rate<T, 2>,
+    pub wheel_R: Rate<T, 2>,
     /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in rad/s.
-    pub wheel_F: ::carvallo::Rate<T, 2>,
+    pub wheel_F: Rate<T, 2>,
     /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m.
     pub forces: [[T; 2]; 2],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleTyres<T> {
+
+impl<T: Scalar> WhippleTyres<T> {
     /// Rates and forces that follow from the coordinates:
     /// 1 multiplication, 3 divisions, 2 negations and 1 trigonometric function: 7 operations.
     ///
@@ -459,1279 +246,145 @@ impl<T: ::carvallo::Scalar> WhippleTyres<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleTyresKinematics<T> {
-        let yaw_per_v_delta = (::carvallo::Number::cos(self.lam)) / self.w;
+        let yaw_per_v_delta = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
-        let t12 = -(::carvallo::Number::like(self.w, 1.0) / self.rR);
-        let t13 = -(::carvallo::Number::like(self.w, 1.0) / self.rF);
+        let t12 = -(self.w.like(1.0) / self.rR);
+        let t13 = -(self.w.like(1.0) / self.rF);
         WhippleTyresKinematics {
-            lateral: ::carvallo::Rate {
-                speed: ::carvallo::Number::like(self.w, 0.0),
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 1.0),
+            lateral: Rate {
+                speed: self.w.like(0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(1.0),
             },
-            yaw: ::carvallo::Rate {
-                speed: ::carvallo::Number::like(self.w, 0.0),
-                rates: [::carvallo::Number::like(self.w, 0.0), yaw_by_delta],
-                coordinates: [::carvallo::Number::like(self.w, 0.0), yaw_per_v_delta],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+            yaw: Rate {
+                speed: self.w.like(0.0),
+                rates: [self.w.like(0.0), yaw_by_delta],
+                coordinates: [self.w.like(0.0), yaw_per_v_delta],
+                heading: self.w.like(0.0),
             },
-            wheel_R: ::carvallo::Rate {
+            wheel_R: Rate {
                 speed: t12,
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(0.0),
             },
-            wheel_F: ::carvallo::Rate {
+            wheel_F: Rate {
                 speed: t13,
-                rates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                coordinates: [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                heading: ::carvallo::Number::like(self.w, 0.0),
+                rates: [self.w.like(0.0), self.w.like(0.0)],
+                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                heading: self.w.like(0.0),
             },
             forces: [
-                [
-                    ::carvallo::Number::like(self.w, 1.0),
-                    ::carvallo::Number::like(self.w, 0.0),
-                ],
-                [
-                    ::carvallo::Number::like(self.w, 0.0),
-                    ::carvallo::Number::like(self.w, 1.0),
-                ],
+                [self.w.like(1.0), self.w.like(0.0)],
+                [self.w.like(0.0), self.w.like(1.0)],
             ],
         }
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Model<2> for WhippleTyres<T> {
-    type Scalar = T;
-    type Array<U: ::core::marker::Copy> = [U; 28];
-    type Over<U: ::carvallo::Number> = WhippleTyres<U>;
-    const INFO: &'static ::carvallo::ModelInfo = &::carvallo::ModelInfo {
-        name: "WhippleTyres",
-        docs: "The Whipple-Carvallo bicycle on tyres whose cross-sections are circles.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric. The rims of the wheels are parts of tori that roll without slip on level ground: the radii rR and rF of\nthe wheels reach from the centre to the ground, and those of the cross-sections, rhoR and rhoF, are parts of them.\nAxes: origin at the rear contact point, x forward, y to the right, z down.",
-        source: "Mechanism: Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics",
-        parameters: &[
-            ::carvallo::ParameterInfo {
-                name: "w",
-                symbol: "w",
-                docs: "Wheel base.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "c",
-                symbol: "c",
-                docs: "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "lam",
-                symbol: "λ",
-                docs: "Steer axis tilt: 90 degrees minus the head angle.",
-                unit: "rad",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(-1.5707963267948966),
-                    upper: ::carvallo::Bound::Open(1.5707963267948966),
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "g",
-                symbol: "g",
-                docs: "Gravitational field strength.",
-                unit: "N/kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rR",
-                symbol: "rR",
-                docs: "Radius of the rear wheel.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mR",
-                symbol: "mR",
-                docs: "Mass of the rear wheel.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IRxx",
-                symbol: "IRxx",
-                docs: "Radial moment of inertia of the rear wheel; by symmetry also about the vertical.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IRyy",
-                symbol: "IRyy",
-                docs: "Axial moment of inertia of the rear wheel.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xB",
-                symbol: "xB",
-                docs: "Centre of mass of the rear frame and rider, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zB",
-                symbol: "zB",
-                docs: "Centre of mass of the rear frame and rider, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mB",
-                symbol: "mB",
-                docs: "Mass of the rear frame and rider.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBxx",
-                symbol: "IBxx",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IByy",
-                symbol: "IByy",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBzz",
-                symbol: "IBzz",
-                docs: "Moment of inertia of the rear frame and rider about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IBxz",
-                symbol: "IBxz",
-                docs: "Product of inertia of the rear frame and rider about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "xH",
-                symbol: "xH",
-                docs: "Centre of mass of the front frame, forward of the rear contact.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "zH",
-                symbol: "zH",
-                docs: "Centre of mass of the front frame, downward.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mH",
-                symbol: "mH",
-                docs: "Mass of the front frame.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHxx",
-                symbol: "IHxx",
-                docs: "Moment of inertia of the front frame about its centre of mass, in roll.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHyy",
-                symbol: "IHyy",
-                docs: "Moment of inertia of the front frame about its centre of mass, in pitch.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: false,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHzz",
-                symbol: "IHzz",
-                docs: "Moment of inertia of the front frame about its centre of mass, in yaw.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IHxz",
-                symbol: "IHxz",
-                docs: "Product of inertia of the front frame about its centre of mass.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Unbounded,
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rF",
-                symbol: "rF",
-                docs: "Radius of the front wheel.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Open(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "mF",
-                symbol: "mF",
-                docs: "Mass of the front wheel.",
-                unit: "kg",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IFxx",
-                symbol: "IFxx",
-                docs: "Radial moment of inertia of the front wheel; by symmetry also about the vertical.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "IFyy",
-                symbol: "IFyy",
-                docs: "Axial moment of inertia of the front wheel.",
-                unit: "kg*m^2",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rhoR",
-                symbol: "rhoR",
-                docs: "Radius of the cross-section of the rear tyre.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-            ::carvallo::ParameterInfo {
-                name: "rhoF",
-                symbol: "rhoF",
-                docs: "Radius of the cross-section of the front tyre.",
-                unit: "m",
-                domain: ::carvallo::Domain {
-                    lower: ::carvallo::Bound::Closed(0.0),
-                    upper: ::carvallo::Bound::Unbounded,
-                    nonzero: false,
-                },
-                used: true,
-            },
-        ],
-        coordinates: &[
-            ::carvallo::CoordinateInfo {
-                name: "phi",
-                label: "lean",
-                docs: "Lean of the rear frame, positive to the right.",
-                unit: "rad",
-            },
-            ::carvallo::CoordinateInfo {
-                name: "delta",
-                label: "steer",
-                docs: "Steer of the front frame relative to the rear frame, positive to the right.",
-                unit: "rad",
-            },
-        ],
-        matrices: &[
-            ::carvallo::MatrixName::M,
-            ::carvallo::MatrixName::C1,
-            ::carvallo::MatrixName::K0,
-            ::carvallo::MatrixName::K2,
-        ],
-        entries: &[
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::M, 0, 1),
-                    (::carvallo::MatrixName::M, 1, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::M, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::C1, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 0, 0)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[
-                    (::carvallo::MatrixName::K0, 0, 1),
-                    (::carvallo::MatrixName::K0, 1, 0),
-                ],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K0, 1, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 0, 1)],
-            },
-            ::carvallo::EntryInfo {
-                places: &[(::carvallo::MatrixName::K2, 1, 1)],
-            },
-        ],
-        sets: &[
-            ::carvallo::SetInfo {
-                name: "benchmark",
-                docs: "",
-                source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; tyres are examples",
-                values: &[
-                    1.02,
-                    0.08,
-                    0.3141592653589793,
-                    9.81,
-                    0.3,
-                    2.0,
-                    0.0603,
-                    0.12,
-                    0.3,
-                    -0.9,
-                    85.0,
-                    9.2,
-                    11.0,
-                    2.8,
-                    2.4,
-                    0.9,
-                    -0.7,
-                    4.0,
-                    0.05892,
-                    0.06,
-                    0.00708,
-                    -0.00756,
-                    0.35,
-                    3.0,
-                    0.1405,
-                    0.28,
-                    0.02,
-                    0.02,
-                ],
-            },
-            ::carvallo::SetInfo {
-                name: "benchmark_2005",
-                docs: "",
-                source: "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005; tyres are examples",
-                values: &[
-                    1.02,
-                    0.08,
-                    0.3217505543966422,
-                    9.81,
-                    0.3,
-                    2.0,
-                    0.06,
-                    0.12,
-                    0.3,
-                    -0.9,
-                    85.0,
-                    9.2,
-                    11.0,
-                    2.8,
-                    2.4,
-                    0.9,
-                    -0.7,
-                    4.0,
-                    0.0546,
-                    0.06,
-                    0.0114,
-                    -0.0162,
-                    0.35,
-                    3.0,
-                    0.14,
-                    0.28,
-                    0.02,
-                    0.02,
-                ],
-            },
-        ],
-        gravity: ::core::option::Option::Some(3),
-    };
-    fn from_slice(
-        values: &[T],
-    ) -> ::core::result::Result<Self, ::carvallo::LengthError> {
-        if values.len() != 28 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "WhippleTyres",
-                expected: 28,
-                found: values.len(),
-            });
-        }
-        ::core::result::Result::Ok(Self {
-            w: values[0],
-            c: values[1],
-            lam: values[2],
-            g: values[3],
-            rR: values[4],
-            mR: values[5],
-            IRxx: values[6],
-            IRyy: values[7],
-            xB: values[8],
-            zB: values[9],
-            mB: values[10],
-            IBxx: values[11],
-            IByy: values[12],
-            IBzz: values[13],
-            IBxz: values[14],
-            xH: values[15],
-            zH: values[16],
-            mH: values[17],
-            IHxx: values[18],
-            IHyy: values[19],
-            IHzz: values[20],
-            IHxz: values[21],
-            rF: values[22],
-            mF: values[23],
-            IFxx: values[24],
-            IFyy: values[25],
-            rhoR: values[26],
-            rhoF: values[27],
-        })
-    }
-    fn write_to(
-        &self,
-        values: &mut [T],
-    ) -> ::core::result::Result<(), ::carvallo::LengthError> {
-        if values.len() != 28 {
-            return ::core::result::Result::Err(::carvallo::LengthError {
-                model: "WhippleTyres",
-                expected: 28,
-                found: values.len(),
-            });
-        }
-        values.copy_from_slice(&self.to_array());
-        ::core::result::Result::Ok(())
-    }
-    #[inline(always)]
-    fn array<U: ::core::marker::Copy>(
-        element: impl ::core::ops::FnMut(::core::primitive::usize) -> U,
-    ) -> Self::Array<U> {
-        ::core::array::from_fn(element)
-    }
-    #[inline(always)]
-    fn parameters(&self) -> Self::Array<T> {
-        self.to_array()
-    }
-    fn validate(&self) -> ::core::result::Result<(), ::carvallo::ParameterError> {
-        let info = <Self as ::carvallo::Model<2>>::INFO;
-        info.validate(
-            &[
-                ::carvallo::Scalar::to_f64(self.w),
-                ::carvallo::Scalar::to_f64(self.c),
-                ::carvallo::Scalar::to_f64(self.lam),
-                ::carvallo::Scalar::to_f64(self.g),
-                ::carvallo::Scalar::to_f64(self.rR),
-                ::carvallo::Scalar::to_f64(self.mR),
-                ::carvallo::Scalar::to_f64(self.IRxx),
-                ::carvallo::Scalar::to_f64(self.IRyy),
-                ::carvallo::Scalar::to_f64(self.xB),
-                ::carvallo::Scalar::to_f64(self.zB),
-                ::carvallo::Scalar::to_f64(self.mB),
-                ::carvallo::Scalar::to_f64(self.IBxx),
-                ::carvallo::Scalar::to_f64(self.IByy),
-                ::carvallo::Scalar::to_f64(self.IBzz),
-                ::carvallo::Scalar::to_f64(self.IBxz),
-                ::carvallo::Scalar::to_f64(self.xH),
-                ::carvallo::Scalar::to_f64(self.zH),
-                ::carvallo::Scalar::to_f64(self.mH),
-                ::carvallo::Scalar::to_f64(self.IHxx),
-                ::carvallo::Scalar::to_f64(self.IHyy),
-                ::carvallo::Scalar::to_f64(self.IHzz),
-                ::carvallo::Scalar::to_f64(self.IHxz),
-                ::carvallo::Scalar::to_f64(self.rF),
-                ::carvallo::Scalar::to_f64(self.mF),
-                ::carvallo::Scalar::to_f64(self.IFxx),
-                ::carvallo::Scalar::to_f64(self.IFyy),
-                ::carvallo::Scalar::to_f64(self.rhoR),
-                ::carvallo::Scalar::to_f64(self.rhoF),
-            ],
-        )?;
-        ::core::result::Result::Ok(())
-    }
-    #[inline]
-    fn coefficients(&self) -> ::carvallo::Coefficients<T, 2> {
-        let matrices = self.matrices();
-        ::carvallo::Coefficients::from_rows([
-            matrices.m,
-            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-            matrices.c1,
-            [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-            matrices.k0,
-            matrices.k2,
-        ])
-    }
-    fn gravity(&self) -> ::core::option::Option<T> {
-        ::core::option::Option::Some(self.g)
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> ::carvallo::Evaluator<T, 2> for WhippleTyres<T> {
-    type Entries = [T; 11];
-    #[inline(always)]
-    fn from_parameters(
-        mut parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> T,
-    ) -> Self {
-        Self {
-            w: parameter(0),
-            c: parameter(1),
-            lam: parameter(2),
-            g: parameter(3),
-            rR: parameter(4),
-            mR: parameter(5),
-            IRxx: parameter(6),
-            IRyy: parameter(7),
-            xB: parameter(8),
-            zB: parameter(9),
-            mB: parameter(10),
-            IBxx: parameter(11),
-            IByy: parameter(12),
-            IBzz: parameter(13),
-            IBxz: parameter(14),
-            xH: parameter(15),
-            zH: parameter(16),
-            mH: parameter(17),
-            IHxx: parameter(18),
-            IHyy: parameter(19),
-            IHzz: parameter(20),
-            IHxz: parameter(21),
-            rF: parameter(22),
-            mF: parameter(23),
-            IFxx: parameter(24),
-            IFyy: parameter(25),
-            rhoR: parameter(26),
-            rhoF: parameter(27),
-        }
-    }
-    #[inline(always)]
-    fn entries(&self) -> Self::Entries {
-        let matrices = self.matrices();
-        [
-            matrices.m[0][0],
-            matrices.m[0][1],
-            matrices.m[1][1],
-            matrices.c1[0][1],
-            matrices.c1[1][0],
-            matrices.c1[1][1],
-            matrices.k0[0][0],
-            matrices.k0[0][1],
-            matrices.k0[1][1],
-            matrices.k2[0][1],
-            matrices.k2[1][1],
-        ]
-    }
-    #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
-        let matrices = self.matrices();
-        [
-            matrices.m,
-            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
-            matrices.c1,
-            [[::carvallo::Number::like(self.w, 0.0); 2]; 2],
-            matrices.k0,
-            matrices.k2,
-        ]
-    }
-}
-/// The derivatives of the matrices of [`WhippleTyres`] with respect to its parameters, in SI units: those that are not zero for all parameters.
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
-pub struct WhippleTyresDerivatives<T = ::core::primitive::f64> {
+
+// --- The derivatives of the matrices -------------------------------------------------------------
+
+/// The derivatives of the matrices of [`WhippleTyres`] with respect to its parameters, in SI units: those that are not
+/// zero for all parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleTyresDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
     pub values: [T; 130],
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl WhippleTyresDerivatives {
-    /// Which derivatives there are, by parameters.
-    pub const PARTIALS: &'static [::carvallo::Partial; 166] = &[
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 0, 0),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 0, 1),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 0, 2),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 0, 3),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 0, 4),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 0, 5),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 0, 6),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 0, 7),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 0, 8).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 0, 9),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 1, 10),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 1, 11),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 1, 12),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 1, 13).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 1, 14),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 1, 15),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 1, 16),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 1, 17),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 2, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 2, 18),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 2, 19),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 2, 20).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 2, 21),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 2, 22),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 2, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 2, 23),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 2, 24),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 2, 25).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 2, 26),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 4, 27),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 4, 28),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 4, 29),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 4, 30).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 4, 31),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 5, 32),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 5, 33),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 5, 34),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 5, 35),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 6, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 6, 37),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 6, 38),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 7, 39),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 7, 39).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 7, 40),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 8, 41).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 8, 41).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 8, 42),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 8, 43).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 8, 44),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 8, 45),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 8, 46),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 8, 46),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 8, 47),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 8, 48),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 9, 49),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 9, 50).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 9, 50).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 9, 51).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 9, 52),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 9, 53).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 10, 54),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 10, 55).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 10, 55).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 10, 56),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 10, 57).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 10, 58),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 10, 59),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 10, 60),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 10, 60),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 10, 61),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 10, 62).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 10, 63),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 11, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 13, 37),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 13, 38),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 14, 64),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 14, 64),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 14, 65),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 15, 66).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 15, 66).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 15, 67),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 15, 68).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 15, 69),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 15, 70),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 15, 71).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 15, 71).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 15, 72).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 15, 73),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 16, 74),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 16, 75),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 16, 75),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 16, 76),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 16, 77),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 16, 78),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 16, 79),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 16, 80),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 16, 80),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 16, 81),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 16, 82).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 16, 83).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 17, 84),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 17, 85),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 17, 85),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 17, 86),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 17, 87),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 17, 88),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 17, 89),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 17, 90),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 17, 90),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 17, 91),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 17, 92).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 17, 93),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 18, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 18, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 18, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 18, 95),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 20, 96),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 20, 97),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 21, 98),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 21, 98),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 21, 99),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 21, 65),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 21, 100),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 22, 101),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 22, 102),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 22, 102),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 22, 103),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 22, 104),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 22, 105),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 22, 106),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 22, 107).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 22, 108).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 22, 108).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 22, 109).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 22, 110),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 22, 111),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 23, 112),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 23, 113),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 23, 113),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 23, 114),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 23, 115),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 23, 116),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 23, 117),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 23, 118),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 23, 118),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 23, 119),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 23, 120),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 23, 121),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 0, 24, 36),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 0, 1, 24, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 0, 24, 94),
-        ::carvallo::Partial::new(::carvallo::MatrixName::M, 1, 1, 24, 122),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 1, 24, 97),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 0, 1, 25, 123),
-        ::carvallo::Partial::new(::carvallo::MatrixName::C1, 1, 0, 25, 123).negative(),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 0, 1, 25, 124),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K2, 1, 1, 25, 125),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 26, 126),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 0, 27, 127),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 0, 1, 27, 128),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 0, 27, 128),
-        ::carvallo::Partial::new(::carvallo::MatrixName::K0, 1, 1, 27, 129),
-    ];
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> WhippleTyresDerivatives<T> {
-    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
-    /// if there is no such parameter.
-    #[must_use]
-    pub fn with_respect_to(
-        &self,
-        parameter: ::core::primitive::usize,
-    ) -> ::core::option::Option<WhippleTyresMatrices<T>> {
-        if parameter >= 28 {
-            return ::core::option::Option::None;
-        }
-        let zero = <T as ::carvallo::Scalar>::from_f64(0.0);
-        let mut matrices = WhippleTyresMatrices {
-            m: [[zero; 2]; 2],
-            c1: [[zero; 2]; 2],
-            k0: [[zero; 2]; 2],
-            k2: [[zero; 2]; 2],
-        };
-        for position in 0..166 {
-            let partial = <WhippleTyresDerivatives>::PARTIALS[position];
-            if partial.parameter != parameter {
-                continue;
-            }
-            let matrix = match partial.matrix {
-                ::carvallo::MatrixName::M => &mut matrices.m,
-                ::carvallo::MatrixName::C1 => &mut matrices.c1,
-                ::carvallo::MatrixName::K0 => &mut matrices.k0,
-                ::carvallo::MatrixName::K2 => &mut matrices.k2,
-                _ => continue,
-            };
-            matrix[partial.row][partial.column] = ::carvallo::Partial::of(
-                &partial,
-                &self.values,
-            );
-        }
-        ::core::option::Option::Some(matrices)
-    }
-}
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Number> WhippleTyres<T> {
+
+impl<T: Number> WhippleTyres<T> {
     /// The coefficient matrices and their derivatives, from one straight-line program:
     /// 185 additions, 280 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 471 operations.
     ///
     /// The parameters are not validated; at valid ones every derivative exists.
     #[inline(always)]
     #[must_use]
-    pub fn matrices_and_derivatives(
-        &self,
-    ) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
+    pub fn matrices_and_derivatives(&self) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
         let (
-            t6,
-            t10,
-            Jxx_delta,
-            t17,
-            t21,
-            t26,
-            t28,
-            t40,
-            t34,
-            t36,
-            Jxz_delta,
-            t41,
-            hx_delta,
-            t43,
-            yaw_per_v_delta,
-            yaw_by_delta,
-            Sz_delta,
-            Jxz_all,
-            t55,
-            t57,
-            t59,
-            t60,
-            t62,
-            t65,
-            hz_delta,
-            t70,
-            t72,
-            M_yaw_delta,
-            t76,
-            t78,
-            t80,
-            P_delta_yaw_yaw_by_delta,
-            t87,
-            P_delta_yaw,
-            t89,
-            t92,
-            t95,
-            h_spin_F,
-            t97,
-            t99,
-            t100,
-            h_wheels_all,
-            Sz_all,
-            t104,
-            t106,
-            t108,
-            m_delta,
-            Sx_all,
-            t116,
-            P_delta_lateral,
-            t119,
-            t121,
-            t122,
-            t126,
-            t129,
-            t130,
-            t132,
-            K_phi_delta,
-            t135,
-            t136,
-            t137,
-            t138,
-            t139,
-            C112_h_spin_F,
-            t141,
-            t143,
-            t144,
-            t145,
-            M12_yaw_per_v_delta,
-            t148,
-            t149,
-            t150,
-            t151,
-            t152,
-            M22_hz_delta,
-            t155,
-            M22_Jxz_delta,
-            t160,
-            t163,
-            t165,
-            P_delta_yaw_w,
-            M22_yaw_by_delta,
-            M22_yaw_per_v_delta,
-            t173,
-            t174,
-            t176,
-            C112_yaw_per_v_delta,
-            t180,
-            t181,
-            t182,
-            C122_Sx_all,
-            t185,
-            t187,
-            t189,
-            K222_h_spin_F,
-            t195,
-            t199,
-            C122_yaw_by_delta,
-            C122_yaw_per_v_delta,
-            t208,
-            t209,
-            K011_Sx_all,
-            t211,
-            t213,
-            t216,
-            K_phi_delta_Sx_all,
-            t218,
-            t219,
-            t221,
-            K_phi_delta_w,
-            t224,
-            t225,
-            K222_Sx_all,
-            t228,
-            t229,
-            t231,
-            K222_yaw_by_delta,
-            K222_yaw_per_v_delta,
-            t236,
-            t239,
-            t242,
-            hz_delta_c,
-            t250,
-            t253,
-            t254,
-            t257,
-            t263,
-            K_phi_delta_c,
-            t268,
-            t272,
-            hx_delta_lam,
-            t275,
-            t277,
-            t283,
-            hz_delta_lam,
-            t293,
-            t295,
-            t297,
-            t302,
-            K_phi_delta_rhoF,
-            K_phi_delta_lam,
-            t310,
-            t311,
-            t315,
-            t316,
-            t317,
-            t318,
-            t319,
-            t320,
-            t321,
-            t322,
-            t323,
-            t324,
-            t325,
-            t327,
-            t328,
-            t329,
-            t330,
-            t331,
-            P_delta_yaw_xB,
-            t334,
-            t335,
-            t338,
-            t339,
-            K_phi_delta_xB,
-            t341,
-            t342,
-            t343,
-            t345,
-            t346,
-            t347,
-            t348,
-            t349,
-            P_delta_yaw_mB,
-            t351,
-            t352,
-            t355,
-            t358,
-            K_phi_delta_mB,
-            t360,
-            t361,
-            t362,
-            P_delta_yaw_xH,
-            t366,
-            t368,
-            t369,
-            t370,
-            t371,
-            t373,
-            t375,
-            t378,
-            t379,
-            M22_Jxx_delta,
-            t384,
-            t387,
-            t389,
-            t390,
-            t391,
-            t393,
-            t394,
-            K_phi_delta_zH,
-            t396,
-            t397,
-            t398,
-            t399,
-            t400,
-            P_delta_yaw_mH,
-            t406,
-            t407,
-            C122_m_delta,
-            t414,
-            K011_m_delta,
-            t419,
-            K_phi_delta_m_delta,
-            K_phi_delta_mH,
-            t424,
-            t425,
-            K222_m_delta,
-            t430,
-            t432,
-            t433,
-            t434,
-            t436,
-            t438,
-            t441,
-            t445,
-            t448,
-            t449,
-            t451,
-            t452,
-            t453,
-            t455,
-            t456,
-            t457,
-            t458,
-            t461,
-            t464,
-            t465,
-            t466,
-            P_delta_yaw_mF,
-            t472,
-            t473,
-            t479,
-            t482,
-            K_phi_delta_mF,
-            t486,
-            t487,
-            t491,
-            t492,
-            t493,
-            t494,
+            t6, t10, Jxx_delta, t17, t21, t26, t28, t40, t34, t36, Jxz_delta, t41, hx_delta, t43,
+            yaw_per_v_delta, yaw_by_delta, Sz_delta, Jxz_all, t55, t57, t59, t60, t62, t65,
+            hz_delta, t70, t72, M_yaw_delta, t76, t78, t80, P_delta_yaw_yaw_by_delta, t87,
+            P_delta_yaw, t89, t92, t95, h_spin_F, t97, t99, t100, h_wheels_all, Sz_all, t104, t106,
+            t108, m_delta, Sx_all, t116, P_delta_lateral, t119, t121, t122, t126, t129, t130, t132,
+            K_phi_delta, t135, t136, t137, t138, t139, C112_h_spin_F, t141, t143, t144, t145,
+            M12_yaw_per_v_delta, t148, t149, t150, t151, t152, M22_hz_delta, t155, M22_Jxz_delta,
+            t160, t163, t165, P_delta_yaw_w, M22_yaw_by_delta, M22_yaw_per_v_delta, t173, t174,
+            t176, C112_yaw_per_v_delta, t180, t181, t182, C122_Sx_all, t185, t187, t189,
+            K222_h_spin_F, t195, t199, C122_yaw_by_delta, C122_yaw_per_v_delta, t208, t209,
+            K011_Sx_all, t211, t213, t216, K_phi_delta_Sx_all, t218, t219, t221, K_phi_delta_w,
+            t224, t225, K222_Sx_all, t228, t229, t231, K222_yaw_by_delta, K222_yaw_per_v_delta,
+            t236, t239, t242, hz_delta_c, t250, t253, t254, t257, t263, K_phi_delta_c, t268, t272,
+            hx_delta_lam, t275, t277, t283, hz_delta_lam, t293, t295, t297, t302, K_phi_delta_rhoF,
+            K_phi_delta_lam, t310, t311, t315, t316, t317, t318, t319, t320, t321, t322, t323, t324,
+            t325, t327, t328, t329, t330, t331, P_delta_yaw_xB, t334, t335, t338, t339,
+            K_phi_delta_xB, t341, t342, t343, t345, t346, t347, t348, t349, P_delta_yaw_mB, t351,
+            t352, t355, t358, K_phi_delta_mB, t360, t361, t362, P_delta_yaw_xH, t366, t368, t369,
+            t370, t371, t373, t375, t378, t379, M22_Jxx_delta, t384, t387, t389, t390, t391, t393,
+            t394, K_phi_delta_zH, t396, t397, t398, t399, t400, P_delta_yaw_mH, t406, t407,
+            C122_m_delta, t414, K011_m_delta, t419, K_phi_delta_m_delta, K_phi_delta_mH, t424, t425,
+            K222_m_delta, t430, t432, t433, t434, t436, t438, t441, t445, t448, t449, t451, t452,
+            t453, t455, t456, t457, t458, t461, t464, t465, t466, P_delta_yaw_mF, t472, t473, t479,
+            t482, K_phi_delta_mF, t486, t487, t491, t492, t493, t494,
         );
         t6 = self.zH * self.mH;
         t10 = self.rF * self.mF;
-        Jxx_delta = ((self.IHxx + self.IFxx) + (self.zH * t6)) + (self.rF * t10);
+        Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         t17 = self.rR * self.mR;
         t21 = self.zB * self.mB;
-        t26 = (((self.IRxx + self.IBxx) + Jxx_delta) + (self.rR * t17))
-            + (self.zB * t21);
-        (t28, t40) = ::carvallo::Number::sin_cos(self.lam);
+        t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        (t28, t40) = self.lam.sin_cos();
         t34 = self.c + self.w;
         t36 = t34 - self.xH;
-        Jxz_delta = (self.IHxz + (t6 * t36)) - (t10 * self.c);
+        Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
         t41 = Jxz_delta * t40;
-        hx_delta = (Jxx_delta * t28) + t41;
-        t43 = ::carvallo::Number::like(self.w, 1.0) / self.w;
+        hx_delta = Jxx_delta * t28 + t41;
+        t43 = self.w.like(1.0) / self.w;
         yaw_per_v_delta = t40 * t43;
         yaw_by_delta = self.c * yaw_per_v_delta;
         Sz_delta = t6 - t10;
-        Jxz_all = ((Jxz_delta + self.IBxz) - (t21 * self.xB)) - (t34 * Sz_delta);
-        t55 = hx_delta + (yaw_by_delta * Jxz_all);
+        Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t34 * Sz_delta;
+        t55 = hx_delta + yaw_by_delta * Jxz_all;
         t57 = t28 * Jxz_delta;
         t59 = self.IFxx + self.IHzz;
         t60 = self.mF * self.c;
         t62 = self.mH * t36;
-        t65 = (t59 + (self.c * t60)) + (t36 * t62);
-        hz_delta = t57 + (t40 * t65);
+        t65 = t59 + self.c * t60 + t36 * t62;
+        hz_delta = t57 + t40 * t65;
         t70 = t60 + t62;
-        t72 = (t28 * Sz_delta) + (t40 * t70);
-        M_yaw_delta = hz_delta - (t34 * t72);
+        t72 = t28 * Sz_delta + t40 * t70;
+        M_yaw_delta = hz_delta - t34 * t72;
         t76 = self.mB * self.xB;
         t78 = self.xH * self.xH;
         t80 = self.w * self.w;
-        P_delta_yaw_yaw_by_delta = ((((self.IRxx + t59) + self.IBzz) + (self.xB * t76))
-            + (self.mH * t78)) + (self.mF * t80);
+        P_delta_yaw_yaw_by_delta = self.IRxx + t59 + self.IBzz + self.xB * t76
+            + self.mH * t78 + self.mF * t80;
         t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
         P_delta_yaw = M_yaw_delta + t87;
         t89 = M_yaw_delta + P_delta_yaw;
-        t92 = ((t28 * hx_delta) + (t40 * hz_delta)) + (yaw_by_delta * t89);
-        t95 = ::carvallo::Number::like(self.w, 1.0) / self.rF;
+        t92 = t28 * hx_delta + t40 * hz_delta + yaw_by_delta * t89;
+        t95 = self.w.like(1.0) / self.rF;
         h_spin_F = self.IFyy * t95;
         t97 = t40 * h_spin_F;
-        t99 = ::carvallo::Number::like(self.w, 1.0) / self.rR;
+        t99 = self.w.like(1.0) / self.rR;
         t100 = self.IRyy * t99;
         h_wheels_all = h_spin_F + t100;
-        Sz_all = (t21 + Sz_delta) - t17;
+        Sz_all = t21 + Sz_delta - t17;
         t104 = h_wheels_all - Sz_all;
         t106 = yaw_per_v_delta * Jxz_all;
-        t108 = (t97 + (yaw_by_delta * t104)) + t106;
+        t108 = t97 + yaw_by_delta * t104 + t106;
         m_delta = self.mH + self.mF;
-        Sx_all = (t76 + (t34 * m_delta)) - t70;
+        Sx_all = t76 + t34 * m_delta - t70;
         t116 = yaw_by_delta * Sx_all;
         P_delta_lateral = t116 - t72;
-        t119 = (yaw_per_v_delta * P_delta_yaw) + (yaw_by_delta * P_delta_lateral);
+        t119 = yaw_per_v_delta * P_delta_yaw + yaw_by_delta * P_delta_lateral;
         t121 = t43 * Sx_all;
         t122 = self.rhoF * t121;
-        t126 = ((self.mR + self.mB) + m_delta) - t121;
-        t129 = (Sz_all + t122) + (self.rhoR * t126);
+        t126 = self.mR + self.mB + m_delta - t121;
+        t129 = Sz_all + t122 + self.rhoR * t126;
         t130 = self.c * t40;
-        t132 = (t28 * self.rhoF) - t130;
-        K_phi_delta = t72 + (t121 * t132);
+        t132 = t28 * self.rhoF - t130;
+        K_phi_delta = t72 + t121 * t132;
         t135 = t28 * K_phi_delta;
         t136 = yaw_per_v_delta * t104;
         t137 = t28 * h_spin_F;
@@ -1739,93 +392,90 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t139 = yaw_per_v_delta * t138;
         C112_h_spin_F = t40 + yaw_by_delta;
         t141 = t6 * C112_h_spin_F;
-        t143 = t141 - (yaw_by_delta * Sz_delta);
+        t143 = t141 - yaw_by_delta * Sz_delta;
         t144 = t43 * t43;
         t145 = t40 * t144;
         M12_yaw_per_v_delta = self.c * Jxz_all;
-        t148 = t143 - (t145 * M12_yaw_per_v_delta);
+        t148 = t143 - t145 * M12_yaw_per_v_delta;
         t149 = yaw_by_delta + yaw_by_delta;
         t150 = t34 * t149;
         t151 = t40 * t150;
         t152 = t36 * t40;
         M22_hz_delta = t40 + t149;
-        t155 = (t152 * M22_hz_delta) - t151;
+        t155 = t152 * M22_hz_delta - t151;
         M22_Jxz_delta = t28 * (t40 + M22_hz_delta);
         t160 = t40 * t62;
-        t163 = ((self.mH * t155) + (t6 * M22_Jxz_delta)) + (M22_hz_delta * t160);
-        t165 = t163 - (t72 * t149);
-        P_delta_yaw_w = (self.mF * self.w) * t149;
+        t163 = self.mH * t155 + t6 * M22_Jxz_delta + M22_hz_delta * t160;
+        t165 = t163 - t72 * t149;
+        P_delta_yaw_w = self.mF * self.w * t149;
         M22_yaw_by_delta = t87 + t89;
         M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        t173 = (t165 + (yaw_by_delta * P_delta_yaw_w)) - (t145 * M22_yaw_per_v_delta);
+        t173 = t165 + yaw_by_delta * P_delta_yaw_w - t145 * M22_yaw_per_v_delta;
         t174 = t6 * yaw_per_v_delta;
-        t176 = t174 - (yaw_per_v_delta * Sz_delta);
-        C112_yaw_per_v_delta = Jxz_all + (self.c * t104);
-        t180 = t176 - (t145 * C112_yaw_per_v_delta);
+        t176 = t174 - yaw_per_v_delta * Sz_delta;
+        C112_yaw_per_v_delta = Jxz_all + self.c * t104;
+        t180 = t176 - t145 * C112_yaw_per_v_delta;
         t181 = self.c * h_wheels_all;
         t182 = t145 * t181;
         C122_Sx_all = yaw_by_delta * yaw_by_delta;
-        t185 = yaw_by_delta + (t34 * yaw_per_v_delta);
-        t187 = C122_Sx_all + (t40 * t185);
-        t189 = (yaw_per_v_delta * t152) - t187;
+        t185 = yaw_by_delta + t34 * yaw_per_v_delta;
+        t187 = C122_Sx_all + t40 * t185;
+        t189 = yaw_per_v_delta * t152 - t187;
         K222_h_spin_F = t28 * yaw_per_v_delta;
-        t195 = ((self.mH * t189) + (t6 * K222_h_spin_F)) + (yaw_per_v_delta * t160);
-        t199 = (t195 + (m_delta * C122_Sx_all)) - (yaw_per_v_delta * t72);
-        C122_yaw_by_delta = (t116 + P_delta_lateral)
-            + (yaw_per_v_delta * P_delta_yaw_yaw_by_delta);
-        C122_yaw_per_v_delta = P_delta_yaw + (self.c * C122_yaw_by_delta);
-        t208 = (t199 + (yaw_per_v_delta * P_delta_yaw_w))
-            - (t145 * C122_yaw_per_v_delta);
+        t195 = self.mH * t189 + t6 * K222_h_spin_F + yaw_per_v_delta * t160;
+        t199 = t195 + m_delta * C122_Sx_all - yaw_per_v_delta * t72;
+        C122_yaw_by_delta = t116 + P_delta_lateral
+            + yaw_per_v_delta * P_delta_yaw_yaw_by_delta;
+        C122_yaw_per_v_delta = P_delta_yaw + self.c * C122_yaw_by_delta;
+        t208 = t199 + yaw_per_v_delta * P_delta_yaw_w - t145 * C122_yaw_per_v_delta;
         t209 = self.rhoF - self.rhoR;
         K011_Sx_all = t43 * t209;
         t211 = self.mH * K011_Sx_all;
         t213 = Sx_all * t144;
-        t216 = ((m_delta * K011_Sx_all) - t211) - (t209 * t213);
+        t216 = m_delta * K011_Sx_all - t211 - t209 * t213;
         K_phi_delta_Sx_all = t43 * t132;
         t218 = t40 - K_phi_delta_Sx_all;
         t219 = self.mH * t218;
-        t221 = t219 + (m_delta * K_phi_delta_Sx_all);
-        K_phi_delta_w = t221 - (t132 * t213);
+        t221 = t219 + m_delta * K_phi_delta_Sx_all;
+        K_phi_delta_w = t221 - t132 * t213;
         t224 = t28 * K_phi_delta_w;
         t225 = t104 * t145;
         K222_Sx_all = yaw_per_v_delta * yaw_by_delta;
-        t228 = (t40 * yaw_per_v_delta) + K222_Sx_all;
+        t228 = t40 * yaw_per_v_delta + K222_Sx_all;
         t229 = self.mH * t228;
-        t231 = (m_delta * K222_Sx_all) - t229;
+        t231 = m_delta * K222_Sx_all - t229;
         K222_yaw_by_delta = yaw_per_v_delta * Sx_all;
-        K222_yaw_per_v_delta = t138 + (self.c * K222_yaw_by_delta);
-        t236 = t231 - (t145 * K222_yaw_per_v_delta);
-        t239 = (t106 + t143) - (t10 * C112_h_spin_F);
-        t242 = (t130 * M22_hz_delta) - t151;
+        K222_yaw_per_v_delta = t138 + self.c * K222_yaw_by_delta;
+        t236 = t231 - t145 * K222_yaw_per_v_delta;
+        t239 = t106 + t143 - t10 * C112_h_spin_F;
+        t242 = t130 * M22_hz_delta - t151;
         hz_delta_c = t40 * t60;
-        t250 = (((t165 + (self.mF * t242)) + (yaw_per_v_delta * M22_yaw_by_delta))
-            + (M22_hz_delta * hz_delta_c)) - (t10 * M22_Jxz_delta);
-        t253 = t176 + (yaw_per_v_delta * (t104 - t10));
+        t250 = t165 + self.mF * t242 + yaw_per_v_delta * M22_yaw_by_delta
+            + M22_hz_delta * hz_delta_c - t10 * M22_Jxz_delta;
+        t253 = t176 + yaw_per_v_delta * (t104 - t10);
         t254 = yaw_per_v_delta * h_wheels_all;
-        t257 = (yaw_per_v_delta * t130) - t187;
-        t263 = ((t199 + (self.mF * t257))
-            + (yaw_per_v_delta * (C122_yaw_by_delta + hz_delta_c)))
-            - (t10 * K222_h_spin_F);
-        K_phi_delta_c = (t221 + (self.mF * t218)) - (t40 * t121);
+        t257 = yaw_per_v_delta * t130 - t187;
+        t263 = t199 + self.mF * t257 + yaw_per_v_delta * (C122_yaw_by_delta + hz_delta_c)
+            - t10 * K222_h_spin_F;
+        K_phi_delta_c = t221 + self.mF * t218 - t40 * t121;
         t268 = t28 * K_phi_delta_c;
-        t272 = (t231 + (yaw_per_v_delta * K222_yaw_by_delta)) - (self.mF * t228);
-        hx_delta_lam = (Jxx_delta * t40) - t57;
+        t272 = t231 + yaw_per_v_delta * K222_yaw_by_delta - self.mF * t228;
+        hx_delta_lam = Jxx_delta * t40 - t57;
         t275 = t28 * t43;
-        t277 = hx_delta_lam - (M12_yaw_per_v_delta * t275);
-        t283 = (t40 * Sz_delta) - (t28 * t70);
-        hz_delta_lam = t41 - (t28 * t65);
-        t293 = (((((t28 * hx_delta_lam) + (t40 * hx_delta))
-            + (M22_hz_delta * hz_delta_lam)) - (t28 * hz_delta)) - (t150 * t283))
-            - (M22_yaw_per_v_delta * t275);
-        t295 = t137 + (C112_yaw_per_v_delta * t275);
-        t297 = t137 + (t181 * t275);
-        t302 = ((yaw_per_v_delta * hz_delta_lam) - (t185 * t283))
-            - (C122_yaw_per_v_delta * t275);
+        t277 = hx_delta_lam - M12_yaw_per_v_delta * t275;
+        t283 = t40 * Sz_delta - t28 * t70;
+        hz_delta_lam = t41 - t28 * t65;
+        t293 = t28 * hx_delta_lam + t40 * hx_delta + M22_hz_delta * hz_delta_lam
+            - t28 * hz_delta - t150 * t283 - M22_yaw_per_v_delta * t275;
+        t295 = t137 + C112_yaw_per_v_delta * t275;
+        t297 = t137 + t181 * t275;
+        t302 = yaw_per_v_delta * hz_delta_lam - t185 * t283
+            - C122_yaw_per_v_delta * t275;
         K_phi_delta_rhoF = t28 * t121;
-        K_phi_delta_lam = (t283 + (self.c * K_phi_delta_rhoF)) + (t40 * t122);
-        t310 = (t28 * K_phi_delta_lam) + (t40 * K_phi_delta);
+        K_phi_delta_lam = t283 + self.c * K_phi_delta_rhoF + t40 * t122;
+        t310 = t28 * K_phi_delta_lam + t40 * K_phi_delta;
         t311 = t104 * t275;
-        t315 = (yaw_per_v_delta * (t97 - t283)) - (K222_yaw_per_v_delta * t275);
+        t315 = yaw_per_v_delta * (t97 - t283) - K222_yaw_per_v_delta * t275;
         t316 = t17 + t17;
         t317 = t99 * t100;
         t318 = self.mR - t317;
@@ -1841,16 +491,16 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t329 = t21 * yaw_by_delta;
         t330 = yaw_by_delta * self.xB;
         t331 = self.mB * t330;
-        P_delta_yaw_xB = t331 + (yaw_by_delta * t76);
+        P_delta_yaw_xB = t331 + yaw_by_delta * t76;
         t334 = yaw_by_delta * P_delta_yaw_xB;
         t335 = t21 * yaw_per_v_delta;
-        t338 = (self.mB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_xB);
+        t338 = self.mB * C122_Sx_all + yaw_per_v_delta * P_delta_yaw_xB;
         t339 = self.mB * K011_Sx_all;
         K_phi_delta_xB = self.mB * K_phi_delta_Sx_all;
         t341 = t28 * K_phi_delta_xB;
         t342 = self.mB * K222_Sx_all;
         t343 = t21 + t21;
-        t345 = yaw_by_delta + (yaw_per_v_delta * self.xB);
+        t345 = yaw_by_delta + yaw_per_v_delta * self.xB;
         t346 = self.mB * t345;
         t347 = self.mB * yaw_per_v_delta;
         t348 = self.zB * self.zB;
@@ -1858,29 +508,29 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         P_delta_yaw_mB = self.xB * t330;
         t351 = yaw_by_delta * P_delta_yaw_mB;
         t352 = self.zB * t345;
-        t355 = (self.xB * C122_Sx_all) + (yaw_per_v_delta * P_delta_yaw_mB);
-        t358 = (self.zB + self.rhoR) + (self.xB * K011_Sx_all);
+        t355 = self.xB * C122_Sx_all + yaw_per_v_delta * P_delta_yaw_mB;
+        t358 = self.zB + self.rhoR + self.xB * K011_Sx_all;
         K_phi_delta_mB = self.xB * K_phi_delta_Sx_all;
         t360 = t28 * K_phi_delta_mB;
         t361 = self.zB * yaw_per_v_delta;
         t362 = self.xB * K222_Sx_all;
-        P_delta_yaw_xH = (self.mH * self.xH) * t149;
-        t366 = (yaw_by_delta * P_delta_yaw_xH) - t163;
-        t368 = (yaw_per_v_delta * P_delta_yaw_xH) - t195;
+        P_delta_yaw_xH = self.mH * self.xH * t149;
+        t366 = yaw_by_delta * P_delta_yaw_xH - t163;
+        t368 = yaw_per_v_delta * P_delta_yaw_xH - t195;
         t369 = t28 * t219;
         t370 = t6 + t6;
         t371 = t34 * yaw_by_delta;
         t373 = self.zH * t28;
-        t375 = ((t36 * C112_h_spin_F) + t373) - t371;
-        t378 = (self.mH * t375) + (t6 * t28);
+        t375 = t36 * C112_h_spin_F + t373 - t371;
+        t378 = self.mH * t375 + t6 * t28;
         t379 = t28 * t150;
         M22_Jxx_delta = t28 * t28;
-        t384 = ((self.zH * M22_Jxx_delta) + (t36 * M22_Jxz_delta)) - t379;
-        t387 = (self.mH * t384) + (t6 * M22_Jxx_delta);
-        t389 = (t36 * yaw_per_v_delta) - t185;
+        t384 = self.zH * M22_Jxx_delta + t36 * M22_Jxz_delta - t379;
+        t387 = self.mH * t384 + t6 * M22_Jxx_delta;
+        t389 = t36 * yaw_per_v_delta - t185;
         t390 = self.mH * t389;
         t391 = t28 * t185;
-        t393 = (t36 * K222_h_spin_F) - t391;
+        t393 = t36 * K222_h_spin_F - t391;
         t394 = self.mH * t393;
         K_phi_delta_zH = self.mH * t28;
         t396 = t28 * K_phi_delta_zH;
@@ -1889,257 +539,492 @@ impl<T: ::carvallo::Number> WhippleTyres<T> {
         t399 = self.zH * self.zH;
         t400 = self.zH * t375;
         P_delta_yaw_mH = yaw_by_delta * t78;
-        t406 = ((self.zH * t384) + (t36 * t155)) + (yaw_by_delta * P_delta_yaw_mH);
+        t406 = self.zH * t384 + t36 * t155 + yaw_by_delta * P_delta_yaw_mH;
         t407 = self.zH * t389;
         C122_m_delta = t34 * C122_Sx_all;
-        t414 = ((C122_m_delta + (self.zH * t393)) + (t36 * t189))
-            + (yaw_per_v_delta * P_delta_yaw_mH);
-        K011_m_delta = self.rhoR + (t34 * K011_Sx_all);
-        t419 = (self.zH + K011_m_delta) - (t36 * K011_Sx_all);
+        t414 = C122_m_delta + self.zH * t393 + t36 * t189
+            + yaw_per_v_delta * P_delta_yaw_mH;
+        K011_m_delta = self.rhoR + t34 * K011_Sx_all;
+        t419 = self.zH + K011_m_delta - t36 * K011_Sx_all;
         K_phi_delta_m_delta = t34 * K_phi_delta_Sx_all;
-        K_phi_delta_mH = (t373 + K_phi_delta_m_delta) + (t36 * t218);
+        K_phi_delta_mH = t373 + K_phi_delta_m_delta + t36 * t218;
         t424 = t28 * K_phi_delta_mH;
         t425 = self.zH * yaw_per_v_delta;
         K222_m_delta = t34 * K222_Sx_all;
-        t430 = (K222_m_delta - (self.zH * K222_h_spin_F)) - (t36 * t228);
-        t432 = C122_Sx_all + (t40 * M22_hz_delta);
+        t430 = K222_m_delta - self.zH * K222_h_spin_F - t36 * t228;
+        t432 = C122_Sx_all + t40 * M22_hz_delta;
         t433 = yaw_per_v_delta * C112_h_spin_F;
         t434 = t10 + t10;
         t436 = self.rF * t28;
-        t438 = (t371 + t436) - (self.c * C112_h_spin_F);
-        t441 = (self.mF * t438) + (t10 * t28);
-        t445 = (t379 + (self.rF * M22_Jxx_delta)) - (self.c * M22_Jxz_delta);
-        t448 = (self.mF * t445) + (t10 * M22_Jxx_delta);
+        t438 = t371 + t436 - self.c * C112_h_spin_F;
+        t441 = self.mF * t438 + t10 * t28;
+        t445 = t379 + self.rF * M22_Jxx_delta - self.c * M22_Jxz_delta;
+        t448 = self.mF * t445 + t10 * M22_Jxx_delta;
         t449 = t185 - yaw_by_delta;
         t451 = t95 * h_spin_F;
         t452 = C112_h_spin_F * t451;
-        t453 = (self.mF * t449) - t452;
-        t455 = t391 - (self.c * K222_h_spin_F);
+        t453 = self.mF * t449 - t452;
+        t455 = t391 - self.c * K222_h_spin_F;
         t456 = self.mF * t455;
         t457 = self.mF * t28;
         t458 = t28 * t457;
-        t461 = (self.mF * yaw_per_v_delta) - (yaw_per_v_delta * t451);
-        t464 = (self.mF * K222_h_spin_F) - (K222_h_spin_F * t451);
+        t461 = self.mF * yaw_per_v_delta - yaw_per_v_delta * t451;
+        t464 = self.mF * K222_h_spin_F - K222_h_spin_F * t451;
         t465 = self.rF * self.rF;
         t466 = self.rF * t438;
         P_delta_yaw_mF = yaw_by_delta * t80;
-        t472 = ((self.c * t242) + (self.rF * t445)) + (yaw_by_delta * P_delta_yaw_mF);
+        t472 = self.c * t242 + self.rF * t445 + yaw_by_delta * P_delta_yaw_mF;
         t473 = self.rF * t449;
-        t479 = ((C122_m_delta + (self.c * t257)) + (self.rF * t455))
-            + (yaw_per_v_delta * P_delta_yaw_mF);
-        t482 = (K011_m_delta - self.rF) - (self.c * K011_Sx_all);
-        K_phi_delta_mF = (K_phi_delta_m_delta + (self.c * t218)) - t436;
+        t479 = C122_m_delta + self.c * t257 + self.rF * t455
+            + yaw_per_v_delta * P_delta_yaw_mF;
+        t482 = K011_m_delta - self.rF - self.c * K011_Sx_all;
+        K_phi_delta_mF = K_phi_delta_m_delta + self.c * t218 - t436;
         t486 = t28 * K_phi_delta_mF;
         t487 = self.rF * yaw_per_v_delta;
-        t491 = (K222_m_delta + (self.rF * K222_h_spin_F)) - (self.c * t228);
+        t491 = K222_m_delta + self.rF * K222_h_spin_F - self.c * t228;
         t492 = M22_Jxx_delta + t432;
         t493 = t95 * C112_h_spin_F;
         t494 = yaw_per_v_delta * t95;
         let (t495, t496, t497);
         t495 = t95 * K222_h_spin_F;
         t496 = t28 * K_phi_delta_rhoF;
-        t497 = -(t97 + (yaw_by_delta * h_wheels_all));
+        t497 = -(t97 + yaw_by_delta * h_wheels_all);
         (
-            {
-                #[inline(always)]
-                fn matrix<T: ::core::marker::Copy>(
-                    entries: &[T; 16],
-                    first: ::core::primitive::usize,
-                ) -> [[T; 2]; 2] {
-                    [
-                        [entries[first], entries[first + 1]],
-                        [entries[first + 2], entries[first + 3]],
-                    ]
-                }
-                let entries = [
-                    t26,
-                    t55,
-                    t55,
-                    t92,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t108,
-                    t497,
-                    t119,
-                    t129,
-                    K_phi_delta,
-                    K_phi_delta,
-                    t135,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t136,
-                    ::carvallo::Number::like(self.w, 0.0),
-                    t139,
-                ];
-                WhippleTyresMatrices {
-                    m: matrix(&entries, 0),
-                    c1: matrix(&entries, 4),
-                    k0: matrix(&entries, 8),
-                    k2: matrix(&entries, 12),
-                }
-            },
+            WhippleTyresMatrices::from_entries([
+                t26, t55, t55, t92, self.w.like(0.0), t108, t497, t119, t129, K_phi_delta,
+                K_phi_delta, t135, self.w.like(0.0), t136, self.w.like(0.0), t139,
+            ]),
             WhippleTyresDerivatives {
                 values: [
-                    t148,
-                    t173,
-                    t180,
-                    t182,
-                    t208,
-                    t216,
-                    K_phi_delta_w,
-                    t224,
-                    t225,
-                    t236,
-                    t239,
-                    t250,
-                    t253,
-                    t254,
-                    t263,
-                    K_phi_delta_c,
-                    t268,
-                    t272,
-                    t277,
-                    t293,
-                    t295,
-                    t297,
-                    t302,
-                    K_phi_delta_lam,
-                    t310,
-                    t311,
-                    t315,
-                    t316,
-                    t319,
-                    t320,
-                    self.mR,
-                    t321,
-                    t322,
-                    t323,
-                    t324,
-                    t325,
-                    ::carvallo::Number::like(self.w, 1.0),
-                    C122_Sx_all,
-                    K222_Sx_all,
-                    t327,
-                    t328,
-                    t329,
-                    t334,
-                    t335,
-                    t338,
-                    t339,
-                    K_phi_delta_xB,
-                    t341,
-                    t342,
-                    t343,
-                    t331,
-                    t346,
-                    self.mB,
-                    t347,
-                    t348,
-                    t349,
-                    t351,
-                    t352,
-                    t355,
-                    t358,
-                    K_phi_delta_mB,
-                    t360,
-                    t361,
-                    t362,
-                    yaw_by_delta,
-                    yaw_per_v_delta,
-                    t141,
-                    t366,
-                    t174,
-                    t368,
-                    t211,
-                    t219,
-                    t369,
-                    t229,
-                    t370,
-                    t378,
-                    t387,
-                    t390,
-                    t394,
-                    self.mH,
-                    K_phi_delta_zH,
-                    t396,
-                    t397,
-                    t398,
-                    t399,
-                    t400,
-                    t406,
-                    t407,
-                    t414,
-                    t419,
-                    K_phi_delta_mH,
-                    t424,
-                    t425,
-                    t430,
-                    t28,
-                    M22_Jxx_delta,
-                    t432,
-                    t433,
-                    C112_h_spin_F,
-                    M22_Jxz_delta,
-                    K222_h_spin_F,
-                    t434,
-                    t441,
-                    t448,
-                    t453,
-                    t452,
-                    t456,
-                    self.mF,
-                    t457,
-                    t458,
-                    t461,
-                    t464,
-                    t465,
-                    t466,
-                    t472,
-                    t473,
-                    t479,
-                    t482,
-                    K_phi_delta_mF,
-                    t486,
-                    t487,
-                    t491,
-                    t492,
-                    t493,
-                    t494,
-                    t495,
-                    t126,
-                    t121,
-                    K_phi_delta_rhoF,
-                    t496,
+                    t148, t173, t180, t182, t208, t216, K_phi_delta_w, t224, t225, t236, t239, t250,
+                    t253, t254, t263, K_phi_delta_c, t268, t272, t277, t293, t295, t297, t302,
+                    K_phi_delta_lam, t310, t311, t315, t316, t319, t320, self.mR, t321, t322, t323,
+                    t324, t325, self.w.like(1.0), C122_Sx_all, K222_Sx_all, t327, t328, t329, t334,
+                    t335, t338, t339, K_phi_delta_xB, t341, t342, t343, t331, t346, self.mB, t347,
+                    t348, t349, t351, t352, t355, t358, K_phi_delta_mB, t360, t361, t362,
+                    yaw_by_delta, yaw_per_v_delta, t141, t366, t174, t368, t211, t219, t369, t229,
+                    t370, t378, t387, t390, t394, self.mH, K_phi_delta_zH, t396, t397, t398, t399,
+                    t400, t406, t407, t414, t419, K_phi_delta_mH, t424, t425, t430, t28,
+                    M22_Jxx_delta, t432, t433, C112_h_spin_F, M22_Jxz_delta, K222_h_spin_F, t434,
+                    t441, t448, t453, t452, t456, self.mF, t457, t458, t461, t464, t465, t466, t472,
+                    t473, t479, t482, K_phi_delta_mF, t486, t487, t491, t492, t493, t494, t495,
+                    t126, t121, K_phi_delta_rhoF, t496,
                 ],
             },
         )
     }
 }
-#[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
-impl<T: ::carvallo::Scalar> ::carvallo::Differentiable<2> for WhippleTyres<T> {
-    type Derivatives = [::carvallo::Coefficients<T, 2>; 28];
-    fn coefficients_and_derivatives(
-        &self,
-    ) -> (::carvallo::Coefficients<T, 2>, Self::Derivatives) {
-        let (matrices, derivatives) = self.matrices_and_derivatives();
-        let mut all = [::carvallo::Coefficients::from_rows(
-            [[[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2]; 6],
-        ); 28];
-        for position in 0..166 {
-            ::carvallo::Partial::write(
-                &<WhippleTyresDerivatives>::PARTIALS[position],
-                &derivatives.values,
-                &mut all,
-            );
+
+// --- Parameter sets ------------------------------------------------------------------------------
+
+impl WhippleTyres<f64> {
+    /// The parameter set `benchmark`.
+    ///
+    /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; tyres are examples
+    pub const BENCHMARK: Self = Self {
+        w: 1.02, c: 0.08, lam: 0.3141592653589793, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.0603,
+        IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
+        xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.05892, IHyy: 0.06, IHzz: 0.00708, IHxz: -0.00756,
+        rF: 0.35, mF: 3.0, IFxx: 0.1405, IFyy: 0.28, rhoR: 0.02, rhoF: 0.02,
+    };
+
+    /// The parameter set `benchmark_2005`.
+    ///
+    /// Source: Schwab, Meijaard & Papadopoulos (2005), ENOC 2005; tyres are examples
+    pub const BENCHMARK_2005: Self = Self {
+        w: 1.02, c: 0.08, lam: 0.3217505543966422, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.06,
+        IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
+        xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.0546, IHyy: 0.06, IHzz: 0.0114, IHxz: -0.0162, rF: 0.35,
+        mF: 3.0, IFxx: 0.14, IFyy: 0.28, rhoR: 0.02, rhoF: 0.02,
+    };
+}
+
+// --- Parameters and matrices as arrays -----------------------------------------------------------
+
+impl<T: Number> WhippleTyres<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 28]) -> Self {
+        Self {
+            w: values[0], c: values[1], lam: values[2], g: values[3], rR: values[4], mR: values[5],
+            IRxx: values[6], IRyy: values[7], xB: values[8], zB: values[9], mB: values[10],
+            IBxx: values[11], IByy: values[12], IBzz: values[13], IBxz: values[14], xH: values[15],
+            zH: values[16], mH: values[17], IHxx: values[18], IHyy: values[19], IHzz: values[20],
+            IHxz: values[21], rF: values[22], mF: values[23], IFxx: values[24], IFyy: values[25],
+            rhoR: values[26], rhoF: values[27],
         }
-        (
-            ::carvallo::Coefficients::from_rows([
-                matrices.m,
-                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-                matrices.c1,
-                [[<T as ::carvallo::Scalar>::from_f64(0.0); 2]; 2],
-                matrices.k0,
-                matrices.k2,
-            ]),
-            all,
-        )
     }
+
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 28] {
+        [
+            self.w, self.c, self.lam, self.g, self.rR, self.mR, self.IRxx, self.IRyy, self.xB,
+            self.zB, self.mB, self.IBxx, self.IByy, self.IBzz, self.IBxz, self.xH, self.zH, self.mH,
+            self.IHxx, self.IHyy, self.IHzz, self.IHxz, self.rF, self.mF, self.IFxx, self.IFyy,
+            self.rhoR, self.rhoF,
+        ]
+    }
+}
+
+impl<T: Scalar> WhippleTyres<T> {
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: Scalar>(&self) -> WhippleTyres<U> {
+        let values = self.to_array();
+        WhippleTyres::from_array(values.map(|value| Scalar::from_f64(Scalar::to_f64(value))))
+    }
+}
+
+impl<T: Number> WhippleTyresMatrices<T> {
+    /// From the entries of one matrix after the other, each row by row.
+    #[inline(always)]
+    fn from_entries(entries: [T; 16]) -> Self {
+        Self {
+            m: carvallo::rows(&entries, 0),
+            c1: carvallo::rows(&entries, 4),
+            k0: carvallo::rows(&entries, 8),
+            k2: carvallo::rows(&entries, 12),
+        }
+    }
+
+    /// The rows of M, C0, C1, Kc, K0 and K2.
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        let zeros = [[self.m[0][0].like(0.0); 2]; 2];
+        [self.m, zeros, self.c1, zeros, self.k0, self.k2]
+    }
+}
+
+// --- What the runtime knows of the model ---------------------------------------------------------
+
+impl<T: Scalar> Model<2> for WhippleTyres<T> {
+    type Scalar = T;
+
+    type Array<U: Copy> = [U; 28];
+
+    type Over<U: Number> = WhippleTyres<U>;
+
+    const INFO: &'static ModelInfo = &ModelInfo {
+        name: "WhippleTyres",
+        docs: "The Whipple-Carvallo bicycle on tyres whose cross-sections are circles.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric. The rims of the wheels are parts of tori that roll without slip on level ground: the radii rR and rF of\nthe wheels reach from the centre to the ground, and those of the cross-sections, rhoR and rhoF, are parts of them.\nAxes: origin at the rear contact point, x forward, y to the right, z down.",
+        source: "Mechanism: Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics",
+        parameters: &[
+            ParameterInfo::new("w", "m", Domain::POSITIVE).docs("Wheel base."),
+            ParameterInfo::new("c", "m", Domain::FINITE)
+                .docs(
+                    "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
+                ),
+            ParameterInfo::new(
+                    "lam",
+                    "rad",
+                    Domain::between(Bound::Open(-1.5707963267948966), Bound::Open(1.5707963267948966)),
+                )
+                .symbol("λ")
+                .docs("Steer axis tilt: 90 degrees minus the head angle."),
+            ParameterInfo::new("g", "N/kg", Domain::NONNEGATIVE)
+                .docs("Gravitational field strength."),
+            ParameterInfo::new("rR", "m", Domain::POSITIVE)
+                .docs("Radius of the rear wheel."),
+            ParameterInfo::new("mR", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear wheel."),
+            ParameterInfo::new("IRxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the rear wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IRyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the rear wheel."),
+            ParameterInfo::new("xB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, forward of the rear contact."),
+            ParameterInfo::new("zB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, downward."),
+            ParameterInfo::new("mB", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear frame and rider."),
+            ParameterInfo::new("IBxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in roll."),
+            ParameterInfo::new("IByy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IBzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in yaw."),
+            ParameterInfo::new("IBxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the rear frame and rider about its centre of mass."),
+            ParameterInfo::new("xH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, forward of the rear contact."),
+            ParameterInfo::new("zH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, downward."),
+            ParameterInfo::new("mH", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front frame."),
+            ParameterInfo::new("IHxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in roll."),
+            ParameterInfo::new("IHyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IHzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in yaw."),
+            ParameterInfo::new("IHxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the front frame about its centre of mass."),
+            ParameterInfo::new("rF", "m", Domain::POSITIVE)
+                .docs("Radius of the front wheel."),
+            ParameterInfo::new("mF", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front wheel."),
+            ParameterInfo::new("IFxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the front wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IFyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the front wheel."),
+            ParameterInfo::new("rhoR", "m", Domain::NONNEGATIVE)
+                .docs("Radius of the cross-section of the rear tyre."),
+            ParameterInfo::new("rhoF", "m", Domain::NONNEGATIVE)
+                .docs("Radius of the cross-section of the front tyre."),
+        ],
+        coordinates: &[
+            CoordinateInfo::new("phi", "rad")
+                .label("lean")
+                .docs("Lean of the rear frame, positive to the right."),
+            CoordinateInfo::new("delta", "rad")
+                .label("steer")
+                .docs("Steer of the front frame relative to the rear frame, positive to the right."),
+        ],
+        matrices: &["M", "C1", "K0", "K2"],
+        entries: &[
+            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
+            EntryInfo::at(&[("M", 1, 1)]), EntryInfo::at(&[("C1", 0, 1)]),
+            EntryInfo::at(&[("C1", 1, 0)]), EntryInfo::at(&[("C1", 1, 1)]),
+            EntryInfo::at(&[("K0", 0, 0)]), EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0)]),
+            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 1)]),
+            EntryInfo::at(&[("K2", 1, 1)]),
+        ],
+        sets: &[
+            SetInfo {
+                name: "benchmark",
+                docs: "",
+                source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; tyres are examples",
+                values: &WhippleTyres::<f64>::BENCHMARK.to_array(),
+            },
+            SetInfo {
+                name: "benchmark_2005",
+                docs: "",
+                source: "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005; tyres are examples",
+                values: &WhippleTyres::<f64>::BENCHMARK_2005.to_array(),
+            },
+        ],
+        gravity: Some(3),
+    };
+
+    fn from_slice(values: &[T]) -> Result<Self, LengthError> {
+        LengthError::check("WhippleTyres", 28, values)?;
+        Ok(<Self as Evaluator<T, 2>>::from_parameters(|position| values[position]))
+    }
+
+    fn write_to(&self, values: &mut [T]) -> Result<(), LengthError> {
+        LengthError::check("WhippleTyres", 28, values)?;
+        values.copy_from_slice(&self.to_array());
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U> {
+        core::array::from_fn(element)
+    }
+
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
+        self.to_array()
+    }
+
+    fn validate(&self) -> Result<(), ParameterError> {
+        let info = <Self as Model<2>>::INFO;
+        info.validate(&self.to_array().map(Scalar::to_f64))?;
+        Ok(())
+    }
+
+    #[inline]
+    fn coefficients(&self) -> Coefficients<T, 2> {
+        Coefficients::from_rows(WhippleTyresMatrices::rows(&self.matrices()))
+    }
+
+    fn gravity(&self) -> Option<T> {
+        Some(self.g)
+    }
+}
+
+impl<T: Number> Evaluator<T, 2> for WhippleTyres<T> {
+    type Entries = [T; 11];
+
+    #[inline(always)]
+    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
+        Self::from_array(core::array::from_fn(parameter))
+    }
+
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c1[0][1],
+            matrices.c1[1][0], matrices.c1[1][1], matrices.k0[0][0], matrices.k0[0][1],
+            matrices.k0[1][1], matrices.k2[0][1], matrices.k2[1][1],
+        ]
+    }
+
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+        WhippleTyresMatrices::rows(&self.matrices())
+    }
+}
+
+// --- Which derivatives there are -----------------------------------------------------------------
+
+impl<T: Scalar> WhippleTyresDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(&self, parameter: usize) -> Option<WhippleTyresMatrices<T>> {
+        if parameter >= 28 {
+            return None;
+        }
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut matrices = WhippleTyresMatrices {
+            m: [[zero; 2]; 2], c1: [[zero; 2]; 2], k0: [[zero; 2]; 2], k2: [[zero; 2]; 2],
+        };
+        for position in 0..166 {
+            let partial = <WhippleTyresDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                MatrixName::M => &mut matrices.m,
+                MatrixName::C1 => &mut matrices.c1,
+                MatrixName::K0 => &mut matrices.k0,
+                MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
+        }
+        Some(matrices)
+    }
+}
+
+impl<T: Scalar> Differentiable<2> for WhippleTyres<T> {
+    type Derivatives = [Coefficients<T, 2>; 28];
+
+    fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 6]); 28];
+        for position in 0..166 {
+            Partial::write(&<WhippleTyresDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
+        }
+        (Coefficients::from_rows(WhippleTyresMatrices::rows(&matrices)), all)
+    }
+}
+
+impl WhippleTyresDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [Partial; 166] = &[
+        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
+        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::K0, 0, 0, 0, 5), Partial::new(MatrixName::K0, 0, 1, 0, 6),
+        Partial::new(MatrixName::K0, 1, 0, 0, 6), Partial::new(MatrixName::K0, 1, 1, 0, 7),
+        Partial::new(MatrixName::K2, 0, 1, 0, 8).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 9), Partial::new(MatrixName::M, 0, 1, 1, 10),
+        Partial::new(MatrixName::M, 1, 0, 1, 10), Partial::new(MatrixName::M, 1, 1, 1, 11),
+        Partial::new(MatrixName::C1, 0, 1, 1, 12),
+        Partial::new(MatrixName::C1, 1, 0, 1, 13).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 14), Partial::new(MatrixName::K0, 0, 1, 1, 15),
+        Partial::new(MatrixName::K0, 1, 0, 1, 15), Partial::new(MatrixName::K0, 1, 1, 1, 16),
+        Partial::new(MatrixName::K2, 1, 1, 1, 17), Partial::new(MatrixName::M, 0, 1, 2, 18),
+        Partial::new(MatrixName::M, 1, 0, 2, 18), Partial::new(MatrixName::M, 1, 1, 2, 19),
+        Partial::new(MatrixName::C1, 0, 1, 2, 20).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 21), Partial::new(MatrixName::C1, 1, 1, 2, 22),
+        Partial::new(MatrixName::K0, 0, 1, 2, 23), Partial::new(MatrixName::K0, 1, 0, 2, 23),
+        Partial::new(MatrixName::K0, 1, 1, 2, 24),
+        Partial::new(MatrixName::K2, 0, 1, 2, 25).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 26), Partial::new(MatrixName::M, 0, 0, 4, 27),
+        Partial::new(MatrixName::C1, 0, 1, 4, 28), Partial::new(MatrixName::C1, 1, 0, 4, 29),
+        Partial::new(MatrixName::K0, 0, 0, 4, 30).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 31), Partial::new(MatrixName::M, 0, 0, 5, 32),
+        Partial::new(MatrixName::C1, 0, 1, 5, 33), Partial::new(MatrixName::K0, 0, 0, 5, 34),
+        Partial::new(MatrixName::K2, 0, 1, 5, 35), Partial::new(MatrixName::M, 0, 0, 6, 36),
+        Partial::new(MatrixName::M, 1, 1, 6, 37), Partial::new(MatrixName::C1, 1, 1, 6, 38),
+        Partial::new(MatrixName::C1, 0, 1, 7, 39),
+        Partial::new(MatrixName::C1, 1, 0, 7, 39).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 40),
+        Partial::new(MatrixName::M, 0, 1, 8, 41).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 41).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 42),
+        Partial::new(MatrixName::C1, 0, 1, 8, 43).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 44), Partial::new(MatrixName::K0, 0, 0, 8, 45),
+        Partial::new(MatrixName::K0, 0, 1, 8, 46), Partial::new(MatrixName::K0, 1, 0, 8, 46),
+        Partial::new(MatrixName::K0, 1, 1, 8, 47), Partial::new(MatrixName::K2, 1, 1, 8, 48),
+        Partial::new(MatrixName::M, 0, 0, 9, 49),
+        Partial::new(MatrixName::M, 0, 1, 9, 50).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 50).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 51).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 52),
+        Partial::new(MatrixName::K2, 0, 1, 9, 53).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 54),
+        Partial::new(MatrixName::M, 0, 1, 10, 55).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 55).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 56),
+        Partial::new(MatrixName::C1, 0, 1, 10, 57).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 58), Partial::new(MatrixName::K0, 0, 0, 10, 59),
+        Partial::new(MatrixName::K0, 0, 1, 10, 60), Partial::new(MatrixName::K0, 1, 0, 10, 60),
+        Partial::new(MatrixName::K0, 1, 1, 10, 61),
+        Partial::new(MatrixName::K2, 0, 1, 10, 62).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 63), Partial::new(MatrixName::M, 0, 0, 11, 36),
+        Partial::new(MatrixName::M, 1, 1, 13, 37), Partial::new(MatrixName::C1, 1, 1, 13, 38),
+        Partial::new(MatrixName::M, 0, 1, 14, 64), Partial::new(MatrixName::M, 1, 0, 14, 64),
+        Partial::new(MatrixName::C1, 0, 1, 14, 65),
+        Partial::new(MatrixName::M, 0, 1, 15, 66).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 66).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 67),
+        Partial::new(MatrixName::C1, 0, 1, 15, 68).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 69),
+        Partial::new(MatrixName::K0, 0, 0, 15, 70),
+        Partial::new(MatrixName::K0, 0, 1, 15, 71).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 71).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 72).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 73), Partial::new(MatrixName::M, 0, 0, 16, 74),
+        Partial::new(MatrixName::M, 0, 1, 16, 75), Partial::new(MatrixName::M, 1, 0, 16, 75),
+        Partial::new(MatrixName::M, 1, 1, 16, 76), Partial::new(MatrixName::C1, 0, 1, 16, 77),
+        Partial::new(MatrixName::C1, 1, 1, 16, 78), Partial::new(MatrixName::K0, 0, 0, 16, 79),
+        Partial::new(MatrixName::K0, 0, 1, 16, 80), Partial::new(MatrixName::K0, 1, 0, 16, 80),
+        Partial::new(MatrixName::K0, 1, 1, 16, 81),
+        Partial::new(MatrixName::K2, 0, 1, 16, 82).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 83).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 84), Partial::new(MatrixName::M, 0, 1, 17, 85),
+        Partial::new(MatrixName::M, 1, 0, 17, 85), Partial::new(MatrixName::M, 1, 1, 17, 86),
+        Partial::new(MatrixName::C1, 0, 1, 17, 87), Partial::new(MatrixName::C1, 1, 1, 17, 88),
+        Partial::new(MatrixName::K0, 0, 0, 17, 89), Partial::new(MatrixName::K0, 0, 1, 17, 90),
+        Partial::new(MatrixName::K0, 1, 0, 17, 90), Partial::new(MatrixName::K0, 1, 1, 17, 91),
+        Partial::new(MatrixName::K2, 0, 1, 17, 92).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 93), Partial::new(MatrixName::M, 0, 0, 18, 36),
+        Partial::new(MatrixName::M, 0, 1, 18, 94), Partial::new(MatrixName::M, 1, 0, 18, 94),
+        Partial::new(MatrixName::M, 1, 1, 18, 95), Partial::new(MatrixName::M, 1, 1, 20, 96),
+        Partial::new(MatrixName::C1, 1, 1, 20, 97), Partial::new(MatrixName::M, 0, 1, 21, 98),
+        Partial::new(MatrixName::M, 1, 0, 21, 98), Partial::new(MatrixName::M, 1, 1, 21, 99),
+        Partial::new(MatrixName::C1, 0, 1, 21, 65), Partial::new(MatrixName::C1, 1, 1, 21, 100),
+        Partial::new(MatrixName::M, 0, 0, 22, 101), Partial::new(MatrixName::M, 0, 1, 22, 102),
+        Partial::new(MatrixName::M, 1, 0, 22, 102), Partial::new(MatrixName::M, 1, 1, 22, 103),
+        Partial::new(MatrixName::C1, 0, 1, 22, 104), Partial::new(MatrixName::C1, 1, 0, 22, 105),
+        Partial::new(MatrixName::C1, 1, 1, 22, 106),
+        Partial::new(MatrixName::K0, 0, 0, 22, 107).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 108).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 108).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 109).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 110), Partial::new(MatrixName::K2, 1, 1, 22, 111),
+        Partial::new(MatrixName::M, 0, 0, 23, 112), Partial::new(MatrixName::M, 0, 1, 23, 113),
+        Partial::new(MatrixName::M, 1, 0, 23, 113), Partial::new(MatrixName::M, 1, 1, 23, 114),
+        Partial::new(MatrixName::C1, 0, 1, 23, 115), Partial::new(MatrixName::C1, 1, 1, 23, 116),
+        Partial::new(MatrixName::K0, 0, 0, 23, 117), Partial::new(MatrixName::K0, 0, 1, 23, 118),
+        Partial::new(MatrixName::K0, 1, 0, 23, 118), Partial::new(MatrixName::K0, 1, 1, 23, 119),
+        Partial::new(MatrixName::K2, 0, 1, 23, 120), Partial::new(MatrixName::K2, 1, 1, 23, 121),
+        Partial::new(MatrixName::M, 0, 0, 24, 36), Partial::new(MatrixName::M, 0, 1, 24, 94),
+        Partial::new(MatrixName::M, 1, 0, 24, 94), Partial::new(MatrixName::M, 1, 1, 24, 122),
+        Partial::new(MatrixName::C1, 1, 1, 24, 97), Partial::new(MatrixName::C1, 0, 1, 25, 123),
+        Partial::new(MatrixName::C1, 1, 0, 25, 123).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 124), Partial::new(MatrixName::K2, 1, 1, 25, 125),
+        Partial::new(MatrixName::K0, 0, 0, 26, 126), Partial::new(MatrixName::K0, 0, 0, 27, 127),
+        Partial::new(MatrixName::K0, 0, 1, 27, 128), Partial::new(MatrixName::K0, 1, 0, 27, 128),
+        Partial::new(MatrixName::K0, 1, 1, 27, 129),
+    ];
 }

@@ -28,7 +28,21 @@ impl Domain {
     /// Any finite value.
     pub const FINITE: Self = Self { lower: Bound::Unbounded, upper: Bound::Unbounded, nonzero: false };
     /// Any finite value but zero.
-    pub const NONZERO: Self = Self { nonzero: true, ..Self::FINITE };
+    pub const NONZERO: Self = Self::FINITE.without_zero();
+    /// Greater than zero.
+    pub const POSITIVE: Self = Self::between(Bound::Open(0.0), Bound::Unbounded);
+    /// Zero and what is greater.
+    pub const NONNEGATIVE: Self = Self::between(Bound::Closed(0.0), Bound::Unbounded);
+
+    /// Between two bounds.
+    pub const fn between(lower: Bound, upper: Bound) -> Self {
+        Self { lower, upper, nonzero: false }
+    }
+
+    /// The same without zero.
+    pub const fn without_zero(self) -> Self {
+        Self { nonzero: true, ..self }
+    }
 
     /// Whether `value` is finite and inside.
     pub fn contains(&self, value: f64) -> bool {

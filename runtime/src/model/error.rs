@@ -50,6 +50,17 @@ pub struct LengthError {
     pub found: usize,
 }
 
+impl LengthError {
+    /// Whether `values` has one value for each of the `expected` parameters of a model.
+    ///
+    /// # Errors
+    /// If it has not.
+    pub fn check<T>(model: &'static str, expected: usize, values: &[T]) -> Result<(), Self> {
+        let found = values.len();
+        if found == expected { Ok(()) } else { Err(Self { model, expected, found }) }
+    }
+}
+
 impl fmt::Display for LengthError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { model, expected, found } = self;

@@ -78,6 +78,13 @@ pub struct EntryInfo {
     pub places: &'static [(MatrixName, usize, usize)],
 }
 
+impl EntryInfo {
+    /// An entry that stands at these places.
+    pub const fn at(places: &'static [(MatrixName, usize, usize)]) -> Self {
+        Self { places }
+    }
+}
+
 /// Reads `M[0][1]`.
 impl fmt::Display for EntryInfo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -105,6 +112,28 @@ pub struct ParameterInfo {
     pub used: bool,
 }
 
+impl ParameterInfo {
+    /// A parameter on which a matrix depends, whose symbol is its name, without documentation.
+    pub const fn new(name: &'static str, unit: &'static str, domain: Domain) -> Self {
+        Self { name, symbol: name, docs: "", unit, domain, used: true }
+    }
+
+    /// The same with another symbol.
+    pub const fn symbol(self, symbol: &'static str) -> Self {
+        Self { symbol, ..self }
+    }
+
+    /// The same with documentation.
+    pub const fn docs(self, docs: &'static str) -> Self {
+        Self { docs, ..self }
+    }
+
+    /// The same, but no matrix depends on it.
+    pub const fn unused(self) -> Self {
+        Self { used: false, ..self }
+    }
+}
+
 /// One coordinate of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordinateInfo {
@@ -116,6 +145,23 @@ pub struct CoordinateInfo {
     pub docs: &'static str,
     /// The unit as written in the declaration, such as `rad`.
     pub unit: &'static str,
+}
+
+impl CoordinateInfo {
+    /// A coordinate whose label is its name, without documentation.
+    pub const fn new(name: &'static str, unit: &'static str) -> Self {
+        Self { name, label: name, docs: "", unit }
+    }
+
+    /// The same with another label.
+    pub const fn label(self, label: &'static str) -> Self {
+        Self { label, ..self }
+    }
+
+    /// The same with documentation.
+    pub const fn docs(self, docs: &'static str) -> Self {
+        Self { docs, ..self }
+    }
 }
 
 /// One named parameter set of a model.

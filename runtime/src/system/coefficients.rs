@@ -1,6 +1,6 @@
 //! The coefficient matrices of the linearized equations of motion.
 
-use core::fmt;
+use core::{array, fmt};
 
 use nalgebra::SMatrix;
 
@@ -62,6 +62,19 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
             MatrixName::K2 => k2,
         }
     }
+}
+
+/// The rows of a matrix, from an array that holds the entries of several of them row by row: its own begin at `first`.
+///
+/// Compiled models make their matrices by it. Rows of two `f32` that are written where they are used, or taken from an
+/// array at places known there, are for LLVM one whole number of 64 bits each, and then it puts no loop over designs into
+/// lanes; so the rows are taken by a function that learns the place.
+///
+/// # Panics
+/// If the array ends before the matrix.
+#[inline(always)]
+pub fn rows<T: Copy, const N: usize, const ENTRIES: usize>(entries: &[T; ENTRIES], first: usize) -> [[T; N]; N] {
+    array::from_fn(|row| array::from_fn(|column| entries[first + N * row + column]))
 }
 
 /// One of the coefficient matrices.

@@ -5,24 +5,27 @@ use quote::{format_ident, quote};
 
 use super::evaluator::{self, Body};
 use super::names::Names;
-use super::{allow, docs, trait_impl};
+use super::{derive, docs};
 use crate::derivatives::{Derivatives, Partial};
 use crate::model::Model;
 use crate::program::Counts;
 use crate::syntax::MatrixName;
 
-/// Nothing for a model that does not ask for derivatives.
-pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> Option<TokenStream> {
-    model.derivatives?;
+/// The struct and the function, and then which value is which derivative; nothing for a model that does not ask for
+/// derivatives.
+pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> [Option<TokenStream>; 2] {
+    if model.derivatives.is_none() {
+        return [None, None];
+    }
     let Names { runtime, model: name, matrices, derivatives, scalar, .. } = names;
     let visibility = &model.visibility;
-    let allow = allow();
+    let (allow, derive) = (names.allow(), derive());
     let partials = computed.map_or(&[][..], |computed| &computed.partials);
     let value_count = Literal::usize_unsuffixed(partials.iter().map(|partial| partial.value + 1).max().unwrap_or(0));
     let count = Literal::usize_unsuffixed(partials.len());
     let table = table(model, partials, runtime);
     let struct_docs = docs(&format!(
-        "The derivatives of the matrices of [`{name}`] with respect to its parameters, in SI units: those that are not \
+        "The derivatives of the matrices of [`{name}`] with respect to its parameters, in SI units: those that are not\n\
          zero for all parameters.",
     ));
     let counts = computed.map(|computed| format!(":\n{}", Counts::of(&computed.program))).unwrap_or_default();
@@ -37,24 +40,13 @@ pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> Opt
     };
     let with_respect_to = with_respect_to(model, names, partials.len());
     let differentiable = differentiable(model, names, partials.len());
-    Some(quote! {
+    let computed = quote! {
         #struct_docs
         #allow
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #derive
         #visibility struct #derivatives<#scalar = ::core::primitive::f64> {
             /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
             pub values: [#scalar; #value_count],
-        }
-
-        #allow
-        impl #derivatives {
-            /// Which derivatives there are, by parameters.
-            pub const PARTIALS: &'static [#runtime::Partial; #count] = &[#(#table),*];
-        }
-
-        #allow
-        impl<#scalar: #runtime::Scalar> #derivatives<#scalar> {
-            #with_respect_to
         }
 
         #allow
@@ -67,9 +59,22 @@ pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> Opt
                 #body
             }
         }
+    };
+    let assigned = quote! {
+        #allow
+        impl<#scalar: #runtime::Scalar> #derivatives<#scalar> {
+            #with_respect_to
+        }
 
         #differentiable
-    })
+
+        #allow
+        impl #derivatives {
+            /// Which derivatives there are, by parameters.
+            pub const PARTIALS: &'static [#runtime::Partial; #count] = &[#(#table),*];
+        }
+    };
+    [Some(computed), Some(assigned)]
 }
 
 /// The entry and the parameter of each derivative.
@@ -90,7 +95,7 @@ fn body(model: &Model, names: &Names, computed: &Derivatives) -> TokenStream {
     let derivatives = &names.derivatives;
     let body = Body::new(program, model, names);
     let statements = body.statements();
-    let matrices = evaluator::literal(&body, &program.outputs, &evaluator::fields(model), model, names);
+    let matrices = evaluator::literal(&body, &program.outputs, model, names);
     let entries = model.matrices.len() * model.coordinates.len().pow(2);
     let values = program.outputs[entries..].iter().map(|value| &body.values[*value]);
     quote! {
@@ -139,14 +144,12 @@ fn with_respect_to(model: &Model, names: &Names, count: usize) -> TokenStream {
 }
 
 fn differentiable(model: &Model, names: &Names, count: usize) -> TokenStream {
-    let Names { runtime, model: name, derivatives, scalar, .. } = names;
-    let allow = allow();
+    let Names { runtime, model: name, matrices: rows, derivatives, scalar, .. } = names;
+    let allow = names.allow();
     let [n, parameters, count] =
         [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);
-    let [matrices, values, all, position] =
-        ["matrices", "derivatives", "all", "position"].map(|name| names.variable(name));
-    let zero = quote!([[<#scalar as #runtime::Scalar>::from_f64(0.0); #n]; #n]);
-    let rows = trait_impl::all_matrices(model, &matrices, &zero);
+    let [matrices, values, all, position, zero] =
+        ["matrices", "derivatives", "all", "position", "zero"].map(|name| names.variable(name));
     quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #runtime::Differentiable<#n> for #name<#scalar> {
@@ -154,11 +157,12 @@ fn differentiable(model: &Model, names: &Names, count: usize) -> TokenStream {
 
             fn coefficients_and_derivatives(&self) -> (#runtime::Coefficients<#scalar, #n>, Self::Derivatives) {
                 let (#matrices, #values) = self.matrices_and_derivatives();
-                let mut #all = [#runtime::Coefficients::from_rows([#zero; 6]); #parameters];
+                let #zero = <#scalar as #runtime::Scalar>::from_f64(0.0);
+                let mut #all = [#runtime::Coefficients::from_rows([[[#zero; #n]; #n]; 6]); #parameters];
                 for #position in 0..#count {
                     #runtime::Partial::write(&<#derivatives>::PARTIALS[#position], &#values.values, &mut #all);
                 }
-                (#runtime::Coefficients::from_rows([#(#rows),*]), #all)
+                (#runtime::Coefficients::from_rows(#rows::rows(&#matrices)), #all)
             }
         }
     }

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::names::Names;
-use super::{allow, docs, number};
+use super::{derive, docs, number};
 use crate::model::{Model, Origin, Requirement};
 use crate::program::{Counts, Instruction, Program, Value};
 use crate::syntax::MatrixName;
@@ -15,7 +15,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
     let Names { runtime, model: name, matrices, scalar, .. } = names;
     let visibility = &model.visibility;
     let n = model.coordinates.len();
-    let allow = allow();
+    let allow = names.allow();
     let fields = fields(model);
     let field_docs = model.matrices.iter().map(|(matrix, _)| {
         let proved = if model.symmetric.contains(matrix) { " Symmetric, proved." } else { "" };
@@ -33,14 +33,15 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
         needs(model),
     ));
     let body = match program {
-        Some(program) => matrices_body(model, names, program, &fields),
+        Some(program) => matrices_body(model, names, program),
         // Beside a mistake in the declaration: nothing ever runs it.
         None => quote!(loop {}),
     };
+    let derive = derive();
     quote! {
         #struct_docs
         #allow
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #derive
         #visibility struct #matrices<#scalar = ::core::primitive::f64> {
             #(#field_docs pub #fields: [[#scalar; #size]; #size],)*
         }
@@ -53,6 +54,44 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
             #[must_use]
             pub fn matrices(&self) -> #matrices<#scalar> {
                 #body
+            }
+        }
+    }
+}
+
+/// How the struct of the matrices comes from their entries, and what it is among all matrices that there can be.
+pub fn conversions(model: &Model, names: &Names) -> TokenStream {
+    let Names { runtime, matrices, scalar, .. } = names;
+    let allow = names.allow();
+    let entries = names.variable("entries");
+    let fields = fields(model);
+    let n = model.coordinates.len();
+    let count = Literal::usize_unsuffixed(fields.len() * n * n);
+    let firsts = (0..fields.len()).map(|matrix| Literal::usize_unsuffixed(matrix * n * n));
+    let size = Literal::usize_unsuffixed(n);
+    let zeros = names.variable("zeros");
+    let rows = MatrixName::ALL.map(|matrix| {
+        let field = field(matrix, model);
+        if fields.contains(&field) { quote!(self.#field) } else { quote!(#zeros) }
+    });
+    let zeros = (fields.len() < rows.len()).then(|| {
+        let zero = names.call("like", &quote!(self.m[0][0]), Some(&quote!(0.0)));
+        quote!(let #zeros = [[#zero; #size]; #size];)
+    });
+    quote! {
+        #allow
+        impl<#scalar: #runtime::Number> #matrices<#scalar> {
+            /// From the entries of one matrix after the other, each row by row.
+            #[inline(always)]
+            fn from_entries(#entries: [#scalar; #count]) -> Self {
+                Self { #(#fields: #runtime::rows(&#entries, #firsts),)* }
+            }
+
+            /// The rows of M, C0, C1, Kc, K0 and K2.
+            #[inline(always)]
+            fn rows(&self) -> [[[#scalar; #size]; #size]; 6] {
+                #zeros
+                [#(#rows),*]
             }
         }
     }
@@ -89,44 +128,19 @@ fn field(matrix: MatrixName, model: &Model) -> Ident {
     Ident::new(matrix.field(), declared.map_or(Span::call_site(), |(_, span)| *span))
 }
 
-fn matrices_body(model: &Model, names: &Names, program: &Program, fields: &[Ident]) -> TokenStream {
+fn matrices_body(model: &Model, names: &Names, program: &Program) -> TokenStream {
     let body = Body::new(program, model, names);
     let statements = body.statements();
-    let matrices = literal(&body, &program.outputs, fields, model, names);
+    let matrices = literal(&body, &program.outputs, model, names);
     quote! { #statements #matrices }
 }
 
-/// The struct of the matrices, whose entries are the first of the outputs, as a block.
-///
-/// Rows of two `f32` that are written where they are used, or taken from an array at places known there, are for LLVM
-/// one whole number of 64 bits each, and then it puts no loop over designs into lanes. So the rows are taken from one
-/// array of all entries by a function that learns the place.
-pub fn literal(body: &Body, outputs: &[Value], fields: &[Ident], model: &Model, names: &Names) -> TokenStream {
-    let Names { matrices, scalar, .. } = names;
-    let [entries, matrix, first] = ["entries", "matrix", "first"].map(|name| names.variable(name));
-    let n = model.coordinates.len();
-    let count = fields.len() * n * n;
-    let values = outputs[..count].iter().map(|value| &body.values[*value]);
-    let rows = (0..n).map(|row| {
-        let entries = (row * n..(row + 1) * n).map(|after| match Literal::usize_unsuffixed(after) {
-            _ if after == 0 => quote!(#entries[#first]),
-            after => quote!(#entries[#first + #after]),
-        });
-        quote! { [#(#entries),*] }
-    });
-    let firsts = (0..count).step_by(n * n).map(Literal::usize_unsuffixed);
-    let [n, count] = [n, count].map(Literal::usize_unsuffixed);
-    quote! {{
-        #[inline(always)]
-        fn #matrix<#scalar: ::core::marker::Copy>(
-            #entries: &[#scalar; #count],
-            #first: ::core::primitive::usize,
-        ) -> [[#scalar; #n]; #n] {
-            [#(#rows),*]
-        }
-        let #entries = [#(#values),*];
-        #matrices { #(#fields: #matrix(&#entries, #firsts),)* }
-    }}
+/// The struct of the matrices, whose entries are the first of the outputs.
+pub fn literal(body: &Body, outputs: &[Value], model: &Model, names: &Names) -> TokenStream {
+    let matrices = &names.matrices;
+    let entries = model.matrices.len() * model.coordinates.len().pow(2);
+    let values = outputs[..entries].iter().map(|value| &body.values[*value]);
+    quote!(#matrices::from_entries([#(#values),*]))
 }
 
 /// The values of a program that differ and are not always zero, each with the outputs that it is.
@@ -151,6 +165,31 @@ pub struct Body {
     pub values: Vec<TokenStream>,
     /// How deep each value's expression nests; zero for names and numbers.
     depths: Vec<usize>,
+    /// What each value's expression is to the operators around it.
+    strengths: Vec<Strength>,
+}
+
+/// How strongly an expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Product,
+    Negation,
+    /// Names, numbers and calls.
+    Atom,
+}
+
+impl Strength {
+    fn of(instruction: Instruction) -> Self {
+        match instruction {
+            Instruction::Add(..) | Instruction::Sub(..) => Self::Sum,
+            Instruction::Mul(..) | Instruction::Div(..) | Instruction::Square(_) | Instruction::Reciprocal(_) => {
+                Self::Product
+            }
+            Instruction::Neg(_) => Self::Negation,
+            _ => Self::Atom,
+        }
+    }
 }
 
 /// Values that are used once and have no name nest into the expression that uses them, up to this depth.
@@ -172,10 +211,9 @@ impl Body {
         for value in program.labels.iter().map(|(value, _)| value).chain(&program.outputs) {
             named[*value] = true;
         }
-        let runtime = &names.runtime;
         let variable = names.values(program, model);
         let pairs = pairs(program);
-        let mut body = Self { bindings: Vec::new(), values: Vec::new(), depths: Vec::new() };
+        let mut body = Self { bindings: Vec::new(), values: Vec::new(), depths: Vec::new(), strengths: Vec::new() };
         for (value, instruction) in program.instructions.iter().enumerate() {
             if let Instruction::Sin(angle) | Instruction::Cos(angle) = instruction
                 && let Some(&(sine, cosine)) = pairs.get(angle)
@@ -184,19 +222,19 @@ impl Body {
                 // The first of the two stands for both.
                 if value == sine.min(cosine) {
                     let (s, c) = (variable(sine), variable(cosine));
-                    let angle = &body.values[*angle];
-                    body.bindings.push((vec![s, c], quote!(#runtime::Number::sin_cos(#angle))));
+                    let both = body.call("sin_cos", *angle, names);
+                    body.bindings.push((vec![s, c], both));
                 }
-                body.push(quote!(#name), 0);
+                body.push(quote!(#name), 0, Strength::Atom);
                 continue;
             }
             let expression = body.expression(*instruction, model, names);
             let depth = instruction.operands().map(|value| body.depths[value] + 1).max().unwrap_or(0);
             if depth == 0 || uses[value] == 1 && !named[value] && depth < MAX_DEPTH {
-                body.push(expression, depth);
+                body.push(expression, depth, Strength::of(*instruction));
             } else {
                 let name = variable(value);
-                body.push(quote!(#name), 0);
+                body.push(quote!(#name), 0, Strength::Atom);
                 body.bindings.push((vec![name], expression));
             }
         }
@@ -227,51 +265,59 @@ impl Body {
         groups.collect()
     }
 
-    fn push(&mut self, expression: TokenStream, depth: usize) {
+    fn push(&mut self, expression: TokenStream, depth: usize, strength: Strength) {
         self.values.push(expression);
         self.depths.push(depth);
+        self.strengths.push(strength);
     }
 
-    /// A value as an operand: in parentheses if it is more than a name.
-    fn operand(&self, value: Value) -> TokenStream {
+    /// A value as an operand: in parentheses if it holds together less than is needed there.
+    fn operand(&self, value: Value, needed: Strength) -> TokenStream {
         let expression = &self.values[value];
-        if self.depths[value] == 0 { quote!(#expression) } else { quote!((#expression)) }
+        if self.strengths[value] >= needed { quote!(#expression) } else { quote!((#expression)) }
+    }
+
+    fn call(&self, function: &str, argument: Value, names: &Names) -> TokenStream {
+        // What stands between the parentheses of a call needs none of its own.
+        let argument =
+            if names.among_items { self.values[argument].clone() } else { self.operand(argument, Strength::Atom) };
+        names.call(function, &argument, None)
     }
 
     fn expression(&self, instruction: Instruction, model: &Model, names: &Names) -> TokenStream {
-        let Names { runtime, .. } = names;
-        let at = |value| self.operand(value);
-        let binary = |a, sign: TokenStream, b| {
-            let (a, b) = (at(a), at(b));
+        // Operators of one strength are applied from the left.
+        let sum = |a, sign: TokenStream, b| {
+            let (a, b) = (self.operand(a, Strength::Sum), self.operand(b, Strength::Product));
             quote!(#a #sign #b)
         };
-        let call = |function: TokenStream, argument: Value| {
-            let argument = &self.values[argument];
-            quote!(#runtime::Number::#function(#argument))
+        let product = |a, sign: TokenStream, b| {
+            let (a, b) = (self.operand(a, Strength::Product), self.operand(b, Strength::Atom));
+            quote!(#a #sign #b)
         };
+        let call = |function, argument| self.call(function, argument, names);
         match instruction {
             Instruction::Parameter(index) => {
                 let name = &model.parameters[index].name;
                 quote!(self.#name)
             }
             Instruction::Constant(value) => constant(value, model, names),
-            Instruction::Add(a, b) => binary(a, quote!(+), b),
-            Instruction::Sub(a, b) => binary(a, quote!(-), b),
-            Instruction::Mul(a, b) => binary(a, quote!(*), b),
-            Instruction::Div(a, b) => binary(a, quote!(/), b),
-            Instruction::Square(a) => binary(a, quote!(*), a),
+            Instruction::Add(a, b) => sum(a, quote!(+), b),
+            Instruction::Sub(a, b) => sum(a, quote!(-), b),
+            Instruction::Mul(a, b) => product(a, quote!(*), b),
+            Instruction::Div(a, b) => product(a, quote!(/), b),
+            Instruction::Square(a) => product(a, quote!(*), a),
             Instruction::Neg(a) => {
-                let a = at(a);
+                let a = self.operand(a, Strength::Atom);
                 quote!(-#a)
             }
             Instruction::Reciprocal(a) => {
-                let (one, a) = (constant(1.0, model, names), at(a));
+                let (one, a) = (constant(1.0, model, names), self.operand(a, Strength::Atom));
                 quote!(#one / #a)
             }
-            Instruction::Sqrt(a) => call(quote!(sqrt), a),
-            Instruction::Sin(a) => call(quote!(sin), a),
-            Instruction::Cos(a) => call(quote!(cos), a),
-            Instruction::Tan(a) => call(quote!(tan), a),
+            Instruction::Sqrt(a) => call("sqrt", a),
+            Instruction::Sin(a) => call("sin", a),
+            Instruction::Cos(a) => call("cos", a),
+            Instruction::Tan(a) => call("tan", a),
             Instruction::Power(..) => unreachable!("the pass `powers` leaves none"),
         }
     }
@@ -279,11 +325,10 @@ impl Body {
 
 /// A number, in as many lanes as the parameters have.
 pub fn constant(value: f64, model: &Model, names: &Names) -> TokenStream {
-    let runtime = &names.runtime;
     let value = number(value);
     let some = model.parameters.iter().find(|parameter| parameter.used).or(model.parameters.first());
     let some = some.map(|parameter| &parameter.name);
-    quote!(#runtime::Number::like(self.#some, #value))
+    names.call("like", &quote!(self.#some), Some(&value))
 }
 
 /// For each angle of which sine and cosine are both wanted, the values that they are: they come from one call.

@@ -6,33 +6,34 @@ use quote::{format_ident, quote};
 use super::evaluator::entries;
 use super::names::Names;
 use super::number;
+use super::structure::constant;
 use crate::model::{Bound, Domain, Model};
 use crate::program::Program;
 use crate::syntax::MatrixName;
 
 pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenStream {
-    let runtime = &names.runtime;
+    let Names { runtime, model: model_name, .. } = names;
     let Model { docs, source, .. } = model;
     let name = model.name.to_string();
     let parameters = model.parameters.iter().map(|parameter| {
-        let name = parameter.name.to_string();
         let crate::model::Parameter { symbol, docs, unit, used, .. } = parameter;
-        let domain = domain(parameter.domain, names);
-        quote! {
-            #runtime::ParameterInfo {
-                name: #name, symbol: #symbol, docs: #docs, unit: #unit, domain: #domain, used: #used,
-            }
-        }
+        let (name, domain) = (parameter.name.to_string(), domain(parameter.domain, names));
+        let symbol = (*symbol != name).then(|| quote!(.symbol(#symbol)));
+        let docs = (!docs.is_empty()).then(|| quote!(.docs(#docs)));
+        let unused = (!used).then(|| quote!(.unused()));
+        quote!(#runtime::ParameterInfo::new(#name, #unit, #domain) #symbol #docs #unused)
     });
     let coordinates = model.coordinates.iter().map(|coordinate| {
         let crate::model::Coordinate { name, label, docs, unit } = coordinate;
-        quote! { #runtime::CoordinateInfo { name: #name, label: #label, docs: #docs, unit: #unit } }
+        let label = (label != name).then(|| quote!(.label(#label)));
+        let docs = (!docs.is_empty()).then(|| quote!(.docs(#docs)));
+        quote!(#runtime::CoordinateInfo::new(#name, #unit) #label #docs)
     });
     let sets = model.sets.iter().map(|set| {
-        let name = set.name.to_string();
+        let (name, constant) = (set.name.to_string(), constant(set));
         let crate::model::ParameterSet { docs, source, .. } = set;
-        let values = set.values.iter().map(|value| number(*value));
-        quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: &[#(#values),*] } }
+        let values = quote!(#model_name::<::core::primitive::f64>::#constant.to_array());
+        quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: &#values } }
     });
     let matrix_name = |matrix: MatrixName| {
         let matrix = format_ident!("{}", matrix.name());
@@ -46,7 +47,7 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenSt
             let [row, column] = [place / n % n, place % n].map(Literal::usize_unsuffixed);
             quote!((#matrix, #row, #column))
         });
-        quote! { #runtime::EntryInfo { places: &[#(#places),*] } }
+        quote!(#runtime::EntryInfo::at(&[#(#places),*]))
     });
     let gravity = match model.gravity {
         Some(index) => {
@@ -83,6 +84,15 @@ pub fn domain(domain: Domain, names: &Names) -> TokenStream {
             quote!(#runtime::Bound::Closed(#value))
         }
     };
-    let (lower, upper, nonzero) = (bound(domain.lower), bound(domain.upper), domain.nonzero);
-    quote!(#runtime::Domain { lower: #lower, upper: #upper, nonzero: #nonzero })
+    let Domain { lower, upper, nonzero } = domain;
+    match (lower, upper, nonzero) {
+        (Bound::Unbounded, Bound::Unbounded, false) => quote!(#runtime::Domain::FINITE),
+        (Bound::Unbounded, Bound::Unbounded, true) => quote!(#runtime::Domain::NONZERO),
+        (Bound::Open(0.0), Bound::Unbounded, false) => quote!(#runtime::Domain::POSITIVE),
+        (Bound::Closed(0.0), Bound::Unbounded, false) => quote!(#runtime::Domain::NONNEGATIVE),
+        _ => {
+            let (lower, upper, nonzero) = (bound(lower), bound(upper), nonzero.then(|| quote!(.without_zero())));
+            quote!(#runtime::Domain::between(#lower, #upper) #nonzero)
+        }
+    }
 }

@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 
 use super::evaluator::Body;
 use super::names::Names;
-use super::{allow, docs};
+use super::{derive, docs};
 use crate::formula::Formula;
 use crate::kinematics::Kinematics;
 use crate::model::Model;
@@ -23,7 +23,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> Option<T
     let visibility = &model.visibility;
     let (n, forces) = (model.coordinates.len(), kinematics.applied.len());
     let [size, force_count] = [n, forces].map(Literal::usize_unsuffixed);
-    let allow = allow();
+    let (allow, derive) = (names.allow(), derive());
     let fields = fields(kinematics);
     let field_docs = kinematics.rates.iter().map(|rate| docs(&rate.docs));
     let coordinates: Vec<String> = model.coordinates.iter().map(|q| format!("`{}`", q.name)).collect();
@@ -53,7 +53,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> Option<T
     Some(quote! {
         #struct_docs
         #allow
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #derive
         #visibility struct #output<#scalar = ::core::primitive::f64> {
             #(#field_docs pub #fields: #runtime::Rate<#scalar, #size>,)*
             #force_field

@@ -3,20 +3,17 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::allow;
-use super::evaluator::{constant, entries};
+use super::evaluator::entries;
 use super::names::Names;
 use crate::model::Model;
 use crate::program::Program;
 use crate::syntax::MatrixName;
 
 pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStream {
-    let Names { runtime, model: name, scalar, .. } = names;
-    let allow = allow();
+    let Names { runtime, model: name, matrices: all, scalar, .. } = names;
+    let allow = names.allow();
     let n = model.coordinates.len();
     let size = Literal::usize_unsuffixed(n);
-    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
-    let positions = (0..fields.len()).map(Literal::usize_unsuffixed);
     let [parameter, matrices] = ["parameter", "matrices"].map(|name| names.variable(name));
     let declared: Vec<MatrixName> = model.matrices.iter().map(|(matrix, _)| *matrix).collect();
     let entries: Vec<TokenStream> = program
@@ -31,19 +28,14 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
         })
         .collect();
     let count = Literal::usize_unsuffixed(entries.len());
-    let zero = constant(0.0, model, names);
-    let rows = MatrixName::ALL.map(|matrix| {
-        let field = format_ident!("{}", matrix.field());
-        if declared.contains(&matrix) { quote!(#matrices.#field) } else { quote!([[#zero; #size]; #size]) }
-    });
     quote! {
         #allow
         impl<#scalar: #runtime::Number> #runtime::Evaluator<#scalar, #size> for #name<#scalar> {
             type Entries = [#scalar; #count];
 
             #[inline(always)]
-            fn from_parameters(mut #parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> #scalar) -> Self {
-                Self { #(#fields: #parameter(#positions),)* }
+            fn from_parameters(#parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> #scalar) -> Self {
+                Self::from_array(::core::array::from_fn(#parameter))
             }
 
             #[inline(always)]
@@ -54,8 +46,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
 
             #[inline(always)]
             fn rows(&self) -> [[[#scalar; #size]; #size]; 6] {
-                let #matrices = self.matrices();
-                [#(#rows),*]
+                #all::rows(&self.matrices())
             }
         }
     }

@@ -15,13 +15,27 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use self::names::Names;
+#[cfg(feature = "files")]
+pub use self::names::allowed;
 use crate::model::Model;
 use crate::{Compiled, Programs};
 
 /// The Rust of a model: one struct of its parameters, one of its matrices, one of the rates that follow from a
 /// mechanism, and what they can do.
-pub fn emit(Compiled { model, programs }: &Compiled, driver: &Driver) -> TokenStream {
-    emit_with(model, Some(programs), driver)
+pub fn emit(compiled: &Compiled, driver: &Driver) -> TokenStream {
+    sections(compiled, driver).into_iter().map(|section| section.items).collect()
+}
+
+/// The same, for readers in parts: what the model computes first, and then what makes a library of it.
+pub fn sections(Compiled { model, programs }: &Compiled, driver: &Driver) -> Vec<Section> {
+    sections_with(model, Some(programs), driver)
+}
+
+/// Items that belong together.
+pub struct Section {
+    /// What they are.
+    pub title: &'static str,
+    pub items: TokenStream,
 }
 
 /// For whom the code is written.
@@ -41,30 +55,47 @@ pub enum Driver {
 pub fn outline(model: Model, driver: &Driver) -> TokenStream {
     let model = outline::sound(model);
     // Nothing could be generic in the type of the parameters.
-    if model.parameters.is_empty() { TokenStream::new() } else { emit_with(&model, None, driver) }
+    let sections = if model.parameters.is_empty() { Vec::new() } else { sections_with(&model, None, driver) };
+    sections.into_iter().map(|section| section.items).collect()
 }
 
-fn emit_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> TokenStream {
-    let derivatives = programs.and_then(|programs| programs.derivatives.as_ref());
-    let names = Names::new(model, derivatives, driver);
-    let structure = structure::emit(model, &names);
+fn sections_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> Vec<Section> {
+    let computed = programs.and_then(|programs| programs.derivatives.as_ref());
+    let names = Names::new(model, computed, driver);
     // Without coordinates, which is a mistake, there is no size of the matrices.
     let sized = !model.coordinates.is_empty();
     let matrices = programs.map(|programs| &programs.matrices);
-    let evaluator = sized.then(|| evaluator::emit(model, &names, matrices));
-    let kinematics = programs.and_then(|programs| programs.kinematics.as_ref());
-    let kinematics = if sized { kinematics::emit(model, &names, kinematics) } else { None };
+    let rates = programs.and_then(|programs| programs.kinematics.as_ref());
     let requirements = programs.map(|programs| &programs.requirements);
-    let trait_impl = sized.then(|| trait_impl::emit(model, &names, matrices, requirements));
-    let lanes = sized.then(|| lanes::emit(model, &names, matrices));
-    let derivatives = if sized { derivatives::emit(model, &names, derivatives) } else { None };
+    let [evaluator, conversions, trait_impl, lanes] = [
+        sized.then(|| evaluator::emit(model, &names, matrices)),
+        sized.then(|| evaluator::conversions(model, &names)),
+        sized.then(|| trait_impl::emit(model, &names, matrices, requirements)),
+        sized.then(|| lanes::emit(model, &names, matrices)),
+    ];
+    let kinematics = if sized { kinematics::emit(model, &names, rates) } else { None };
+    let [derivatives, partials] = if sized { derivatives::emit(model, &names, computed) } else { [None, None] };
+    let (structure, sets, arrays) = structure::emit(model, &names);
     let references = names.among_items.then(|| references::emit(model, &names));
-    quote! { #structure #evaluator #kinematics #trait_impl #lanes #derivatives #references }
+    let sections = [
+        ("The parameters", Some(structure)),
+        ("The coefficient matrices", evaluator),
+        ("Rates and forces of the mechanism", kinematics),
+        ("The derivatives of the matrices", derivatives),
+        ("Parameter sets", sets),
+        ("Parameters and matrices as arrays", Some(quote!(#arrays #conversions))),
+        ("What the runtime knows of the model", Some(quote!(#trait_impl #lanes))),
+        ("Which derivatives there are", partials),
+        ("What editors know of the declaration", references),
+    ];
+    sections.into_iter().filter_map(|(title, items)| Some(Section { title, items: items? })).collect()
 }
 
-/// What generated items are allowed: names as in the formulas, and parts that a crate does not use.
-fn allow() -> TokenStream {
-    quote! { #[allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)] }
+/// What every struct of numbers derives.
+fn derive() -> TokenStream {
+    quote! {
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+    }
 }
 
 /// A finite number as Rust writes it; negative ones need a sign before the literal.

@@ -55,9 +55,22 @@ impl Names {
         if self.among_items { format_ident!("__{name}") } else { format_ident!("{name}") }
     }
 
-    /// The length of the variable `slice`; among a user's items a trait could have a method `len` for all types.
-    pub fn length(&self, slice: &Ident) -> TokenStream {
-        if self.among_items { quote!(<[_]>::len(#slice)) } else { quote!(#slice.len()) }
+    /// A call of a method of the runtime's trait `Number`; among a user's items another trait could have a method of that
+    /// name for all types.
+    pub fn call(&self, method: &str, receiver: &TokenStream, argument: Option<&TokenStream>) -> TokenStream {
+        let (runtime, method) = (&self.runtime, format_ident!("{method}"));
+        match (self.among_items, argument) {
+            (true, Some(argument)) => quote!(#runtime::Number::#method(#receiver, #argument)),
+            (true, None) => quote!(#runtime::Number::#method(#receiver)),
+            (false, argument) => quote!(#receiver.#method(#argument)),
+        }
+    }
+
+    /// What generated items are allowed: names as in the formulas, and parts that a crate does not use. A file says it
+    /// once at its head.
+    pub fn allow(&self) -> Option<TokenStream> {
+        let allowed = allowed();
+        self.among_items.then(|| quote!(#[allow(#allowed)]))
     }
 
     /// The variables that hold the values of a program.
@@ -78,6 +91,11 @@ impl Names {
             None => self.variable(&format!("t{value}")),
         }
     }
+}
+
+/// The lints that generated code does not keep to.
+pub fn allowed() -> TokenStream {
+    quote!(clippy::all, dead_code, non_camel_case_types, non_snake_case)
 }
 
 /// A name for each derivative that has one; one that a definition or an earlier derivative has is set apart.

@@ -3,15 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::docs;
 use super::names::Names;
-use super::{allow, docs};
 use crate::model::{Model, Target};
 
 /// Definitions as the fields of a struct, and every use of a name, at its span, as a read of a field: fields alone
 /// cannot be taken for an item of the user's. All is private to an unnamed constant, and a place that nothing is
 /// bound to costs the compiler next to nothing.
 pub fn emit(model: &Model, names: &Names) -> TokenStream {
-    let allow = allow();
+    let allow = names.allow();
     let name = &names.model;
     let [all, declaration] = ["Definitions", "Declaration"].map(|suffix| format_ident!("{name}{suffix}"));
     let definitions = model.references.definitions.iter().map(|(name, formula)| {

@@ -1,34 +1,44 @@
 //! The struct of the parameters, its parameter sets, and conversions.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::{allow, docs, number, or};
-use crate::model::{Model, Parameter};
+use super::{derive, docs, number, or};
+use crate::model::{Model, Parameter, ParameterSet};
 
-pub fn emit(model: &Model, names: &Names) -> TokenStream {
-    let Names { runtime, model: name, scalar, other, .. } = names;
+/// The struct, its parameter sets if there are any, and the conversions.
+pub fn emit(model: &Model, names: &Names) -> (TokenStream, Option<TokenStream>, TokenStream) {
+    let sets = (!model.sets.is_empty()).then(|| sets(model, names));
+    (structure(model, names), sets, conversions(model, names))
+}
+
+fn structure(model: &Model, names: &Names) -> TokenStream {
+    let Names { model: name, scalar, .. } = names;
     let Model { visibility, parameters, .. } = model;
-    let allow = allow();
+    let (allow, derive) = (names.allow(), derive());
     let struct_docs = docs(&model_docs(model));
     let field_docs = parameters.iter().map(|parameter| docs(&parameter_docs(parameter)));
-    let fields: Vec<_> = parameters.iter().map(|parameter| &parameter.name).collect();
-    let sets = sets(model);
-    let count = Literal::usize_unsuffixed(parameters.len());
-    let values = names.variable("values");
-    let positions: Vec<_> = (0..parameters.len()).map(Literal::usize_unsuffixed).collect();
-    let sets = (!model.sets.is_empty()).then(|| quote! { #allow impl #name<::core::primitive::f64> { #sets } });
+    let fields = fields(model);
     quote! {
         #struct_docs
         #allow
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #derive
         #visibility struct #name<#scalar = ::core::primitive::f64> {
             #(#field_docs pub #fields: #scalar,)*
         }
+    }
+}
 
-        #sets
-
+/// All other conversions go by way of the array, so that the fields are listed once for each direction.
+fn conversions(model: &Model, names: &Names) -> TokenStream {
+    let Names { runtime, model: name, scalar, other, .. } = names;
+    let allow = names.allow();
+    let fields = fields(model);
+    let count = Literal::usize_unsuffixed(fields.len());
+    let positions = (0..fields.len()).map(Literal::usize_unsuffixed);
+    let [values, value] = ["values", "value"].map(|name| names.variable(name));
+    quote! {
         #allow
         impl<#scalar: #runtime::Number> #name<#scalar> {
             /// The parameters from an array in declared order.
@@ -49,16 +59,21 @@ pub fn emit(model: &Model, names: &Names) -> TokenStream {
             /// The same parameters in another number type, each rounded to the nearest.
             #[must_use]
             pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> {
-                #name { #(#fields: #runtime::Scalar::from_f64(#runtime::Scalar::to_f64(self.#fields)),)* }
+                let #values = self.to_array();
+                #name::from_array(#values.map(|#value| #runtime::Scalar::from_f64(#runtime::Scalar::to_f64(#value))))
             }
         }
     }
 }
 
-fn sets(model: &Model) -> TokenStream {
-    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
+fn fields(model: &Model) -> Vec<&Ident> {
+    model.parameters.iter().map(|parameter| &parameter.name).collect()
+}
+
+fn sets(model: &Model, names: &Names) -> TokenStream {
+    let (name, allow, fields) = (&names.model, names.allow(), fields(model));
     let constants = model.sets.iter().map(|set| {
-        let constant = format_ident!("{}", set.name.to_string().to_uppercase(), span = set.name.span());
+        let constant = constant(set);
         let text = match (or(&set.docs, ""), or(&set.source, "")) {
             ("", "") => format!("The parameter set `{}`.", set.name),
             ("", source) => format!("The parameter set `{}`.\n\nSource: {source}", set.name),
@@ -69,7 +84,15 @@ fn sets(model: &Model) -> TokenStream {
         let values = set.values.iter().map(|value| number(*value));
         quote! { #text pub const #constant: Self = Self { #(#fields: #values,)* }; }
     });
-    quote! { #(#constants)* }
+    quote! {
+        #allow
+        impl #name<::core::primitive::f64> { #(#constants)* }
+    }
+}
+
+/// The name of the constant that holds a parameter set.
+pub fn constant(set: &ParameterSet) -> Ident {
+    format_ident!("{}", set.name.to_string().to_uppercase(), span = set.name.span())
 }
 
 fn model_docs(model: &Model) -> String {

@@ -1,43 +1,31 @@
 //! The implementation of the runtime's trait.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::evaluator::Body;
+use super::info;
 use super::names::Names;
-use super::{allow, info};
 use crate::model::Model;
 use crate::program::Program;
-use crate::syntax::MatrixName;
 
-pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requirements: Option<&Program>) -> TokenStream {
-    let Names { runtime, model: name, scalar, other, .. } = names;
-    let allow = allow();
+pub fn emit(model: &Model, names: &Names, program: Option<&Program>, requirements: Option<&Program>) -> TokenStream {
+    let Names { runtime, model: name, matrices, scalar, other, .. } = names;
+    let allow = names.allow();
     let n = Literal::usize_unsuffixed(model.coordinates.len());
     let count = Literal::usize_unsuffixed(model.parameters.len());
     let text = model.name.to_string();
-    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
-    let positions: Vec<_> = (0..fields.len()).map(Literal::usize_unsuffixed).collect();
-    let description = info::emit(model, names, matrices);
-    let [values, info, matrices] = ["values", "info", "matrices"].map(|name| names.variable(name));
-    let length = names.length(&values);
-    let length_check = quote! {
-        if #length != #count {
-            return ::core::result::Result::Err(
-                #runtime::LengthError { model: #text, expected: #count, found: #length },
-            );
-        }
-    };
+    let description = info::emit(model, names, program);
+    let [values, position, info] = ["values", "position", "info"].map(|name| names.variable(name));
+    let length_check = quote!(#runtime::LengthError::check(#text, #count, #values)?;);
     let gravity = match model.gravity {
         Some(index) => {
-            let field = fields[index];
+            let field = &model.parameters[index].name;
             quote!(::core::option::Option::Some(self.#field))
         }
         None => quote!(::core::option::Option::None),
     };
     let requirements = requirements.map(|program| validate_requirements(model, names, &info, program));
-    let zero = quote!([[<#scalar as #runtime::Scalar>::from_f64(0.0); #n]; #n]);
-    let rows = all_matrices(model, &matrices, &zero);
     quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #runtime::Model<#n> for #name<#scalar> {
@@ -51,7 +39,9 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requiremen
 
             fn from_slice(#values: &[#scalar]) -> ::core::result::Result<Self, #runtime::LengthError> {
                 #length_check
-                ::core::result::Result::Ok(Self { #(#fields: #values[#positions],)* })
+                ::core::result::Result::Ok(
+                    <Self as #runtime::Evaluator<#scalar, #n>>::from_parameters(|#position| #values[#position])
+                )
             }
 
             fn write_to(&self, #values: &mut [#scalar]) -> ::core::result::Result<(), #runtime::LengthError> {
@@ -74,15 +64,14 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requiremen
 
             fn validate(&self) -> ::core::result::Result<(), #runtime::ParameterError> {
                 let #info = <Self as #runtime::Model<#n>>::INFO;
-                #info.validate(&[#(#runtime::Scalar::to_f64(self.#fields)),*])?;
+                #info.validate(&self.to_array().map(#runtime::Scalar::to_f64))?;
                 #requirements
                 ::core::result::Result::Ok(())
             }
 
             #[inline]
             fn coefficients(&self) -> #runtime::Coefficients<#scalar, #n> {
-                let #matrices = self.matrices();
-                #runtime::Coefficients::from_rows([#(#rows),*])
+                #runtime::Coefficients::from_rows(#matrices::rows(&self.matrices()))
             }
 
             fn gravity(&self) -> ::core::option::Option<#scalar> {
@@ -90,15 +79,6 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>, requiremen
             }
         }
     }
-}
-
-/// The rows of each of the six matrices, from the struct of the declared ones.
-pub fn all_matrices(model: &Model, matrices: &Ident, zero: &TokenStream) -> [TokenStream; 6] {
-    MatrixName::ALL.map(|matrix| {
-        let field = format_ident!("{}", matrix.field());
-        let declared = model.matrices.iter().any(|(declared, _)| *declared == matrix);
-        if declared { quote!(#matrices.#field) } else { zero.clone() }
-    })
 }
 
 fn validate_requirements(model: &Model, names: &Names, info: &Ident, program: &Program) -> TokenStream {

@@ -1,5 +1,7 @@
 //! The ahead-of-time driver: writes all generated files, or compares them with what would be written.
 
+mod layout;
+mod paths;
 mod source;
 
 use std::collections::BTreeMap;

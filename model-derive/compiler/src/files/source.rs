@@ -6,6 +6,9 @@ use std::path::Path;
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 
+use super::layout;
+use crate::emit::{self, Driver};
+
 /// What a source is compiled to.
 pub struct Compiled {
     /// The name of the model.
@@ -21,16 +24,10 @@ pub struct Compiled {
 pub fn compile(path: &Path, shown: &str) -> Result<Compiled, String> {
     let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
     let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
-    let rust = crate::expand(tokens, &crate::Driver::File).map_err(|error| render(&error, shown, &text))?;
-    let file: syn::File =
-        syn::parse2(rust).map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
-    // The first type is the model; after it come its matrices.
-    let model = file.items.iter().find_map(|item| match item {
-        syn::Item::Struct(model) => Some(model.ident.to_string()),
-        _ => None,
-    });
-    let model = model.ok_or_else(|| format!("error: {shown}: the generated code has no type"))?;
-    Ok(Compiled { model, text: format!("{}\n{}", header(shown, &text), prettyplease::unparse(&file)) })
+    let compiled = crate::compile(tokens).map_err(|error| render(&error, shown, &text))?;
+    let rust = layout::file(&emit::sections(&compiled, &Driver::File));
+    let rust = rust.map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
+    Ok(Compiled { model: compiled.model.name.to_string(), text: format!("{}\n{rust}", header(shown, &text)) })
 }
 
 fn header(shown: &str, text: &str) -> String {

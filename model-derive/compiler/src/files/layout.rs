@@ -1,0 +1,141 @@
+//! The text of a generated file: prettyplease's, and what it leaves to the writer of a file. Blank lines stand between
+//! items, a line of their own before those that belong together, and short elements beside each other.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::paths::Imports;
+use crate::emit::{Section, allowed};
+
+/// Lines of short elements go up to this column.
+const WIDTH: usize = 100;
+
+/// A call that fits into so many columns has one line.
+const CALL_WIDTH: usize = 120;
+
+/// Elements of so many characters are short.
+const SHORT: usize = 52;
+
+/// Fewer short elements than this stay where they are.
+const FEW: usize = 4;
+
+/// The sections as a file.
+///
+/// # Errors
+/// If they are not Rust.
+pub fn file(sections: &[Section]) -> syn::Result<String> {
+    let all: TokenStream = sections.iter().map(|section| section.items.clone()).collect();
+    let mut imports = Imports::new(&syn::parse2(all)?);
+    let mut body = String::new();
+    for Section { title, items } in sections {
+        let rule = "-".repeat(WIDTH.saturating_sub(title.len() + 8));
+        body.push_str(&format!("\n// --- {title} {rule}\n"));
+        let file: syn::File = syn::parse2(imports.shorten(items.clone()))?;
+        for item in file.items {
+            body.push('\n');
+            let apart = matches!(item, syn::Item::Impl(_));
+            let text = joined(&unparse(item));
+            body.push_str(&filled(&if apart { spaced(&text) } else { text }));
+        }
+    }
+    let (allowed, imports) = (allowed(), imports.declaration());
+    let head = prettyplease::unparse(&syn::parse2(quote!(#![allow(#allowed)] #imports))?);
+    Ok(format!("{}{body}", head.replacen("\nuse ", "\n\nuse ", 1)))
+}
+
+fn unparse(item: syn::Item) -> String {
+    prettyplease::unparse(&syn::File { shebang: None, attrs: Vec::new(), items: vec![item] })
+}
+
+/// The text of an `impl` with a blank line between its items: they alone end at the first indentation.
+fn spaced(text: &str) -> String {
+    let mut spaced = String::new();
+    let mut ended = false;
+    for line in text.lines() {
+        if ended && line != "}" {
+            spaced.push('\n');
+        }
+        spaced.push_str(line);
+        spaced.push('\n');
+        ended = indentation(line) == 4 && line.ends_with(['}', ';']);
+    }
+    spaced
+}
+
+/// The text with the arguments of calls and functions, of which each has a line, in the line of their function.
+fn joined(text: &str) -> String {
+    let mut joined: Vec<String> = Vec::new();
+    for line in text.lines() {
+        joined.push(line.to_string());
+        // Arguments end before what ends their call, so those inside are joined already.
+        if line.trim_start().starts_with(')')
+            && let Some((start, whole)) = call(&joined)
+        {
+            joined.truncate(start);
+            joined.push(whole);
+        }
+    }
+    joined.push(String::new());
+    joined.join("\n")
+}
+
+/// Where the call that ends in the last line begins, and all of it in a line, if it has a place there.
+fn call(lines: &[String]) -> Option<(usize, String)> {
+    let (end, rest) = lines.split_last()?;
+    let start = rest.iter().rposition(|line| indentation(line) == indentation(end) && line.ends_with('('))?;
+    // A tuple needs the comma at its end.
+    let function =
+        lines[start].strip_suffix('(')?.ends_with(|sign: char| sign.is_alphanumeric() || "_>".contains(sign));
+    let arguments = &rest[start + 1..];
+    let whole = arguments.iter().all(|argument| argument.ends_with(',') && is_balanced(argument));
+    let arguments: Vec<&str> = arguments.iter().map(|argument| argument.trim()).collect();
+    let line = format!("{}{}{}", lines[start], arguments.join(" ").trim_end_matches(','), end.trim_start());
+    (function && whole && line.chars().count() <= CALL_WIDTH).then_some((start, line))
+}
+
+fn is_balanced(line: &str) -> bool {
+    let count = |signs: [char; 3]| line.matches(signs).count();
+    count(['(', '[', '{']) == count([')', ']', '}'])
+}
+
+/// The text with short elements, of which each has a line, beside each other.
+fn filled(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().collect();
+    let together = |a: &&str, b: &&str| is_short(a) && is_short(b) && indentation(a) == indentation(b);
+    let mut filled = String::new();
+    for group in lines.chunk_by(together) {
+        let mut column = 0;
+        for line in group {
+            let element = line.trim_start();
+            if group.len() < FEW || column == 0 || column + 1 + element.len() > WIDTH {
+                filled.push_str(if filled.is_empty() { "" } else { "\n" });
+                filled.push_str(line);
+                column = line.len();
+            } else {
+                filled.push(' ');
+                filled.push_str(element);
+                column += 1 + element.len();
+            }
+        }
+    }
+    filled.push('\n');
+    filled
+}
+
+/// Whether a line is a whole element of an array or a literal, and a short one.
+fn is_short(line: &str) -> bool {
+    let element = line.trim();
+    // A field that is computed is something to read by itself, and so is the arm of a `match`.
+    let computed = element.contains(": ") && element.contains('(');
+    element.ends_with(',')
+        && element.chars().count() <= SHORT
+        && is_balanced(element)
+        && !element.starts_with(['/', '#', ')', ']', '}'])
+        && !element.starts_with("pub ")
+        && !element.contains("=>")
+        && !computed
+}
+
+fn indentation(line: &str) -> usize {
+    line.len() - line.trim_start().len()
+}
