@@ -85,10 +85,10 @@ impl<T: Number> DoublePendulum<T> {
         let t14 = self.a1 * self.m1;
         let Jxx_theta1 = self.I1 + Jxx_theta2 + self.l1 * (t4 + t9) + self.a1 * t14;
         let M_theta1_theta2 = Jxx_theta2 + t4 * self.l1;
-        let t22 = -(t9 + t14);
-        let t23 = -t4;
+        let K0_11 = -(t9 + t14);
+        let K0_12 = -t4;
         DoublePendulumMatrices::from_entries([
-            Jxx_theta1, M_theta1_theta2, M_theta1_theta2, Jxx_theta2, t22, t23, t23, t23,
+            Jxx_theta1, M_theta1_theta2, M_theta1_theta2, Jxx_theta2, K0_11, K0_12, K0_12, K0_12,
         ])
     }
 }
@@ -110,11 +110,9 @@ impl<T: Scalar> DoublePendulum<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> DoublePendulumKinematics<T> {
+        let t1 = self.l1.like(0.0);
         DoublePendulumKinematics {
-            forces: [
-                [self.l1.like(1.0), self.l1.like(0.0)],
-                [self.l1.like(0.0), self.l1.like(1.0)],
-            ],
+            forces: [[self.l1.like(1.0), t1], [t1, self.l1.like(1.0)]],
         }
     }
 }
@@ -137,31 +135,32 @@ impl<T: Number> DoublePendulum<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (DoublePendulumMatrices<T>, DoublePendulumDerivatives<T>) {
-        let t4 = self.a2 * self.m2;
-        let Jxx_theta2 = self.I2 + self.a2 * t4;
+        let M_12_l1 = self.a2 * self.m2;
+        let Jxx_theta2 = self.I2 + self.a2 * M_12_l1;
         let t8 = self.a2 + self.l1;
         let t9 = self.m2 * t8;
-        let t10 = t4 + t9;
+        let M_12_a2 = M_12_l1 + t9;
         let t14 = self.a1 * self.m1;
-        let Jxx_theta1 = self.I1 + Jxx_theta2 + self.l1 * t10 + self.a1 * t14;
-        let M_theta1_theta2 = Jxx_theta2 + t4 * self.l1;
-        let t22 = t9 + t9;
-        let t23 = t14 + t14;
-        let t24 = self.a1 * self.a1;
-        let t26 = t4 + t4;
-        let t27 = t8 * t8;
-        let t28 = self.a2 * t8;
-        let t29 = self.a2 * self.a2;
-        let t30 = -(t9 + t14);
-        let t31 = -t4;
+        let Jxx_theta1 = self.I1 + Jxx_theta2 + self.l1 * M_12_a2 + self.a1 * t14;
+        let M_theta1_theta2 = Jxx_theta2 + M_12_l1 * self.l1;
+        let M_11_l1 = t9 + t9;
+        let M_11_a1 = t14 + t14;
+        let M_11_m1 = self.a1 * self.a1;
+        let M_22_a2 = M_12_l1 + M_12_l1;
+        let M_11_m2 = t8 * t8;
+        let M_12_m2 = self.a2 * t8;
+        let M_22_m2 = self.a2 * self.a2;
+        let K0_11 = -(t9 + t14);
+        let K0_12 = -M_12_l1;
         (
             DoublePendulumMatrices::from_entries([
-                Jxx_theta1, M_theta1_theta2, M_theta1_theta2, Jxx_theta2, t30, t31, t31, t31,
+                Jxx_theta1, M_theta1_theta2, M_theta1_theta2, Jxx_theta2, K0_11, K0_12, K0_12,
+                K0_12,
             ]),
             DoublePendulumDerivatives {
                 values: [
-                    t22, t4, self.m2, t23, self.m1, t24, self.a1, self.l1.like(1.0), t10, t26, t27,
-                    t28, t29, t8, self.a2,
+                    M_11_l1, M_12_l1, self.m2, M_11_a1, self.m1, M_11_m1, self.a1,
+                    self.l1.like(1.0), M_12_a2, M_22_a2, M_11_m2, M_12_m2, M_22_m2, t8, self.a2,
                 ],
             },
         )

@@ -62,9 +62,9 @@ impl<T: Number> Pendulum<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices(&self) -> PendulumMatrices<T> {
-        let t2 = self.l * self.m;
-        let t3 = self.l * t2;
-        PendulumMatrices::from_entries([t3, self.c, t2])
+        let K0_11 = self.l * self.m;
+        let M_11 = self.l * K0_11;
+        PendulumMatrices::from_entries([M_11, self.c, K0_11])
     }
 }
 
@@ -86,14 +86,14 @@ impl<T: Number> Pendulum<T> {
     #[inline(always)]
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (PendulumMatrices<T>, PendulumDerivatives<T>) {
-        let t2 = self.l * self.l;
-        let t3 = self.m * t2;
-        let t5 = self.m * self.l;
-        let t6 = t5 + t5;
+        let M_11_m = self.l * self.l;
+        let M_11 = self.m * M_11_m;
+        let K0_11 = self.m * self.l;
+        let M_11_l = K0_11 + K0_11;
         (
-            PendulumMatrices::from_entries([t3, self.c, t5]),
+            PendulumMatrices::from_entries([M_11, self.c, K0_11]),
             PendulumDerivatives {
-                values: [t2, self.l, t6, self.m, self.m.like(1.0)],
+                values: [M_11_m, self.l, M_11_l, self.m, self.m.like(1.0)],
             },
         )
     }

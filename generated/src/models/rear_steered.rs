@@ -162,22 +162,22 @@ impl<T: Number> RearSteered<T> {
         let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (t28, t41) = self.lam.sin_cos();
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t33 = self.w + self.c;
         let t34 = t33 - self.xH;
         let t35 = self.mH * t34;
         let Jxz_delta = t10 * self.c - self.zH * t35 - self.IHxz;
-        let hx_delta = Jxz_delta * t41 - Jxx_delta * t28;
-        let t44 = t41 / self.w;
+        let hx_delta = Jxz_delta * cos_lam - Jxx_delta * sin_lam;
+        let t44 = cos_lam / self.w;
         let yaw_by_delta = self.c * t44;
         let Sz_delta = t6 - t10;
         let Jxz_all = Jxz_delta + t21 * self.xB + t33 * Sz_delta - self.IBxz;
-        let t55 = hx_delta + yaw_by_delta * Jxz_all;
+        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
         let t59 = self.mF * self.c;
         let t62 = self.IFxx + self.IHzz;
-        let hz_delta = t41 * (t34 * t35 + self.c * t59 + t62) - t28 * Jxz_delta;
-        let py_delta = t28 * Sz_delta + t41 * (t35 + t59);
+        let hz_delta = cos_lam * (t34 * t35 + self.c * t59 + t62) - sin_lam * Jxz_delta;
+        let py_delta = sin_lam * Sz_delta + cos_lam * (t35 + t59);
         let M_yaw_delta = hz_delta - t33 * py_delta;
         let t74 = self.mB * self.xB;
         let t76 = self.mH * self.xH;
@@ -186,25 +186,26 @@ impl<T: Number> RearSteered<T> {
             * (self.IRxx + t62 + self.IBzz + self.xB * t74 + self.xH * t76
                 + self.w * t78);
         let P_delta_yaw = M_yaw_delta + t85;
-        let t91 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + t41 * hz_delta
-            - t28 * hx_delta;
+        let M_22 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + cos_lam * hz_delta
+            - sin_lam * hx_delta;
+        let zero = self.w.like(0.0);
         let h_spin_R = self.IFyy / self.rF;
         let h_wheels_all = h_spin_R + self.IRyy / self.rR;
         let Sz_all = t21 + Sz_delta - t17;
         let t100 = h_wheels_all - Sz_all;
-        let t103 = t41 * h_spin_R;
-        let t105 = yaw_by_delta * t100 + t103 - t44 * Jxz_all;
+        let t103 = cos_lam * h_spin_R;
+        let C1_12 = yaw_by_delta * t100 + t103 - t44 * Jxz_all;
         let t110 = yaw_by_delta * (t74 + t76 + t78);
         let P_delta_lateral = py_delta - t110;
-        let t114 = yaw_by_delta * P_delta_lateral - t44 * P_delta_yaw;
-        let t115 = t28 * P_delta_lateral;
-        let t119 = t44 * (t28 * h_spin_R - P_delta_lateral);
-        let t120 = -(t103 + yaw_by_delta * h_wheels_all);
-        let t121 = t110 - py_delta;
-        let t122 = -(t44 * t100);
+        let C1_22 = yaw_by_delta * P_delta_lateral - t44 * P_delta_yaw;
+        let K0_22 = sin_lam * P_delta_lateral;
+        let K2_22 = t44 * (sin_lam * h_spin_R - P_delta_lateral);
+        let C1_21 = -(t103 + yaw_by_delta * h_wheels_all);
+        let K0_12 = t110 - py_delta;
+        let K2_12 = -(t44 * t100);
         RearSteeredMatrices::from_entries([
-            t26, t55, t55, t91, self.w.like(0.0), t105, t120, t114, Sz_all, t121, t121, t115,
-            self.w.like(0.0), t122, self.w.like(0.0), t119,
+            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, Sz_all, K0_12, K0_12, K0_22, zero,
+            K2_12, zero, K2_22,
         ])
     }
 }
@@ -234,6 +235,7 @@ impl<T: Scalar> RearSteered<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> RearSteeredKinematics<T> {
+        let t0 = self.w.like(0.0);
         let t6 = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * t6;
         let t12 = -t6;
@@ -241,33 +243,21 @@ impl<T: Scalar> RearSteered<T> {
         let t14 = -(self.w.like(1.0) / self.rF);
         RearSteeredKinematics {
             lateral: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                speed: t0,
+                rates: [t0, t0],
+                coordinates: [t0, t0],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), yaw_by_delta],
-                coordinates: [self.w.like(0.0), t12],
-                heading: self.w.like(0.0),
+                speed: t0, rates: [t0, yaw_by_delta], coordinates: [t0, t12], heading: t0,
             },
             wheel_F: Rate {
-                speed: t13,
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t13, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
             wheel_R: Rate {
-                speed: t14,
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t14, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
-            forces: [
-                [self.w.like(1.0), self.w.like(0.0)],
-                [self.w.like(0.0), self.w.like(1.0)],
-            ],
+            forces: [[self.w.like(1.0), t0], [t0, self.w.like(1.0)]],
         }
     }
 }
@@ -295,27 +285,27 @@ impl<T: Number> RearSteered<T> {
         let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (t28, t41) = self.lam.sin_cos();
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t32 = self.w + self.c;
         let t34 = t32 - self.xH;
         let t35 = self.mH * t34;
         let Jxz_delta = t10 * self.c - self.zH * t35 - self.IHxz;
-        let t42 = Jxz_delta * t41;
-        let hx_delta = t42 - Jxx_delta * t28;
+        let t42 = Jxz_delta * cos_lam;
+        let hx_delta = t42 - Jxx_delta * sin_lam;
         let t44 = self.w.like(1.0) / self.w;
-        let t45 = t41 * t44;
-        let yaw_by_delta = self.c * t45;
+        let C1_12_IBxz = cos_lam * t44;
+        let yaw_by_delta = self.c * C1_12_IBxz;
         let Sz_delta = t6 - t10;
         let Jxz_all = Jxz_delta + t21 * self.xB + t32 * Sz_delta - self.IBxz;
-        let t56 = hx_delta + yaw_by_delta * Jxz_all;
-        let t58 = t28 * Jxz_delta;
+        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
+        let t58 = sin_lam * Jxz_delta;
         let t60 = self.IFxx + self.IHzz;
         let t61 = self.mF * self.c;
         let t65 = t60 + self.c * t61 + t34 * t35;
-        let hz_delta = t41 * t65 - t58;
+        let hz_delta = cos_lam * t65 - t58;
         let t70 = t35 + t61;
-        let py_delta = t28 * Sz_delta + t41 * t70;
+        let py_delta = sin_lam * Sz_delta + cos_lam * t70;
         let M_yaw_delta = hz_delta - t32 * py_delta;
         let t76 = self.mF * self.w;
         let t78 = self.mB * self.xB;
@@ -325,221 +315,232 @@ impl<T: Number> RearSteered<T> {
         let t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
         let P_delta_yaw = M_yaw_delta + t87;
         let t89 = M_yaw_delta + P_delta_yaw;
-        let t92 = t41 * hz_delta + yaw_by_delta * t89 - t28 * hx_delta;
+        let M_22 = cos_lam * hz_delta + yaw_by_delta * t89 - sin_lam * hx_delta;
+        let zero = self.w.like(0.0);
         let t95 = self.w.like(1.0) / self.rF;
         let h_spin_R = self.IFyy * t95;
-        let t97 = t41 * h_spin_R;
-        let t98 = t45 * Jxz_all;
+        let t97 = cos_lam * h_spin_R;
+        let t98 = C1_12_IBxz * Jxz_all;
         let t100 = self.w.like(1.0) / self.rR;
         let t101 = self.IRyy * t100;
         let h_wheels_all = h_spin_R + t101;
         let Sz_all = t21 + Sz_delta - t17;
         let t105 = h_wheels_all - Sz_all;
-        let t108 = t97 + yaw_by_delta * t105 - t98;
+        let C1_12 = t97 + yaw_by_delta * t105 - t98;
         let t113 = t76 + t78 + t80;
         let t114 = yaw_by_delta * t113;
         let P_delta_lateral = py_delta - t114;
-        let t117 = yaw_by_delta * P_delta_lateral - t45 * P_delta_yaw;
-        let t118 = t28 * P_delta_lateral;
-        let t120 = t28 * h_spin_R;
+        let C1_22 = yaw_by_delta * P_delta_lateral - C1_12_IBxz * P_delta_yaw;
+        let K0_22 = sin_lam * P_delta_lateral;
+        let t120 = sin_lam * h_spin_R;
         let t121 = t120 - P_delta_lateral;
-        let t122 = t45 * t121;
-        let M12_Jxz_delta = t41 + yaw_by_delta;
-        let t124 = t6 * M12_Jxz_delta;
-        let t126 = yaw_by_delta * Sz_delta - t124;
-        let t127 = t44 * t45;
+        let K2_22 = C1_12_IBxz * t121;
+        let M_12_Jxz_delta = cos_lam + yaw_by_delta;
+        let M_12_xH = t6 * M_12_Jxz_delta;
+        let t126 = yaw_by_delta * Sz_delta - M_12_xH;
+        let t127 = t44 * C1_12_IBxz;
         let t128 = self.c * Jxz_all;
-        let t130 = t126 - t127 * t128;
-        let t131 = t34 * t41;
-        let t134 = self.mH * t131 + t35 * t41;
+        let M_12_w = t126 - t127 * t128;
+        let t131 = t34 * cos_lam;
+        let t134 = self.mH * t131 + t35 * cos_lam;
         let t135 = yaw_by_delta + yaw_by_delta;
-        let M22_hz_delta = t41 + t135;
-        let t139 = t28 * (t41 + M22_hz_delta);
-        let t141 = self.mH * t41;
+        let M_22_hz_delta = cos_lam + t135;
+        let M_22_IHxz = sin_lam * (cos_lam + M_22_hz_delta);
+        let t141 = self.mH * cos_lam;
         let t142 = t32 * t135;
-        let t145 = t134 * M22_hz_delta + t6 * t139 - t141 * t142;
+        let t145 = t134 * M_22_hz_delta + t6 * M_22_IHxz - t141 * t142;
         let t147 = t145 - py_delta * t135;
         let t148 = self.w * yaw_by_delta;
         let P_delta_yaw_w = self.mF * t148 + yaw_by_delta * t76;
-        let M22_yaw_by_delta = t87 + t89;
-        let t154 = self.c * M22_yaw_by_delta;
-        let t157 = t147 + yaw_by_delta * P_delta_yaw_w - t127 * t154;
-        let t158 = t6 * t45;
-        let t160 = t158 - t45 * Sz_delta;
+        let M_22_yaw_by_delta = t87 + t89;
+        let t154 = self.c * M_22_yaw_by_delta;
+        let M_22_w = t147 + yaw_by_delta * P_delta_yaw_w - t127 * t154;
+        let t158 = t6 * C1_12_IBxz;
+        let t160 = t158 - C1_12_IBxz * Sz_delta;
         let t162 = self.c * t105 - Jxz_all;
-        let t164 = t160 - t127 * t162;
+        let C1_12_w = t160 - t127 * t162;
         let t165 = self.c * h_wheels_all;
-        let t166 = t127 * t165;
-        let C122_Jxz_delta = t28 * t45;
-        let C122_py_delta = t32 * t45;
-        let t173 = t141 * C122_py_delta - t45 * t134 - t6 * C122_Jxz_delta;
-        let t175 = t173 + t45 * py_delta;
+        let C1_21_w = t127 * t165;
+        let C1_22_Jxz_delta = sin_lam * C1_12_IBxz;
+        let C1_22_py_delta = t32 * C1_12_IBxz;
+        let t173 = t141 * C1_22_py_delta - C1_12_IBxz * t134 - t6 * C1_22_Jxz_delta;
+        let t175 = t173 + C1_12_IBxz * py_delta;
         let t178 = self.c * t113;
         let t180 = self.mF * yaw_by_delta - t127 * t178;
         let P_delta_lateral_w = t141 - t180;
-        let C122_yaw_by_delta = P_delta_lateral - t45 * P_delta_yaw_yaw_by_delta;
-        let t186 = self.c * C122_yaw_by_delta - P_delta_yaw;
-        let t190 = t175 + yaw_by_delta * P_delta_lateral_w - t45 * P_delta_yaw_w
-            - t127 * t186;
-        let t191 = t28 * P_delta_lateral_w;
-        let t192 = t105 * t127;
-        let t195 = t45 * P_delta_lateral_w + t121 * t127;
-        let t198 = t98 + t126 + t10 * M12_Jxz_delta;
-        let py_delta_mF = self.c * t41;
-        let hz_delta_c = self.mF * py_delta_mF + t41 * t61;
-        let py_delta_c = self.mF * t41;
-        let t211 = t147 + t45 * M22_yaw_by_delta + M22_hz_delta * hz_delta_c - t10 * t139
-            - t142 * py_delta_c;
-        let t214 = t160 + t45 * (t105 - t10);
-        let t215 = t45 * h_wheels_all;
-        let t221 = t45 * t113 - t141 - py_delta_c;
-        let t227 = t175 + t10 * C122_Jxz_delta + t45 * (C122_yaw_by_delta - hz_delta_c)
-            + C122_py_delta * py_delta_c - yaw_by_delta * t221;
-        let t228 = t28 * t221;
-        let t229 = t45 * t221;
-        let t231 = t58 + Jxx_delta * t41;
-        let t232 = t28 * t44;
+        let C1_22_yaw_by_delta = P_delta_lateral - C1_12_IBxz * P_delta_yaw_yaw_by_delta;
+        let t186 = self.c * C1_22_yaw_by_delta - P_delta_yaw;
+        let C1_22_w = t175 + yaw_by_delta * P_delta_lateral_w
+            - C1_12_IBxz * P_delta_yaw_w - t127 * t186;
+        let K0_22_w = sin_lam * P_delta_lateral_w;
+        let K2_12_w = t105 * t127;
+        let t195 = C1_12_IBxz * P_delta_lateral_w + t121 * t127;
+        let M_12_c = t98 + t126 + t10 * M_12_Jxz_delta;
+        let py_delta_mF = self.c * cos_lam;
+        let hz_delta_c = self.mF * py_delta_mF + cos_lam * t61;
+        let py_delta_c = self.mF * cos_lam;
+        let M_22_c = t147 + C1_12_IBxz * M_22_yaw_by_delta + M_22_hz_delta * hz_delta_c
+            - t10 * M_22_IHxz - t142 * py_delta_c;
+        let C1_12_c = t160 + C1_12_IBxz * (t105 - t10);
+        let t215 = C1_12_IBxz * h_wheels_all;
+        let K0_12_c = C1_12_IBxz * t113 - t141 - py_delta_c;
+        let C1_22_c = t175 + t10 * C1_22_Jxz_delta
+            + C1_12_IBxz * (C1_22_yaw_by_delta - hz_delta_c)
+            + C1_22_py_delta * py_delta_c - yaw_by_delta * K0_12_c;
+        let t228 = sin_lam * K0_12_c;
+        let K2_22_c = C1_12_IBxz * K0_12_c;
+        let t231 = t58 + Jxx_delta * cos_lam;
+        let t232 = sin_lam * t44;
         let t234 = t231 + t128 * t232;
-        let t239 = t42 + t28 * t65;
-        let py_delta_lam = t41 * Sz_delta - t28 * t70;
-        let t250 = t28 * t231 - t41 * hx_delta - t28 * hz_delta - M22_hz_delta * t239
-            - t154 * t232 - t142 * py_delta_lam;
+        let t239 = t42 + sin_lam * t65;
+        let py_delta_lam = cos_lam * Sz_delta - sin_lam * t70;
+        let M_22_lam = sin_lam * t231 - cos_lam * hx_delta - sin_lam * hz_delta
+            - M_22_hz_delta * t239 - t154 * t232 - t142 * py_delta_lam;
         let t252 = t120 + t162 * t232;
-        let t254 = t120 + t165 * t232;
+        let C1_21_lam = t120 + t165 * t232;
         let P_delta_lateral_lam = py_delta_lam + t178 * t232;
-        let t263 = t45 * t239 + yaw_by_delta * P_delta_lateral_lam
-            + C122_py_delta * py_delta_lam - t186 * t232;
-        let t266 = t28 * P_delta_lateral_lam + t41 * P_delta_lateral;
-        let t267 = t105 * t232;
-        let t271 = t45 * (t97 - P_delta_lateral_lam) - t121 * t232;
-        let t272 = t17 + t17;
+        let C1_22_lam = C1_12_IBxz * t239 + yaw_by_delta * P_delta_lateral_lam
+            + C1_22_py_delta * py_delta_lam - t186 * t232;
+        let K0_22_lam = sin_lam * P_delta_lateral_lam + cos_lam * P_delta_lateral;
+        let K2_12_lam = t105 * t232;
+        let K2_22_lam = C1_12_IBxz * (t97 - P_delta_lateral_lam) - t121 * t232;
+        let M_11_rR = t17 + t17;
         let t273 = t100 * t101;
         let t274 = self.mR - t273;
-        let t275 = yaw_by_delta * t274;
-        let t276 = yaw_by_delta * t273;
-        let t277 = t45 * t274;
-        let t278 = self.rR * self.rR;
-        let t279 = self.rR * yaw_by_delta;
-        let t280 = self.rR * t45;
-        let t282 = yaw_by_delta * yaw_by_delta;
-        let t283 = t45 * yaw_by_delta;
-        let t284 = yaw_by_delta * t100;
-        let t285 = t45 * t100;
-        let t286 = t21 * yaw_by_delta;
-        let t287 = yaw_by_delta * self.xB;
-        let t288 = self.mB * t287;
-        let P_delta_yaw_xB = t288 + yaw_by_delta * t78;
-        let t291 = yaw_by_delta * P_delta_yaw_xB;
-        let t292 = t21 * t45;
-        let t294 = self.mB * yaw_by_delta;
-        let t296 = t45 * P_delta_yaw_xB + yaw_by_delta * t294;
-        let t297 = t28 * t294;
-        let t298 = t45 * t294;
-        let t299 = t21 + t21;
-        let t301 = yaw_by_delta + t45 * self.xB;
+        let C1_12_rR = yaw_by_delta * t274;
+        let C1_21_rR = yaw_by_delta * t273;
+        let t277 = C1_12_IBxz * t274;
+        let M_11_mR = self.rR * self.rR;
+        let C1_12_mR = self.rR * yaw_by_delta;
+        let t280 = self.rR * C1_12_IBxz;
+        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
+        let t283 = C1_12_IBxz * yaw_by_delta;
+        let C1_12_IRyy = yaw_by_delta * t100;
+        let t285 = C1_12_IBxz * t100;
+        let M_12_xB = t21 * yaw_by_delta;
+        let K0_12_mB = yaw_by_delta * self.xB;
+        let M_12_zB = self.mB * K0_12_mB;
+        let P_delta_yaw_xB = M_12_zB + yaw_by_delta * t78;
+        let M_22_xB = yaw_by_delta * P_delta_yaw_xB;
+        let t292 = t21 * C1_12_IBxz;
+        let K0_12_xB = self.mB * yaw_by_delta;
+        let t296 = C1_12_IBxz * P_delta_yaw_xB + yaw_by_delta * K0_12_xB;
+        let t297 = sin_lam * K0_12_xB;
+        let K2_22_xB = C1_12_IBxz * K0_12_xB;
+        let M_11_zB = t21 + t21;
+        let t301 = yaw_by_delta + C1_12_IBxz * self.xB;
         let t302 = self.mB * t301;
-        let t303 = self.mB * t45;
-        let t304 = self.zB * self.zB;
-        let t305 = self.zB * t287;
-        let P_delta_yaw_mB = self.xB * t287;
-        let t307 = yaw_by_delta * P_delta_yaw_mB;
+        let K2_12_zB = self.mB * C1_12_IBxz;
+        let M_11_mB = self.zB * self.zB;
+        let M_12_mB = self.zB * K0_12_mB;
+        let P_delta_yaw_mB = self.xB * K0_12_mB;
+        let M_22_mB = yaw_by_delta * P_delta_yaw_mB;
         let t308 = self.zB * t301;
-        let t311 = t45 * P_delta_yaw_mB + yaw_by_delta * t287;
-        let t312 = t28 * t287;
-        let t313 = self.zB * t45;
-        let t314 = t45 * t287;
+        let t311 = C1_12_IBxz * P_delta_yaw_mB + yaw_by_delta * K0_12_mB;
+        let t312 = sin_lam * K0_12_mB;
+        let K2_12_mB = self.zB * C1_12_IBxz;
+        let K2_22_mB = C1_12_IBxz * K0_12_mB;
         let t315 = self.xH * yaw_by_delta;
         let P_delta_yaw_xH = self.mH * t315 + yaw_by_delta * t80;
-        let t320 = yaw_by_delta * P_delta_yaw_xH - t145;
-        let t323 = t141 + self.mH * yaw_by_delta;
-        let t326 = t173 + t45 * P_delta_yaw_xH + yaw_by_delta * t323;
-        let t327 = t28 * t323;
-        let t328 = t45 * t323;
+        let M_22_xH = yaw_by_delta * P_delta_yaw_xH - t145;
+        let K0_12_xH = t141 + self.mH * yaw_by_delta;
+        let t326 = t173 + C1_12_IBxz * P_delta_yaw_xH + yaw_by_delta * K0_12_xH;
+        let t327 = sin_lam * K0_12_xH;
+        let K2_22_xH = C1_12_IBxz * K0_12_xH;
         let Jxx_delta_zH = t6 + t6;
-        let M12_Sz_delta = t32 * yaw_by_delta;
-        let t335 = self.mH * M12_Sz_delta - t28 * Jxx_delta_zH - t35 * M12_Jxz_delta;
-        let M22_Jxx_delta = t28 * t28;
-        let py_delta_zH = self.mH * t28;
-        let t342 = t35 * t139 + Jxx_delta_zH * M22_Jxx_delta - t142 * py_delta_zH;
-        let t343 = yaw_by_delta + C122_py_delta;
-        let t346 = t35 * t45 - self.mH * t343;
-        let t351 = yaw_by_delta * py_delta_zH + C122_py_delta * py_delta_zH
-            - t35 * C122_Jxz_delta;
-        let t352 = t28 * py_delta_zH;
-        let t353 = self.mH * t45;
-        let t354 = t45 * py_delta_zH;
+        let M_12_Sz_delta = t32 * yaw_by_delta;
+        let M_12_zH = self.mH * M_12_Sz_delta - sin_lam * Jxx_delta_zH
+            - t35 * M_12_Jxz_delta;
+        let M_22_Jxx_delta = sin_lam * sin_lam;
+        let py_delta_zH = self.mH * sin_lam;
+        let M_22_zH = t35 * M_22_IHxz + Jxx_delta_zH * M_22_Jxx_delta
+            - t142 * py_delta_zH;
+        let t343 = yaw_by_delta + C1_22_py_delta;
+        let C1_12_zH = t35 * C1_12_IBxz - self.mH * t343;
+        let C1_22_zH = yaw_by_delta * py_delta_zH + C1_22_py_delta * py_delta_zH
+            - t35 * C1_22_Jxz_delta;
+        let K0_22_zH = sin_lam * py_delta_zH;
+        let K2_12_zH = self.mH * C1_12_IBxz;
+        let t354 = C1_12_IBxz * py_delta_zH;
         let Jxx_delta_mH = self.zH * self.zH;
         let t358 = self.zH * t34;
-        let t361 = self.zH * M12_Sz_delta - t28 * Jxx_delta_mH - M12_Jxz_delta * t358;
+        let M_12_mH = self.zH * M_12_Sz_delta - sin_lam * Jxx_delta_mH
+            - M_12_Jxz_delta * t358;
         let P_delta_yaw_mH = self.xH * t315;
         let hz_delta_mH = t34 * t131;
-        let py_delta_mH = t131 + self.zH * t28;
-        let t374 = yaw_by_delta * P_delta_yaw_mH + M22_hz_delta * hz_delta_mH
-            + M22_Jxx_delta * Jxx_delta_mH + t139 * t358 - t142 * py_delta_mH;
-        let t377 = t45 * t358 - self.zH * t343;
-        let t380 = t315 - py_delta_mH;
-        let t386 = C122_py_delta * py_delta_mH - t45 * (P_delta_yaw_mH + hz_delta_mH)
-            - yaw_by_delta * t380 - C122_Jxz_delta * t358;
-        let t387 = t28 * t380;
-        let t388 = self.zH * t45;
-        let t389 = t45 * t380;
-        let t391 = t282 + t41 * M22_hz_delta;
-        let t393 = t283 + t41 * t45;
-        let t394 = t10 + t10;
-        let t397 = self.rF * t28;
-        let t399 = self.c * M12_Jxz_delta - M12_Sz_delta - t397;
-        let t401 = self.mF * t399 - t10 * t28;
-        let t406 = t28 * t142 + self.rF * M22_Jxx_delta - self.c * t139;
-        let t409 = self.mF * t406 + t10 * M22_Jxx_delta;
+        let py_delta_mH = t131 + self.zH * sin_lam;
+        let M_22_mH = yaw_by_delta * P_delta_yaw_mH + M_22_hz_delta * hz_delta_mH
+            + M_22_Jxx_delta * Jxx_delta_mH + M_22_IHxz * t358 - t142 * py_delta_mH;
+        let C1_12_mH = C1_12_IBxz * t358 - self.zH * t343;
+        let K0_12_mH = t315 - py_delta_mH;
+        let C1_22_mH = C1_22_py_delta * py_delta_mH
+            - C1_12_IBxz * (P_delta_yaw_mH + hz_delta_mH) - yaw_by_delta * K0_12_mH
+            - C1_22_Jxz_delta * t358;
+        let t387 = sin_lam * K0_12_mH;
+        let K2_12_mH = self.zH * C1_12_IBxz;
+        let K2_22_mH = C1_12_IBxz * K0_12_mH;
+        let M_22_IHzz = M_22_IRxx + cos_lam * M_22_hz_delta;
+        let t393 = t283 + cos_lam * C1_12_IBxz;
+        let M_11_rF = t10 + t10;
+        let t397 = self.rF * sin_lam;
+        let t399 = self.c * M_12_Jxz_delta - M_12_Sz_delta - t397;
+        let M_12_rF = self.mF * t399 - t10 * sin_lam;
+        let t406 = sin_lam * t142 + self.rF * M_22_Jxx_delta - self.c * M_22_IHxz;
+        let M_22_rF = self.mF * t406 + t10 * M_22_Jxx_delta;
         let t410 = t343 - yaw_by_delta;
         let t412 = t95 * h_spin_R;
-        let t413 = M12_Jxz_delta * t412;
-        let t414 = self.mF * t410 - t413;
-        let t417 = self.c * C122_Jxz_delta - t28 * C122_py_delta;
-        let t419 = self.mF * t28;
-        let t421 = self.mF * t417 - yaw_by_delta * t419;
-        let t422 = t28 * t419;
-        let t425 = t45 * t412 - self.mF * t45;
-        let t428 = t45 * t419 - C122_Jxz_delta * t412;
-        let t429 = self.rF * self.rF;
-        let t430 = self.rF * t399;
+        let C1_21_rF = M_12_Jxz_delta * t412;
+        let C1_12_rF = self.mF * t410 - C1_21_rF;
+        let t417 = self.c * C1_22_Jxz_delta - sin_lam * C1_22_py_delta;
+        let K0_12_rF = self.mF * sin_lam;
+        let C1_22_rF = self.mF * t417 - yaw_by_delta * K0_12_rF;
+        let t422 = sin_lam * K0_12_rF;
+        let K2_12_rF = C1_12_IBxz * t412 - self.mF * C1_12_IBxz;
+        let K2_22_rF = C1_12_IBxz * K0_12_rF - C1_22_Jxz_delta * t412;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = self.rF * t399;
         let P_delta_yaw_mF = self.w * t148;
         let hz_delta_mF = self.c * py_delta_mF;
-        let t439 = self.rF * t406 + yaw_by_delta * P_delta_yaw_mF
-            + M22_hz_delta * hz_delta_mF - t142 * py_delta_mF;
-        let t440 = self.rF * t410;
-        let t445 = t148 + t397 - py_delta_mF;
-        let t450 = self.rF * t417 + C122_py_delta * py_delta_mF
-            - t45 * (P_delta_yaw_mF + hz_delta_mF) - yaw_by_delta * t445;
-        let t451 = t28 * t445;
-        let t452 = self.rF * t45;
-        let t453 = t45 * t445;
-        let t454 = M22_Jxx_delta + t391;
-        let t455 = t95 * M12_Jxz_delta;
-        let t456 = t45 * t95;
-        let t457 = t95 * C122_Jxz_delta;
-        let t458 = -(t97 + yaw_by_delta * h_wheels_all);
-        let t459 = t114 - py_delta;
-        let t460 = -(t45 * t105);
-        let t461 = t180 - t141;
+        let M_22_mF = self.rF * t406 + yaw_by_delta * P_delta_yaw_mF
+            + M_22_hz_delta * hz_delta_mF - t142 * py_delta_mF;
+        let C1_12_mF = self.rF * t410;
+        let K0_12_mF = t148 + t397 - py_delta_mF;
+        let C1_22_mF = self.rF * t417 + C1_22_py_delta * py_delta_mF
+            - C1_12_IBxz * (P_delta_yaw_mF + hz_delta_mF) - yaw_by_delta * K0_12_mF;
+        let t451 = sin_lam * K0_12_mF;
+        let t452 = self.rF * C1_12_IBxz;
+        let K2_22_mF = C1_12_IBxz * K0_12_mF;
+        let M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
+        let C1_12_IFyy = t95 * M_12_Jxz_delta;
+        let t456 = C1_12_IBxz * t95;
+        let K2_22_IFyy = t95 * C1_22_Jxz_delta;
+        let C1_21 = -(t97 + yaw_by_delta * h_wheels_all);
+        let K0_12 = t114 - py_delta;
+        let K2_12 = -(C1_12_IBxz * t105);
+        let K0_12_w = t180 - t141;
         (
             RearSteeredMatrices::from_entries([
-                t26, t56, t56, t92, self.w.like(0.0), t108, t458, t117, Sz_all, t459, t459, t118,
-                self.w.like(0.0), t460, self.w.like(0.0), t122,
+                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, Sz_all, K0_12, K0_12, K0_22,
+                zero, K2_12, zero, K2_22,
             ]),
             RearSteeredDerivatives {
                 values: [
-                    t130, t157, t164, t166, t190, t461, t191, t192, t195, t198, t211, t214, t215,
-                    t227, t221, t228, t229, t234, t250, t252, t254, t263, P_delta_lateral_lam, t266,
-                    t267, t271, t272, t275, t276, self.mR, t277, t278, t279, self.rR, t280,
-                    self.w.like(1.0), t282, t283, t284, t285, t286, t291, t292, t296, t294, t297,
-                    t298, t299, t288, t302, self.mB, t303, t304, t305, t307, t308, t311, self.zB,
-                    t287, t312, t313, t314, yaw_by_delta, t45, t124, t320, t158, t326, t323, t327,
-                    t328, Jxx_delta_zH, t335, t342, t346, t351, self.mH, py_delta_zH, t352, t353,
-                    t354, Jxx_delta_mH, t361, t374, t377, t386, self.zH, t380, t387, t388, t389,
-                    t28, M22_Jxx_delta, t391, t393, M12_Jxz_delta, t139, C122_Jxz_delta, t394, t401,
-                    t409, t414, t413, t421, self.mF, t419, t422, t425, t428, t429, t430, t439, t440,
-                    t450, self.rF, t445, t451, t452, t453, t454, t455, t456, t457,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, K2_12_w, t195,
+                    M_12_c, M_22_c, C1_12_c, t215, C1_22_c, K0_12_c, t228, K2_22_c, t234, M_22_lam,
+                    t252, C1_21_lam, C1_22_lam, P_delta_lateral_lam, K0_22_lam, K2_12_lam,
+                    K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, t277, M_11_mR, C1_12_mR,
+                    self.rR, t280, self.w.like(1.0), M_22_IRxx, t283, C1_12_IRyy, t285, M_12_xB,
+                    M_22_xB, t292, t296, K0_12_xB, t297, K2_22_xB, M_11_zB, M_12_zB, t302, self.mB,
+                    K2_12_zB, M_11_mB, M_12_mB, M_22_mB, t308, t311, self.zB, K0_12_mB, t312,
+                    K2_12_mB, K2_22_mB, yaw_by_delta, C1_12_IBxz, M_12_xH, M_22_xH, t158, t326,
+                    K0_12_xH, t327, K2_22_xH, Jxx_delta_zH, M_12_zH, M_22_zH, C1_12_zH, C1_22_zH,
+                    self.mH, py_delta_zH, K0_22_zH, K2_12_zH, t354, Jxx_delta_mH, M_12_mH, M_22_mH,
+                    C1_12_mH, C1_22_mH, self.zH, K0_12_mH, t387, K2_12_mH, K2_22_mH, sin_lam,
+                    M_22_Jxx_delta, M_22_IHzz, t393, M_12_Jxz_delta, M_22_IHxz, C1_22_Jxz_delta,
+                    M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, K0_12_rF,
+                    t422, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF,
+                    self.rF, K0_12_mF, t451, t452, K2_22_mF, M_22_IFxx, C1_12_IFyy, t456,
+                    K2_22_IFyy,
                 ],
             },
         )

@@ -71,13 +71,13 @@ impl<T: Number> RollingDisc<T> {
     pub fn matrices(&self) -> RollingDiscMatrices<T> {
         let t3 = self.r * self.m;
         let Jxx_all = self.It + self.r * t3;
+        let zero = self.r.like(0.0);
         let h_spin_D = self.Ia / self.r;
-        let t9 = t3 + h_spin_D;
-        let t10 = -h_spin_D;
-        let t11 = -t3;
+        let C1_12 = t3 + h_spin_D;
+        let C1_21 = -h_spin_D;
+        let K0_11 = -t3;
         RollingDiscMatrices::from_entries([
-            Jxx_all, self.r.like(0.0), self.r.like(0.0), self.It, self.r.like(0.0), t9, t10,
-            self.r.like(0.0), t11, self.r.like(0.0), self.r.like(0.0), self.r.like(0.0),
+            Jxx_all, zero, zero, self.It, zero, C1_12, C1_21, zero, K0_11, zero, zero, zero,
         ])
     }
 }
@@ -101,19 +101,17 @@ impl<T: Scalar> RollingDisc<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> RollingDiscKinematics<T> {
+        let t0 = self.r.like(0.0);
         let t4 = -(self.r.like(1.0) / self.r);
         RollingDiscKinematics {
             lateral: Rate {
-                speed: self.r.like(0.0),
-                rates: [self.r.like(0.0), self.r.like(0.0)],
-                coordinates: [self.r.like(0.0), self.r.like(1.0)],
-                heading: self.r.like(0.0),
+                speed: t0,
+                rates: [t0, t0],
+                coordinates: [t0, self.r.like(1.0)],
+                heading: t0,
             },
             wheel_D: Rate {
-                speed: t4,
-                rates: [self.r.like(0.0), self.r.like(0.0)],
-                coordinates: [self.r.like(0.0), self.r.like(0.0)],
-                heading: self.r.like(0.0),
+                speed: t4, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
         }
     }
@@ -139,22 +137,24 @@ impl<T: Number> RollingDisc<T> {
     pub fn matrices_and_derivatives(&self) -> (RollingDiscMatrices<T>, RollingDiscDerivatives<T>) {
         let t3 = self.r * self.m;
         let Jxx_all = self.It + self.r * t3;
-        let t8 = self.r.like(1.0) / self.r;
-        let h_spin_D = self.Ia * t8;
-        let t10 = t3 + h_spin_D;
-        let t11 = t3 + t3;
-        let t12 = t8 * h_spin_D;
-        let t13 = self.m - t12;
-        let t14 = self.r * self.r;
-        let t16 = -h_spin_D;
-        let t17 = -t3;
+        let zero = self.r.like(0.0);
+        let C1_12_Ia = self.r.like(1.0) / self.r;
+        let h_spin_D = self.Ia * C1_12_Ia;
+        let C1_12 = t3 + h_spin_D;
+        let M_11_r = t3 + t3;
+        let C1_21_r = C1_12_Ia * h_spin_D;
+        let C1_12_r = self.m - C1_21_r;
+        let M_11_m = self.r * self.r;
+        let C1_21 = -h_spin_D;
+        let K0_11 = -t3;
         (
             RollingDiscMatrices::from_entries([
-                Jxx_all, self.r.like(0.0), self.r.like(0.0), self.It, self.r.like(0.0), t10, t16,
-                self.r.like(0.0), t17, self.r.like(0.0), self.r.like(0.0), self.r.like(0.0),
+                Jxx_all, zero, zero, self.It, zero, C1_12, C1_21, zero, K0_11, zero, zero, zero,
             ]),
             RollingDiscDerivatives {
-                values: [t11, t13, t12, self.m, t14, self.r, t8, self.r.like(1.0)],
+                values: [
+                    M_11_r, C1_12_r, C1_21_r, self.m, M_11_m, self.r, C1_12_Ia, self.r.like(1.0),
+                ],
             },
         )
     }

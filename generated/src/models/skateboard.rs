@@ -116,20 +116,20 @@ impl<T: Number> Skateboard<T> {
     #[must_use]
     pub fn matrices(&self) -> SkateboardMatrices<T> {
         let P_gamma_lateral = self.h * self.m;
-        let t5 = self.Ixx + self.h * P_gamma_lateral;
-        let (lateral_per_v_deltaR, t7) = self.lamR.sin_cos();
-        let t8 = self.L.like(1.0) / t7;
+        let M_11 = self.Ixx + self.h * P_gamma_lateral;
+        let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
+        let t8 = self.L.like(1.0) / cos_lamR;
         let t10 = t8 * lateral_per_v_deltaR;
         let P_gamma_yaw = self.Ixz + P_gamma_lateral * self.x;
-        let (t19, t17) = self.lamF.sin_cos();
-        let t18 = self.L.like(1.0) / t17;
+        let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
+        let t18 = self.L.like(1.0) / cos_lamF;
         let t21 = self.L.like(1.0) / self.L;
-        let t25 = t18 * t19 * t21 + t10 * t21;
-        let t27 = P_gamma_yaw * t25 - P_gamma_lateral * t10;
-        let t34 = t18 * t18 * self.kF + t8 * t8 * self.kR;
-        let t35 = P_gamma_lateral * t25;
-        let t36 = -P_gamma_lateral;
-        SkateboardMatrices::from_entries([t5, t27, t34, t36, t35])
+        let t25 = t18 * sin_lamF * t21 + t10 * t21;
+        let C1_11 = P_gamma_yaw * t25 - P_gamma_lateral * t10;
+        let Kc_11 = t18 * t18 * self.kF + t8 * t8 * self.kR;
+        let K2_11 = P_gamma_lateral * t25;
+        let K0_11 = -P_gamma_lateral;
+        SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11])
     }
 }
 
@@ -166,13 +166,14 @@ impl<T: Scalar> Skateboard<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> SkateboardKinematics<T> {
-        let (lateral_per_v_deltaR, t3) = self.lamR.sin_cos();
-        let t4 = self.L.like(1.0) / t3;
+        let t0 = self.L.like(0.0);
+        let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
+        let t4 = self.L.like(1.0) / cos_lamR;
         let t6 = t4 * lateral_per_v_deltaR;
         let pitch_by_vertical = self.L.like(1.0) / self.L;
-        let (t13, t11) = self.lamF.sin_cos();
-        let t12 = self.L.like(1.0) / t11;
-        let t14 = t12 * t13;
+        let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
+        let t12 = self.L.like(1.0) / cos_lamF;
+        let t14 = t12 * sin_lamF;
         let t15 = pitch_by_vertical * t14;
         let t16 = pitch_by_vertical * t6;
         let t17 = t15 + t16;
@@ -191,52 +192,31 @@ impl<T: Scalar> Skateboard<T> {
         let t33 = -spin_RL_by_gamma;
         SkateboardKinematics {
             lateral: Rate {
-                speed: self.L.like(0.0),
+                speed: t0,
                 rates: [t26],
                 coordinates: [t27],
                 heading: self.L.like(1.0),
             },
             yaw: Rate {
-                speed: self.L.like(0.0),
-                rates: [self.L.like(0.0)],
-                coordinates: [t17],
-                heading: self.L.like(0.0),
+                speed: t0, rates: [t0], coordinates: [t17], heading: t0,
             },
             deltaF: Rate {
-                speed: self.L.like(0.0),
-                rates: [t28],
-                coordinates: [self.L.like(0.0)],
-                heading: self.L.like(0.0),
+                speed: t0, rates: [t28], coordinates: [t0], heading: t0,
             },
             deltaR: Rate {
-                speed: self.L.like(0.0),
-                rates: [t29],
-                coordinates: [self.L.like(0.0)],
-                heading: self.L.like(0.0),
+                speed: t0, rates: [t29], coordinates: [t0], heading: t0,
             },
             wheel_FL: Rate {
-                speed: t30,
-                rates: [t31],
-                coordinates: [t32],
-                heading: self.L.like(0.0),
+                speed: t30, rates: [t31], coordinates: [t32], heading: t0,
             },
             wheel_FR: Rate {
-                speed: t30,
-                rates: [t21],
-                coordinates: [t24],
-                heading: self.L.like(0.0),
+                speed: t30, rates: [t21], coordinates: [t24], heading: t0,
             },
             wheel_RL: Rate {
-                speed: t30,
-                rates: [spin_RL_by_gamma],
-                coordinates: [t32],
-                heading: self.L.like(0.0),
+                speed: t30, rates: [spin_RL_by_gamma], coordinates: [t32], heading: t0,
             },
             wheel_RR: Rate {
-                speed: t30,
-                rates: [t33],
-                coordinates: [t24],
-                heading: self.L.like(0.0),
+                speed: t30, rates: [t33], coordinates: [t24], heading: t0,
             },
             forces: [[self.L.like(1.0)]],
         }
@@ -262,51 +242,52 @@ impl<T: Number> Skateboard<T> {
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (SkateboardMatrices<T>, SkateboardDerivatives<T>) {
         let P_gamma_lateral = self.h * self.m;
-        let t5 = self.Ixx + self.h * P_gamma_lateral;
-        let (lateral_per_v_deltaR, t7) = self.lamR.sin_cos();
-        let t8 = self.L.like(1.0) / t7;
+        let M_11 = self.Ixx + self.h * P_gamma_lateral;
+        let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
+        let t8 = self.L.like(1.0) / cos_lamR;
         let t10 = t8 * lateral_per_v_deltaR;
         let P_gamma_yaw = self.Ixz + P_gamma_lateral * self.x;
         let t17 = self.L.like(1.0) / self.L;
-        let (t21, t19) = self.lamF.sin_cos();
-        let t20 = self.L.like(1.0) / t19;
-        let t22 = t20 * t21;
-        let t24 = t17 * (t10 + t22);
-        let t26 = P_gamma_yaw * t24 - P_gamma_lateral * t10;
-        let t28 = t20 * t20;
-        let t29 = self.kF * t28;
-        let t31 = t8 * t8;
-        let t33 = t29 + self.kR * t31;
-        let t34 = P_gamma_lateral * t24;
-        let t35 = t17 * t24;
+        let (sin_lamF, cos_lamF) = self.lamF.sin_cos();
+        let t20 = self.L.like(1.0) / cos_lamF;
+        let t22 = t20 * sin_lamF;
+        let C1_11_Ixz = t17 * (t10 + t22);
+        let C1_11 = P_gamma_yaw * C1_11_Ixz - P_gamma_lateral * t10;
+        let Kc_11_kF = t20 * t20;
+        let t29 = self.kF * Kc_11_kF;
+        let Kc_11_kR = t8 * t8;
+        let Kc_11 = t29 + self.kR * Kc_11_kR;
+        let K2_11 = P_gamma_lateral * C1_11_Ixz;
+        let t35 = t17 * C1_11_Ixz;
         let t36 = P_gamma_yaw * t35;
         let t37 = P_gamma_lateral * t35;
-        let t41 = t17 * t20 * (t19 + t21 * t22);
-        let t42 = P_gamma_yaw * t41;
+        let t41 = t17 * t20 * (cos_lamF + sin_lamF * t22);
+        let C1_11_lamF = P_gamma_yaw * t41;
         let t43 = t22 * t29;
-        let t44 = t43 + t43;
-        let t45 = P_gamma_lateral * t41;
-        let t47 = lateral_per_v_deltaR * t31;
+        let Kc_11_lamF = t43 + t43;
+        let K2_11_lamF = P_gamma_lateral * t41;
+        let t47 = lateral_per_v_deltaR * Kc_11_kR;
         let t49 = self.L.like(1.0) + lateral_per_v_deltaR * t47;
         let t51 = t17 * t49;
-        let t53 = P_gamma_yaw * t51 - P_gamma_lateral * t49;
+        let C1_11_lamR = P_gamma_yaw * t51 - P_gamma_lateral * t49;
         let t55 = t8 * self.kR * t47;
-        let t56 = t55 + t55;
-        let t57 = P_gamma_lateral * t51;
-        let t58 = self.h * self.h;
-        let C111_P_gamma_lateral = self.x * t24 - t10;
-        let t61 = self.h * C111_P_gamma_lateral;
-        let t62 = self.h * t24;
-        let t63 = P_gamma_lateral + P_gamma_lateral;
-        let t64 = self.m * C111_P_gamma_lateral;
-        let t65 = self.m * t24;
-        let t66 = -P_gamma_lateral;
+        let Kc_11_lamR = t55 + t55;
+        let K2_11_lamR = P_gamma_lateral * t51;
+        let M_11_m = self.h * self.h;
+        let C1_11_P_gamma_lateral = self.x * C1_11_Ixz - t10;
+        let C1_11_m = self.h * C1_11_P_gamma_lateral;
+        let K2_11_m = self.h * C1_11_Ixz;
+        let M_11_h = P_gamma_lateral + P_gamma_lateral;
+        let C1_11_h = self.m * C1_11_P_gamma_lateral;
+        let K2_11_h = self.m * C1_11_Ixz;
+        let K0_11 = -P_gamma_lateral;
         (
-            SkateboardMatrices::from_entries([t5, t26, t33, t66, t34]),
+            SkateboardMatrices::from_entries([M_11, C1_11, Kc_11, K0_11, K2_11]),
             SkateboardDerivatives {
                 values: [
-                    t36, t37, t42, t44, t45, t53, t56, t57, t28, t31, t58, t61, self.h, t62, t34,
-                    t63, t64, self.m, t65, self.L.like(1.0), t24,
+                    t36, t37, C1_11_lamF, Kc_11_lamF, K2_11_lamF, C1_11_lamR, Kc_11_lamR,
+                    K2_11_lamR, Kc_11_kF, Kc_11_kR, M_11_m, C1_11_m, self.h, K2_11_m, K2_11, M_11_h,
+                    C1_11_h, self.m, K2_11_h, self.L.like(1.0), C1_11_Ixz,
                 ],
             },
         )

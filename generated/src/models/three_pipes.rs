@@ -81,30 +81,29 @@ impl<T: Number> ThreePipes<T> {
         let t1 = self.l * self.l;
         let weight = t1 * (self.m + self.f);
         let inertia = self.l * weight;
-        let t8 = inertia * self.l.like(2.3333333333333335);
-        let t10 = inertia * self.l.like(1.5);
-        let t12 = inertia * self.l.like(0.5);
-        let t14 = inertia * self.l.like(1.3333333333333333);
-        let t16 = inertia * self.l.like(0.3333333333333333);
-        let t18 = self.c + self.c;
-        let t20 = t1 * self.f;
-        let t21 = t20 + t20;
-        let t23 = self.k + self.k;
-        let t25 = weight * self.l.like(2.5);
-        let t26 = weight * self.l.like(1.5);
-        let t27 = weight * self.l.like(0.5);
-        let t28 = self.l * self.f;
-        let t29 = -self.c;
-        let t30 = -self.k;
-        let t31 = -t28;
+        let M_11 = inertia * self.l.like(2.3333333333333335);
+        let M_12 = inertia * self.l.like(1.5);
+        let M_13 = inertia * self.l.like(0.5);
+        let M_22 = inertia * self.l.like(1.3333333333333333);
+        let M_33 = inertia * self.l.like(0.3333333333333333);
+        let C0_11 = self.c + self.c;
+        let zero = self.l.like(0.0);
+        let C1_11 = t1 * self.f;
+        let C1_12 = C1_11 + C1_11;
+        let Kc_11 = self.k + self.k;
+        let K0_11 = weight * self.l.like(2.5);
+        let K0_22 = weight * self.l.like(1.5);
+        let K0_33 = weight * self.l.like(0.5);
+        let K2_13 = self.l * self.f;
+        let C0_12 = -self.c;
+        let Kc_12 = -self.k;
+        let K2_11 = -K2_13;
         ThreePipesMatrices::from_entries([
-            t8, t10, t12, t10, t14, t12, t12, t12, t16, t18, t29, self.l.like(0.0), t29, t18, t29,
-            self.l.like(0.0), t29, self.c, t20, t21, t21, self.l.like(0.0), t20, t21,
-            self.l.like(0.0), self.l.like(0.0), t20, t23, t30, self.l.like(0.0), t30, t23, t30,
-            self.l.like(0.0), t30, self.k, t25, self.l.like(0.0), self.l.like(0.0),
-            self.l.like(0.0), t26, self.l.like(0.0), self.l.like(0.0), self.l.like(0.0), t27, t31,
-            self.l.like(0.0), t28, self.l.like(0.0), t31, t28, self.l.like(0.0), self.l.like(0.0),
-            self.l.like(0.0),
+            M_11, M_12, M_13, M_12, M_22, M_13, M_13, M_13, M_33, C0_11, C0_12, zero, C0_12, C0_11,
+            C0_12, zero, C0_12, self.c, C1_11, C1_12, C1_12, zero, C1_11, C1_12, zero, zero, C1_11,
+            Kc_11, Kc_12, zero, Kc_12, Kc_11, Kc_12, zero, Kc_12, self.k, K0_11, zero, zero, zero,
+            K0_22, zero, zero, zero, K0_33, K2_11, zero, K2_13, zero, K2_11, K2_13, zero, zero,
+            zero,
         ])
     }
 }
@@ -131,57 +130,57 @@ impl<T: Number> ThreePipes<T> {
         let weight_m = self.l * self.l;
         let inertia_m = self.l * weight_m;
         let inertia = t2 * inertia_m;
-        let t8 = inertia * self.l.like(2.3333333333333335);
-        let t10 = inertia * self.l.like(1.5);
-        let t12 = inertia * self.l.like(0.5);
-        let t14 = inertia * self.l.like(1.3333333333333333);
-        let t16 = inertia * self.l.like(0.3333333333333333);
-        let t18 = self.c + self.c;
-        let t20 = self.f * weight_m;
-        let t21 = weight_m + weight_m;
-        let t22 = self.f * t21;
-        let t24 = self.k + self.k;
+        let M_11 = inertia * self.l.like(2.3333333333333335);
+        let M_12 = inertia * self.l.like(1.5);
+        let M_13 = inertia * self.l.like(0.5);
+        let M_22 = inertia * self.l.like(1.3333333333333333);
+        let M_33 = inertia * self.l.like(0.3333333333333333);
+        let C0_11 = self.c + self.c;
+        let zero = self.l.like(0.0);
+        let C1_11 = self.f * weight_m;
+        let C1_12_f = weight_m + weight_m;
+        let C1_12 = self.f * C1_12_f;
+        let Kc_11 = self.k + self.k;
         let weight = t2 * weight_m;
-        let t27 = weight * self.l.like(2.5);
-        let t28 = self.l.like(1.5) * weight;
-        let t29 = self.l.like(0.5) * weight;
-        let t30 = self.f * self.l;
+        let K0_11 = weight * self.l.like(2.5);
+        let K0_22 = self.l.like(1.5) * weight;
+        let K0_33 = self.l.like(0.5) * weight;
+        let K2_13 = self.f * self.l;
         let inertia_l = weight * self.l.like(3.0);
-        let t33 = self.l.like(2.3333333333333335) * inertia_l;
-        let t34 = self.l.like(1.5) * inertia_l;
-        let t35 = self.l.like(0.5) * inertia_l;
-        let t36 = self.l.like(1.3333333333333333) * inertia_l;
-        let t37 = t30 + t30;
-        let t39 = t30 * self.l.like(4.0);
-        let t40 = t2 * self.l;
-        let weight_l = t40 + t40;
-        let t42 = self.l.like(2.5) * weight_l;
-        let t43 = self.l.like(1.5) * weight_l;
-        let t44 = inertia_m * self.l.like(2.3333333333333335);
-        let t45 = inertia_m * self.l.like(1.5);
-        let t46 = inertia_m * self.l.like(0.5);
-        let t47 = inertia_m * self.l.like(1.3333333333333333);
-        let t48 = inertia_m * self.l.like(0.3333333333333333);
-        let t49 = weight_m * self.l.like(2.5);
-        let t50 = weight_m * self.l.like(1.5);
-        let t51 = weight_m * self.l.like(0.5);
-        let t54 = -self.c;
-        let t55 = -self.k;
-        let t56 = -t30;
+        let M_11_l = self.l.like(2.3333333333333335) * inertia_l;
+        let M_12_l = self.l.like(1.5) * inertia_l;
+        let M_13_l = self.l.like(0.5) * inertia_l;
+        let M_22_l = self.l.like(1.3333333333333333) * inertia_l;
+        let C1_11_l = K2_13 + K2_13;
+        let C1_12_l = K2_13 * self.l.like(4.0);
+        let K0_33_l = t2 * self.l;
+        let weight_l = K0_33_l + K0_33_l;
+        let K0_11_l = self.l.like(2.5) * weight_l;
+        let K0_22_l = self.l.like(1.5) * weight_l;
+        let M_11_m = inertia_m * self.l.like(2.3333333333333335);
+        let M_12_m = inertia_m * self.l.like(1.5);
+        let M_13_m = inertia_m * self.l.like(0.5);
+        let M_22_m = inertia_m * self.l.like(1.3333333333333333);
+        let M_33_m = inertia_m * self.l.like(0.3333333333333333);
+        let K0_11_m = weight_m * self.l.like(2.5);
+        let K0_22_m = weight_m * self.l.like(1.5);
+        let K0_33_m = weight_m * self.l.like(0.5);
+        let C0_12 = -self.c;
+        let Kc_12 = -self.k;
+        let K2_11 = -K2_13;
         (
             ThreePipesMatrices::from_entries([
-                t8, t10, t12, t10, t14, t12, t12, t12, t16, t18, t54, self.l.like(0.0), t54, t18,
-                t54, self.l.like(0.0), t54, self.c, t20, t22, t22, self.l.like(0.0), t20, t22,
-                self.l.like(0.0), self.l.like(0.0), t20, t24, t55, self.l.like(0.0), t55, t24, t55,
-                self.l.like(0.0), t55, self.k, t27, self.l.like(0.0), self.l.like(0.0),
-                self.l.like(0.0), t28, self.l.like(0.0), self.l.like(0.0), self.l.like(0.0), t29,
-                t56, self.l.like(0.0), t30, self.l.like(0.0), t56, t30, self.l.like(0.0),
-                self.l.like(0.0), self.l.like(0.0),
+                M_11, M_12, M_13, M_12, M_22, M_13, M_13, M_13, M_33, C0_11, C0_12, zero, C0_12,
+                C0_11, C0_12, zero, C0_12, self.c, C1_11, C1_12, C1_12, zero, C1_11, C1_12, zero,
+                zero, C1_11, Kc_11, Kc_12, zero, Kc_12, Kc_11, Kc_12, zero, Kc_12, self.k, K0_11,
+                zero, zero, zero, K0_22, zero, zero, zero, K0_33, K2_11, zero, K2_13, zero, K2_11,
+                K2_13, zero, zero, zero,
             ]),
             ThreePipesDerivatives {
                 values: [
-                    t33, t34, t35, t36, weight, t37, t39, t42, t43, t40, self.f, t44, t45, t46, t47,
-                    t48, t49, t50, t51, weight_m, t21, self.l, self.l.like(2.0), self.l.like(-1.0),
+                    M_11_l, M_12_l, M_13_l, M_22_l, weight, C1_11_l, C1_12_l, K0_11_l, K0_22_l,
+                    K0_33_l, self.f, M_11_m, M_12_m, M_13_m, M_22_m, M_33_m, K0_11_m, K0_22_m,
+                    K0_33_m, weight_m, C1_12_f, self.l, self.l.like(2.0), self.l.like(-1.0),
                     self.l.like(1.0),
                 ],
             },

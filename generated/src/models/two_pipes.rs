@@ -81,23 +81,23 @@ impl<T: Number> TwoPipes<T> {
         let t1 = self.l * self.l;
         let weight = t1 * (self.m + self.f);
         let inertia = self.l * weight;
-        let t8 = inertia * self.l.like(1.3333333333333333);
-        let t10 = inertia * self.l.like(0.5);
-        let t12 = inertia * self.l.like(0.3333333333333333);
-        let t14 = self.c + self.c;
-        let t15 = t1 * self.f;
-        let t16 = t15 + t15;
-        let t19 = self.k + self.k;
-        let t21 = weight * self.l.like(1.5);
-        let t22 = weight * self.l.like(0.5);
-        let t23 = self.l * self.f;
-        let t24 = -self.c;
-        let t25 = -self.k;
-        let t26 = -t23;
+        let M_11 = inertia * self.l.like(1.3333333333333333);
+        let M_12 = inertia * self.l.like(0.5);
+        let M_22 = inertia * self.l.like(0.3333333333333333);
+        let C0_11 = self.c + self.c;
+        let C1_11 = t1 * self.f;
+        let C1_12 = C1_11 + C1_11;
+        let zero = self.l.like(0.0);
+        let Kc_11 = self.k + self.k;
+        let K0_11 = weight * self.l.like(1.5);
+        let K0_22 = weight * self.l.like(0.5);
+        let K2_12 = self.l * self.f;
+        let C0_12 = -self.c;
+        let Kc_12 = -self.k;
+        let K2_11 = -K2_12;
         TwoPipesMatrices::from_entries([
-            t8, t10, t10, t12, t14, t24, t24, self.c, t15, t16, self.l.like(0.0), t15, t19, t25,
-            t25, self.k, t21, self.l.like(0.0), self.l.like(0.0), t22, t26, t23, self.l.like(0.0),
-            self.l.like(0.0),
+            M_11, M_12, M_12, M_22, C0_11, C0_12, C0_12, self.c, C1_11, C1_12, zero, C1_11, Kc_11,
+            Kc_12, Kc_12, self.k, K0_11, zero, zero, K0_22, K2_11, K2_12, zero, zero,
         ])
     }
 }
@@ -124,42 +124,43 @@ impl<T: Number> TwoPipes<T> {
         let weight_m = self.l * self.l;
         let inertia_m = self.l * weight_m;
         let inertia = t2 * inertia_m;
-        let t8 = inertia * self.l.like(1.3333333333333333);
-        let t10 = inertia * self.l.like(0.5);
-        let t12 = inertia * self.l.like(0.3333333333333333);
-        let t14 = self.c + self.c;
-        let t15 = self.f * weight_m;
-        let t16 = weight_m + weight_m;
-        let t17 = self.f * t16;
-        let t20 = self.k + self.k;
+        let M_11 = inertia * self.l.like(1.3333333333333333);
+        let M_12 = inertia * self.l.like(0.5);
+        let M_22 = inertia * self.l.like(0.3333333333333333);
+        let C0_11 = self.c + self.c;
+        let C1_11 = self.f * weight_m;
+        let C1_12_f = weight_m + weight_m;
+        let C1_12 = self.f * C1_12_f;
+        let zero = self.l.like(0.0);
+        let Kc_11 = self.k + self.k;
         let weight = t2 * weight_m;
-        let t23 = weight * self.l.like(1.5);
-        let t24 = self.l.like(0.5) * weight;
-        let t25 = self.f * self.l;
-        let t27 = weight * self.l.like(4.0);
-        let t29 = t24 * self.l.like(3.0);
-        let t30 = t25 + t25;
-        let t31 = t25 * self.l.like(4.0);
-        let t32 = t2 * self.l;
-        let t33 = self.l.like(3.0) * t32;
-        let t34 = inertia_m * self.l.like(1.3333333333333333);
-        let t35 = inertia_m * self.l.like(0.5);
-        let t36 = inertia_m * self.l.like(0.3333333333333333);
-        let t37 = weight_m * self.l.like(1.5);
-        let t38 = weight_m * self.l.like(0.5);
-        let t41 = -self.c;
-        let t42 = -self.k;
-        let t43 = -t25;
+        let K0_11 = weight * self.l.like(1.5);
+        let K0_22 = self.l.like(0.5) * weight;
+        let K2_12 = self.f * self.l;
+        let M_11_l = weight * self.l.like(4.0);
+        let M_12_l = K0_22 * self.l.like(3.0);
+        let C1_11_l = K2_12 + K2_12;
+        let C1_12_l = K2_12 * self.l.like(4.0);
+        let K0_22_l = t2 * self.l;
+        let K0_11_l = self.l.like(3.0) * K0_22_l;
+        let M_11_m = inertia_m * self.l.like(1.3333333333333333);
+        let M_12_m = inertia_m * self.l.like(0.5);
+        let M_22_m = inertia_m * self.l.like(0.3333333333333333);
+        let K0_11_m = weight_m * self.l.like(1.5);
+        let K0_22_m = weight_m * self.l.like(0.5);
+        let C0_12 = -self.c;
+        let Kc_12 = -self.k;
+        let K2_11 = -K2_12;
         (
             TwoPipesMatrices::from_entries([
-                t8, t10, t10, t12, t14, t41, t41, self.c, t15, t17, self.l.like(0.0), t15, t20, t42,
-                t42, self.k, t23, self.l.like(0.0), self.l.like(0.0), t24, t43, t25,
-                self.l.like(0.0), self.l.like(0.0),
+                M_11, M_12, M_12, M_22, C0_11, C0_12, C0_12, self.c, C1_11, C1_12, zero, C1_11,
+                Kc_11, Kc_12, Kc_12, self.k, K0_11, zero, zero, K0_22, K2_11, K2_12, zero, zero,
             ]),
             TwoPipesDerivatives {
                 values: [
-                    t27, t29, weight, t30, t31, t33, t32, self.f, t34, t35, t36, t37, t38, weight_m,
-                    t16, self.l, self.l.like(2.0), self.l.like(-1.0), self.l.like(1.0),
+                    M_11_l, M_12_l, weight, C1_11_l, C1_12_l, K0_11_l, K0_22_l, self.f, M_11_m,
+                    M_12_m, M_22_m, K0_11_m, K0_22_m, weight_m, C1_12_f, self.l, self.l.like(2.0),
+                    self.l.like(-1.0), self.l.like(1.0),
                 ],
             },
         )

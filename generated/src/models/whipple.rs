@@ -162,42 +162,43 @@ impl<T: Number> Whipple<T> {
         let ITxx = self.IRxx + self.IBxx + self.rR * t4 + self.zB * t8 + t22;
         let t36 = self.IHxz + t12 * self.w - t16 * self.xH;
         let ITxz = self.IBxz + t36 - t8 * self.xB;
-        let (t52, t41) = self.lam.sin_cos();
-        let t42 = t41 / self.w;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t42 = cos_lam / self.w;
         let mu = self.c * t42;
         let t47 = self.w + self.c - self.xH;
-        let t51 = t41 * (self.IHxz + t16 * t47 - t12 * self.c);
-        let t54 = t51 + t22 * t52;
-        let t55 = ITxz * mu + t54;
+        let t51 = cos_lam * (self.IHxz + t16 * t47 - t12 * self.c);
+        let t54 = t51 + t22 * sin_lam;
+        let M_12 = ITxz * mu + t54;
         let t57 = self.IFxx + self.IHzz;
         let t58 = self.mH * t47;
         let t60 = self.mF * self.c;
         let t69 = self.mH * self.xH;
-        let IAlz = t41 * (t57 - self.w * t60 - t47 * t69) + t36 * t52;
+        let IAlz = cos_lam * (t57 - self.w * t60 - t47 * t69) + t36 * sin_lam;
         let t77 = self.mB * self.xB;
         let t80 = self.mF * self.w;
         let ITzz = self.IRxx + t57 + self.IBzz + self.xB * t77 + self.xH * t69
             + self.w * t80;
         let t88 = IAlz + mu * ITzz;
-        let t92 = t41 * t41 * (t57 + t47 * t58 + self.c * t60) + t52 * (t51 + t54)
-            + mu * (IAlz + t88);
+        let M_22 = cos_lam * cos_lam * (t57 + t47 * t58 + self.c * t60)
+            + sin_lam * (t51 + t54) + mu * (IAlz + t88);
+        let zero = self.w.like(0.0);
         let SF = self.IFyy / self.rF;
         let SR = self.IRyy / self.rR;
         let ST = SF + SR;
         let t100 = t12 - t16;
         let t101 = t8 - t4;
         let t103 = ST + (t100 - t101);
-        let t107 = t42 * (ITxz + self.w * SF + self.c * t103);
-        let t118 = t41 * (t58 + t60) - (mu * (t69 + t77 + t80) + t52 * t100);
-        let t121 = t42 * t88 - mu * t118;
-        let t122 = t52 * t118;
-        let t123 = t42 * t103;
-        let t126 = t42 * (t52 * SF - t118);
-        let t127 = -(mu * ST + t41 * SF);
-        let t128 = t101 - t100;
+        let C1_12 = t42 * (ITxz + self.w * SF + self.c * t103);
+        let K0_12 = cos_lam * (t58 + t60) - (mu * (t69 + t77 + t80) + sin_lam * t100);
+        let C1_22 = t42 * t88 - mu * K0_12;
+        let K0_22 = sin_lam * K0_12;
+        let K2_12 = t42 * t103;
+        let K2_22 = t42 * (sin_lam * SF - K0_12);
+        let C1_21 = -(mu * ST + cos_lam * SF);
+        let K0_11 = t101 - t100;
         WhippleMatrices::from_entries([
-            ITxx, t55, t55, t92, self.w.like(0.0), t107, t127, t121, t128, t118, t118, t122,
-            self.w.like(0.0), t123, self.w.like(0.0), t126,
+            ITxx, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
+            K2_12, zero, K2_22,
         ])
     }
 }
@@ -225,32 +226,33 @@ impl<T: Number> Whipple<T> {
         let t14 = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = self.IRxx + self.IBxx + t14 + self.rR * t17 + self.zB * t21;
-        let (t40, t28) = self.lam.sin_cos();
+        let M_11 = self.IRxx + self.IBxx + t14 + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t35 = self.c + self.w - self.xH;
         let t38 = self.IHxz + t6 * t35 - t10 * self.c;
-        let t39 = t28 * t38;
-        let t42 = t39 + t14 * t40;
+        let t39 = cos_lam * t38;
+        let t42 = t39 + t14 * sin_lam;
         let t47 = self.IHxz + t10 * self.w - t6 * self.xH;
         let ITxz = self.IBxz + t47 - t21 * self.xB;
         let t52 = self.w.like(1.0) / self.w;
-        let t53 = t28 * t52;
-        let mu = self.c * t53;
-        let t56 = t42 + ITxz * mu;
+        let C1_12_IBxz = cos_lam * t52;
+        let mu = self.c * C1_12_IBxz;
+        let M_12 = t42 + ITxz * mu;
         let t59 = self.IFxx + self.IHzz;
         let t60 = self.mF * self.c;
         let t62 = self.mH * self.xH;
         let t65 = t59 - self.w * t60 - t35 * t62;
-        let IAlz = t40 * t47 + t28 * t65;
+        let IAlz = sin_lam * t47 + cos_lam * t65;
         let t69 = self.mF * self.w;
         let t71 = self.mB * self.xB;
         let ITzz = self.IRxx + t59 + self.IBzz + self.w * t69 + self.xB * t71
             + self.xH * t62;
         let t80 = IAlz + mu * ITzz;
-        let t85 = t28 * t28;
+        let t85 = cos_lam * cos_lam;
         let t87 = self.mH * t35;
         let t90 = t59 + self.c * t60 + t35 * t87;
-        let t93 = mu * (IAlz + t80) + t40 * (t39 + t42) + t85 * t90;
+        let M_22 = mu * (IAlz + t80) + sin_lam * (t39 + t42) + t85 * t90;
+        let zero = self.w.like(0.0);
         let t96 = self.w.like(1.0) / self.rF;
         let SF = self.IFyy * t96;
         let t100 = self.w.like(1.0) / self.rR;
@@ -260,199 +262,207 @@ impl<T: Number> Whipple<T> {
         let t104 = t21 - t17;
         let t106 = ST + (t103 - t104);
         let t109 = ITxz + self.w * SF + self.c * t106;
-        let t110 = t53 * t109;
-        let t111 = t28 * SF;
+        let C1_12 = C1_12_IBxz * t109;
+        let t111 = cos_lam * SF;
         let t115 = t62 + t69 + t71;
         let t118 = t60 + t87;
-        let t121 = t28 * t118 - mu * t115 - t40 * t103;
-        let t124 = t53 * t80 - mu * t121;
-        let t125 = t40 * t121;
-        let t126 = t53 * t106;
-        let t127 = t40 * SF;
-        let t128 = t127 - t121;
-        let t129 = t53 * t128;
-        let t130 = t6 * t28;
-        let t132 = t52 * t53;
+        let K0_12 = cos_lam * t118 - mu * t115 - sin_lam * t103;
+        let C1_22 = C1_12_IBxz * t80 - mu * K0_12;
+        let K0_22 = sin_lam * K0_12;
+        let K2_12 = C1_12_IBxz * t106;
+        let t127 = sin_lam * SF;
+        let t128 = t127 - K0_12;
+        let K2_22 = C1_12_IBxz * t128;
+        let t130 = t6 * cos_lam;
+        let t132 = t52 * C1_12_IBxz;
         let t133 = self.c * ITxz;
-        let t136 = t130 + t10 * mu - t132 * t133;
-        let t137 = t28 * t62;
+        let M_12_w = t130 + t10 * mu - t132 * t133;
+        let t137 = cos_lam * t62;
         let t138 = mu + mu;
-        let t140 = t40 + t40;
+        let t140 = sin_lam + sin_lam;
         let t142 = t35 * t85;
         let t147 = t130 * t140 + self.mH * t142 + t85 * t87 - t137 * t138;
-        let t149 = t10 * t40;
-        let IAlz_w = t149 - t28 * t60;
-        let M22_mu = t80 + t80;
-        let t153 = self.c * M22_mu;
+        let t149 = t10 * sin_lam;
+        let IAlz_w = t149 - cos_lam * t60;
+        let M_22_mu = t80 + t80;
+        let t153 = self.c * M_22_mu;
         let ITzz_w = t69 + t69;
-        let M22_ITzz = mu * mu;
-        let t160 = t147 + t138 * IAlz_w + ITzz_w * M22_ITzz - t132 * t153;
-        let t164 = t53 * (t10 + SF) - t109 * t132;
+        let M_22_ITzz = mu * mu;
+        let M_22_w = t147 + t138 * IAlz_w + ITzz_w * M_22_ITzz - t132 * t153;
+        let C1_12_w = C1_12_IBxz * (t10 + SF) - t109 * t132;
         let t165 = self.c * ST;
-        let t166 = t132 * t165;
-        let t167 = t53 * t137;
-        let t168 = self.mH * t28;
+        let C1_21_w = t132 * t165;
+        let t167 = C1_12_IBxz * t137;
+        let t168 = self.mH * cos_lam;
         let t170 = self.c * t115;
-        let t173 = t168 + t132 * t170 - self.mF * mu;
-        let C122_mu = t53 * ITzz - t121;
-        let t179 = t80 + self.c * C122_mu;
-        let C122_ITzz = t53 * mu;
-        let t186 = t53 * IAlz_w + ITzz_w * C122_ITzz - t167 - mu * t173 - t132 * t179;
-        let t187 = t40 * t173;
+        let K0_12_w = t168 + t132 * t170 - self.mF * mu;
+        let C1_22_mu = C1_12_IBxz * ITzz - K0_12;
+        let t179 = t80 + self.c * C1_22_mu;
+        let C1_22_ITzz = C1_12_IBxz * mu;
+        let C1_22_w = C1_12_IBxz * IAlz_w + ITzz_w * C1_22_ITzz - t167 - mu * K0_12_w
+            - t132 * t179;
+        let K0_22_w = sin_lam * K0_12_w;
         let t188 = t106 * t132;
-        let t191 = t53 * t173 + t128 * t132;
-        let t192 = t10 * t28;
-        let t195 = t130 + ITxz * t53 - t192;
-        let t197 = t28 * self.w;
+        let t191 = C1_12_IBxz * K0_12_w + t128 * t132;
+        let t192 = t10 * cos_lam;
+        let M_12_c = t130 + ITxz * C1_12_IBxz - t192;
+        let t197 = cos_lam * self.w;
         let t200 = self.c * t85 - t138 * t197;
-        let t207 = t147 + self.mF * t200 + t53 * M22_mu + t60 * t85 - t140 * t192;
-        let t208 = t53 * ST;
-        let t212 = t168 + self.mF * t28 - t53 * t115;
-        let t214 = t53 * t197;
-        let t219 = t53 * C122_mu - t167 - mu * t212 - self.mF * t214;
-        let t220 = t40 * t212;
-        let t221 = t53 * t212;
-        let t222 = t38 * t40;
-        let t224 = t40 * t52;
-        let t227 = t14 * t28 - t222 - t133 * t224;
-        let t228 = t28 * t40;
-        let IAlz_lam = t28 * t47 - t40 * t65;
-        let t242 = t138 * IAlz_lam + t28 * (t42 + t42) - t90 * (t228 + t228)
+        let M_22_c = t147 + self.mF * t200 + C1_12_IBxz * M_22_mu + t60 * t85
+            - t140 * t192;
+        let t208 = C1_12_IBxz * ST;
+        let K0_12_c = t168 + self.mF * cos_lam - C1_12_IBxz * t115;
+        let t214 = C1_12_IBxz * t197;
+        let C1_22_c = C1_12_IBxz * C1_22_mu - t167 - mu * K0_12_c - self.mF * t214;
+        let K0_22_c = sin_lam * K0_12_c;
+        let t221 = C1_12_IBxz * K0_12_c;
+        let t222 = t38 * sin_lam;
+        let t224 = sin_lam * t52;
+        let M_12_lam = t14 * cos_lam - t222 - t133 * t224;
+        let t228 = cos_lam * sin_lam;
+        let IAlz_lam = cos_lam * t47 - sin_lam * t65;
+        let M_22_lam = t138 * IAlz_lam + cos_lam * (t42 + t42) - t90 * (t228 + t228)
             - t140 * t222 - t153 * t224;
         let t243 = t109 * t224;
-        let t245 = t127 + t165 * t224;
-        let t250 = t170 * t224 - t28 * t103 - t40 * t118;
-        let t255 = t53 * IAlz_lam - mu * t250 - t179 * t224;
-        let t258 = t40 * t250 + t28 * t121;
+        let C1_21_lam = t127 + t165 * t224;
+        let K0_12_lam = t170 * t224 - cos_lam * t103 - sin_lam * t118;
+        let C1_22_lam = C1_12_IBxz * IAlz_lam - mu * K0_12_lam - t179 * t224;
+        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
         let t259 = t106 * t224;
-        let t263 = t53 * (t111 - t250) - t128 * t224;
-        let t264 = t17 + t17;
+        let K2_22_lam = C1_12_IBxz * (t111 - K0_12_lam) - t128 * t224;
+        let M_11_rR = t17 + t17;
         let t265 = t100 * t101;
         let t266 = self.mR - t265;
-        let t267 = mu * t266;
-        let t268 = mu * t265;
-        let t269 = t53 * t266;
-        let t270 = self.rR * self.rR;
-        let t271 = self.rR * mu;
-        let t272 = self.rR * t53;
-        let t274 = mu * t100;
-        let t275 = t53 * t100;
+        let C1_12_rR = mu * t266;
+        let C1_21_rR = mu * t265;
+        let K2_12_rR = C1_12_IBxz * t266;
+        let M_11_mR = self.rR * self.rR;
+        let C1_12_mR = self.rR * mu;
+        let K2_12_mR = self.rR * C1_12_IBxz;
+        let C1_12_IRyy = mu * t100;
+        let K2_12_IRyy = C1_12_IBxz * t100;
         let t276 = t21 * mu;
         let ITzz_xB = t71 + t71;
-        let t278 = M22_ITzz * ITzz_xB;
-        let t279 = t21 * t53;
+        let M_22_xB = M_22_ITzz * ITzz_xB;
+        let t279 = t21 * C1_12_IBxz;
         let t280 = self.mB * mu;
-        let t283 = mu * t280 + C122_ITzz * ITzz_xB;
-        let t284 = t40 * t280;
-        let t285 = t53 * t280;
-        let t286 = t21 + t21;
+        let C1_22_xB = mu * t280 + C1_22_ITzz * ITzz_xB;
+        let t284 = sin_lam * t280;
+        let K2_22_xB = C1_12_IBxz * t280;
+        let M_11_zB = t21 + t21;
         let t287 = self.xB * mu;
         let t288 = self.mB * t287;
-        let t290 = mu + self.xB * t53;
+        let t290 = mu + self.xB * C1_12_IBxz;
         let t291 = self.mB * t290;
-        let t292 = self.mB * t53;
-        let t293 = self.zB * self.zB;
+        let t292 = self.mB * C1_12_IBxz;
+        let M_11_mB = self.zB * self.zB;
         let t294 = self.zB * t287;
         let ITzz_mB = self.xB * self.xB;
-        let t296 = M22_ITzz * ITzz_mB;
+        let M_22_mB = M_22_ITzz * ITzz_mB;
         let t297 = self.zB * t290;
-        let t300 = mu * t287 + C122_ITzz * ITzz_mB;
-        let t301 = t40 * t287;
-        let t302 = self.zB * t53;
-        let t303 = t53 * t287;
+        let C1_22_mB = mu * t287 + C1_22_ITzz * ITzz_mB;
+        let t301 = sin_lam * t287;
+        let t302 = self.zB * C1_12_IBxz;
+        let K2_22_mB = C1_12_IBxz * t287;
         let t305 = t130 + t6 * mu;
-        let t306 = t6 * t40;
-        let t308 = t28 * t35;
-        let t311 = self.xH * M22_ITzz - t138 * t308;
-        let t316 = self.mH * t311 + t62 * M22_ITzz - t147 - t138 * t306;
-        let t317 = t6 * t53;
+        let t306 = t6 * sin_lam;
+        let t308 = cos_lam * t35;
+        let t311 = self.xH * M_22_ITzz - t138 * t308;
+        let M_22_xH = self.mH * t311 + t62 * M_22_ITzz - t147 - t138 * t306;
+        let t317 = t6 * C1_12_IBxz;
         let t319 = t168 + self.mH * mu;
-        let t323 = self.xH * C122_ITzz - t53 * t308;
-        let t330 = t167 + mu * t319 + self.mH * t323 + t62 * C122_ITzz - t53 * t306;
-        let t331 = t40 * t319;
-        let t332 = t53 * t319;
-        let t333 = t6 + t6;
-        let t337 = t308 + self.zH * t40 - self.xH * mu;
-        let t339 = t306 + self.mH * t337;
-        let t340 = self.xH * t40;
-        let t343 = t40 * t40;
-        let t346 = t140 * t308 + self.zH * t343 - t138 * t340;
-        let t349 = self.mH * t346 + t6 * t343;
-        let t351 = mu + self.xH * t53;
+        let t323 = self.xH * C1_22_ITzz - C1_12_IBxz * t308;
+        let C1_22_xH = t167 + mu * t319 + self.mH * t323 + t62 * C1_22_ITzz
+            - C1_12_IBxz * t306;
+        let t331 = sin_lam * t319;
+        let K2_22_xH = C1_12_IBxz * t319;
+        let M_11_zH = t6 + t6;
+        let K0_12_mH = t308 + self.zH * sin_lam - self.xH * mu;
+        let M_12_zH = t306 + self.mH * K0_12_mH;
+        let t340 = self.xH * sin_lam;
+        let M_22_IHxx = sin_lam * sin_lam;
+        let t346 = t140 * t308 + self.zH * M_22_IHxx - t138 * t340;
+        let M_22_zH = self.mH * t346 + t6 * M_22_IHxx;
+        let t351 = mu + self.xH * C1_12_IBxz;
         let t352 = self.mH * t351;
-        let t353 = self.mH * t40;
-        let t355 = t53 * t340;
-        let t357 = mu * t353 + self.mH * t355;
-        let t358 = t40 * t353;
-        let t359 = self.mH * t53;
-        let t360 = t53 * t353;
-        let t361 = self.zH * self.zH;
-        let t362 = self.zH * t337;
-        let t367 = self.xH * t311 + self.zH * t346 + t35 * t142;
+        let K0_12_zH = self.mH * sin_lam;
+        let t355 = C1_12_IBxz * t340;
+        let t357 = mu * K0_12_zH + self.mH * t355;
+        let K0_22_zH = sin_lam * K0_12_zH;
+        let t359 = self.mH * C1_12_IBxz;
+        let t360 = C1_12_IBxz * K0_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let M_12_mH = self.zH * K0_12_mH;
+        let M_22_mH = self.xH * t311 + self.zH * t346 + t35 * t142;
         let t368 = self.zH * t351;
-        let t373 = self.xH * t323 - mu * t337 - self.zH * t355;
-        let t374 = t40 * t337;
-        let t375 = self.zH * t53;
-        let t376 = t53 * t337;
-        let t379 = t85 + M22_ITzz + t28 * t138;
-        let t381 = C122_ITzz + t28 * t53;
-        let t382 = t28 + mu;
-        let t384 = t228 + t40 * mu;
-        let t385 = t384 + t384;
-        let K222_SF = t40 * t53;
-        let t387 = t10 + t10;
-        let t388 = self.rF * t40;
-        let t389 = t28 * self.c;
+        let C1_22_mH = self.xH * t323 - mu * K0_12_mH - self.zH * t355;
+        let K0_22_mH = sin_lam * K0_12_mH;
+        let t375 = self.zH * C1_12_IBxz;
+        let t376 = C1_12_IBxz * K0_12_mH;
+        let M_22_IHzz = t85 + M_22_ITzz + cos_lam * t138;
+        let C1_22_IHzz = C1_22_ITzz + cos_lam * C1_12_IBxz;
+        let M_12_IHxz = cos_lam + mu;
+        let t384 = t228 + sin_lam * mu;
+        let M_22_IHxz = t384 + t384;
+        let K2_22_SF = sin_lam * C1_12_IBxz;
+        let M_11_rF = t10 + t10;
+        let t388 = self.rF * sin_lam;
+        let t389 = cos_lam * self.c;
         let t391 = t389 - self.w * mu;
         let t392 = t388 - t391;
-        let t394 = t149 + self.mF * t392;
-        let t395 = self.w * t40;
-        let t400 = t138 * t395 + self.rF * t343 - t140 * t389;
-        let t403 = self.mF * t400 + t10 * t343;
-        let C112_SF = mu + self.w * t53;
+        let M_12_rF = t149 + self.mF * t392;
+        let t395 = self.w * sin_lam;
+        let t400 = t138 * t395 + self.rF * M_22_IHxx - t140 * t389;
+        let M_22_rF = self.mF * t400 + t10 * M_22_IHxx;
+        let C1_12_SF = mu + self.w * C1_12_IBxz;
         let t407 = t96 * SF;
-        let t409 = self.mF * C112_SF - C112_SF * t407;
-        let t410 = t382 * t407;
-        let t411 = self.mF * t40;
-        let t413 = t53 * t395;
-        let t415 = mu * t411 + self.mF * t413;
-        let t416 = t40 * t411;
-        let t418 = t53 * (self.mF - t407);
-        let t421 = t53 * t411 - K222_SF * t407;
-        let t422 = self.rF * self.rF;
-        let t423 = self.rF * t392;
+        let C1_12_rF = self.mF * C1_12_SF - C1_12_SF * t407;
+        let C1_21_rF = M_12_IHxz * t407;
+        let t411 = self.mF * sin_lam;
+        let t413 = C1_12_IBxz * t395;
+        let C1_22_rF = mu * t411 + self.mF * t413;
+        let t416 = sin_lam * t411;
+        let K2_12_rF = C1_12_IBxz * (self.mF - t407);
+        let K2_22_rF = C1_12_IBxz * t411 - K2_22_SF * t407;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = self.rF * t392;
         let ITzz_mF = self.w * self.w;
-        let t429 = self.c * t200 + self.rF * t400 + M22_ITzz * ITzz_mF;
-        let t430 = self.rF * C112_SF;
-        let t437 = mu * t392 + self.rF * t413 + C122_ITzz * ITzz_mF - self.c * t214;
-        let t438 = t40 * t392;
-        let t439 = self.rF * t53;
-        let t440 = t53 * t392;
-        let t441 = t343 + t379;
-        let t442 = t96 * C112_SF;
-        let t443 = t96 * t382;
-        let t444 = t53 * t96;
-        let t445 = t96 * K222_SF;
-        let t446 = -(t111 + mu * ST);
-        let t447 = t104 - t103;
-        let t448 = t391 - t388;
+        let M_22_mF = self.c * t200 + self.rF * t400 + M_22_ITzz * ITzz_mF;
+        let C1_12_mF = self.rF * C1_12_SF;
+        let C1_22_mF = mu * t392 + self.rF * t413 + C1_22_ITzz * ITzz_mF - self.c * t214;
+        let t438 = sin_lam * t392;
+        let K2_12_mF = self.rF * C1_12_IBxz;
+        let K2_22_mF = C1_12_IBxz * t392;
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        let C1_12_IFyy = t96 * C1_12_SF;
+        let t443 = t96 * M_12_IHxz;
+        let K2_12_IFyy = C1_12_IBxz * t96;
+        let K2_22_IFyy = t96 * K2_22_SF;
+        let C1_21 = -(t111 + mu * ST);
+        let K0_11 = t104 - t103;
+        let K0_12_mF = t391 - t388;
         (
             WhippleMatrices::from_entries([
-                t26, t56, t56, t93, self.w.like(0.0), t110, t446, t124, t447, t121, t121, t125,
-                self.w.like(0.0), t126, self.w.like(0.0), t129,
+                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K0_12, K0_12, K0_22, zero,
+                K2_12, zero, K2_22,
             ]),
             WhippleDerivatives {
                 values: [
-                    t136, t160, t164, t166, t186, t173, t187, t188, t191, t195, t207, t126, t208,
-                    t219, t212, t220, t221, t227, t242, t243, t245, t255, t250, t258, t259, t263,
-                    t264, t267, t268, self.mR, t269, t270, t271, self.rR, t272, self.w.like(1.0),
-                    M22_ITzz, C122_ITzz, t274, t275, t276, t278, t279, t283, t280, t284, t285, t286,
-                    t288, t291, self.mB, t292, t293, t294, t296, t297, t300, self.zB, t287, t301,
-                    t302, t303, mu, t53, t305, t316, t317, t330, t319, t331, t332, t333, t339, t349,
-                    t352, t357, self.mH, t353, t358, t359, t360, t361, t362, t367, t368, t373,
-                    self.zH, t337, t374, t375, t376, t40, t343, t379, t381, t382, t385, K222_SF,
-                    t387, t394, t403, t409, t410, t415, self.mF, t411, t416, t418, t421, t422, t423,
-                    t429, t430, t437, self.rF, t448, t438, t439, t440, t441, t442, t443, t444, t445,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t188, t191, M_12_c,
+                    M_22_c, K2_12, t208, C1_22_c, K0_12_c, K0_22_c, t221, M_12_lam, M_22_lam, t243,
+                    C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t259, K2_22_lam, M_11_rR, C1_12_rR,
+                    C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
+                    self.w.like(1.0), M_22_ITzz, C1_22_ITzz, C1_12_IRyy, K2_12_IRyy, t276, M_22_xB,
+                    t279, C1_22_xB, t280, t284, K2_22_xB, M_11_zB, t288, t291, self.mB, t292,
+                    M_11_mB, t294, M_22_mB, t297, C1_22_mB, self.zB, t287, t301, t302, K2_22_mB, mu,
+                    C1_12_IBxz, t305, M_22_xH, t317, C1_22_xH, t319, t331, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, t352, t357, self.mH, K0_12_zH, K0_22_zH, t359, t360, M_11_mH,
+                    M_12_mH, M_22_mH, t368, C1_22_mH, self.zH, K0_12_mH, K0_22_mH, t375, t376,
+                    sin_lam, M_22_IHxx, M_22_IHzz, C1_22_IHzz, M_12_IHxz, M_22_IHxz, K2_22_SF,
+                    M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF, self.mF, t411, t416,
+                    K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF,
+                    K0_12_mF, t438, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy, t443, K2_12_IFyy,
+                    K2_22_IFyy,
                 ],
             },
         )

@@ -209,64 +209,60 @@ impl<T: Number> WhippleLeaning<T> {
         let t25 = self.rR * self.mR;
         let t29 = self.zB * self.mB;
         let t32 = Sz_theta + self.zP * self.mU;
-        let t40 = self.IRxx + self.IBxx + Jxx_theta + Jxx_delta + self.rR * t25
+        let M_11 = self.IRxx + self.IBxx + Jxx_theta + Jxx_delta + self.rR * t25
             + self.zB * t29 + self.zP * (Sz_theta + t32);
-        let (t42, t54) = self.lam.sin_cos();
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t49 = self.c + self.w;
         let t50 = t49 - self.xH;
         let Jxz_delta = self.IHxz + t14 * t50 - t18 * self.c;
-        let hx_delta = Jxx_delta * t42 + Jxz_delta * t54;
-        let yaw_per_v_delta = t54 / self.w;
+        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
+        let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let Sx_theta = self.mU * self.xU;
         let Jxz_theta = self.IUxz - t5 * Sx_theta;
         let Sz_delta = t14 - t18;
         let Jxz_all = Jxz_delta + self.IBxz + Jxz_theta - t29 * self.xB
             - self.zP * Sx_theta - t49 * Sz_delta;
-        let t76 = hx_delta + yaw_by_delta * Jxz_all;
+        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
         let M_phi_theta = Jxx_theta + self.zP * Sz_theta;
         let t80 = self.mH * t50;
         let t82 = self.mF * self.c;
         let t85 = self.IFxx + self.IHzz;
-        let hz_delta = t42 * Jxz_delta + t54 * (t50 * t80 + self.c * t82 + t85);
+        let hz_delta = sin_lam * Jxz_delta + cos_lam * (t50 * t80 + self.c * t82 + t85);
         let t91 = t80 + t82;
-        let t93 = t42 * Sz_delta + t54 * t91;
+        let t93 = sin_lam * Sz_delta + cos_lam * t91;
         let M_yaw_delta = hz_delta - t49 * t93;
         let t98 = self.mB * self.xB;
         let t110 = self.IRxx + t85 + self.IBzz + self.IUzz + self.xB * t98
             + self.mH * self.xH * self.xH + self.mF * self.w * self.w;
         let P_delta_yaw = M_yaw_delta + yaw_by_delta * (t110 + self.xU * Sx_theta);
-        let t119 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + t42 * hx_delta
-            + t54 * hz_delta;
+        let M_22 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
+            + cos_lam * hz_delta;
         let P_delta_theta = yaw_by_delta * Jxz_theta;
+        let zero = self.w.like(0.0);
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + self.IRyy / self.rR;
         let Sz_all = t29 + t32 + Sz_delta - t25;
         let t131 = h_wheels_all - Sz_all;
-        let t134 = t54 * h_spin_F;
-        let t136 = yaw_by_delta * t131 + yaw_per_v_delta * Jxz_all + t134;
+        let t134 = cos_lam * h_spin_F;
+        let C1_12 = yaw_by_delta * t131 + yaw_per_v_delta * Jxz_all + t134;
         let Sx_all = Sx_theta + t98 + t49 * (self.mH + self.mF) - t91;
         let t144 = yaw_by_delta * Sx_all;
         let P_delta_lateral = t144 - t93;
-        let t148 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let t151 = yaw_per_v_delta * Jxz_theta - Sz_theta * yaw_by_delta;
-        let t154 = yaw_per_v_delta * t131;
-        let t157 = yaw_per_v_delta * (P_delta_lateral + t42 * h_spin_F);
-        let t159 = -(t134 + yaw_by_delta * h_wheels_all);
-        let t160 = t93 - t144;
-        let t161 = -(t42 * P_delta_lateral);
-        let t162 = -(Sz_theta * yaw_per_v_delta);
+        let C1_22 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
+        let C1_32 = yaw_per_v_delta * Jxz_theta - Sz_theta * yaw_by_delta;
+        let K2_12 = yaw_per_v_delta * t131;
+        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * h_spin_F);
+        let C1_21 = -(t134 + yaw_by_delta * h_wheels_all);
+        let K0_12 = t93 - t144;
+        let K0_22 = -(sin_lam * P_delta_lateral);
+        let K2_32 = -(Sz_theta * yaw_per_v_delta);
         WhippleLeaningMatrices::from_entries([
-            t40, t76, M_phi_theta, t76, t119, P_delta_theta, M_phi_theta, P_delta_theta, Jxx_theta,
-            self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
-            self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.dU,
-            self.w.like(0.0), t136, self.w.like(0.0), t159, t148, self.w.like(0.0),
-            self.w.like(0.0), t151, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
-            self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
-            self.w.like(0.0), self.w.like(0.0), self.kU, Sz_all, t160, Sz_theta, t160, t161,
-            self.w.like(0.0), Sz_theta, self.w.like(0.0), Sz_theta, self.w.like(0.0), t154,
-            self.w.like(0.0), self.w.like(0.0), t157, self.w.like(0.0), self.w.like(0.0), t162,
-            self.w.like(0.0),
+            M_11, M_12, M_phi_theta, M_12, M_22, P_delta_theta, M_phi_theta, P_delta_theta,
+            Jxx_theta, zero, zero, zero, zero, zero, zero, zero, zero, self.dU, zero, C1_12, zero,
+            C1_21, C1_22, zero, zero, C1_32, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            self.kU, Sz_all, K0_12, Sz_theta, K0_12, K0_22, zero, Sz_theta, zero, Sz_theta, zero,
+            K2_12, zero, zero, K2_22, zero, zero, K2_32, zero,
         ])
     }
 }
@@ -296,39 +292,32 @@ impl<T: Scalar> WhippleLeaning<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleLeaningKinematics<T> {
+        let t0 = self.w.like(0.0);
         let yaw_per_v_delta = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let t12 = -(self.w.like(1.0) / self.rR);
         let t13 = -(self.w.like(1.0) / self.rF);
         WhippleLeaningKinematics {
             lateral: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
+                speed: t0,
+                rates: [t0, t0, t0],
+                coordinates: [t0, t0, t0],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), yaw_by_delta, self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), yaw_per_v_delta, self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t0, rates: [t0, yaw_by_delta, t0], coordinates: [t0, yaw_per_v_delta, t0],
+                heading: t0,
             },
             wheel_R: Rate {
-                speed: t12,
-                rates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t12, rates: [t0, t0, t0], coordinates: [t0, t0, t0], heading: t0,
             },
             wheel_F: Rate {
-                speed: t13,
-                rates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t13, rates: [t0, t0, t0], coordinates: [t0, t0, t0], heading: t0,
             },
             forces: [
-                [self.w.like(1.0), self.w.like(0.0), self.w.like(0.0)],
-                [self.w.like(0.0), self.w.like(1.0), self.w.like(0.0)],
-                [self.w.like(0.0), self.w.like(0.0), self.w.like(1.0)],
+                [self.w.like(1.0), t0, t0],
+                [t0, self.w.like(1.0), t0],
+                [t0, t0, self.w.like(1.0)],
             ],
         }
     }
@@ -353,33 +342,38 @@ impl<T: Number> WhippleLeaning<T> {
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleLeaningMatrices<T>, WhippleLeaningDerivatives<T>) {
         let (
-            t5, Sz_theta, Jxx_theta, t14, t18, Jxx_delta, t25, t29, t31, t32, t40, t42, t54, t48,
-            t50, Jxz_delta, t55, hx_delta, t57, yaw_per_v_delta, yaw_by_delta, Sx_theta, Jxz_theta,
-            Sz_delta, Jxz_all, t77, M_phi_theta, t81, t83, t84, t86, t89, hz_delta, t94, t96,
-            M_yaw_delta, t101, t103, t105, t113, P_delta_yaw_yaw_by_delta, t115, P_delta_yaw, t117,
-            t120, P_delta_theta, t125, h_spin_F, t127, t129, t130, h_wheels_all, Sz_all, t135, t137,
-            t139, Sx_all, t149, t151, t153, t154, t156, t157, t158, K222_yaw_per_v_delta, t160,
-            t161, C112_h_spin_F, t163, t165, t166, M12_yaw_per_v_delta, t169, t170, M22_Jxz_delta,
-            t173, t176, t178, t179, t180, t181, t182, t183, M_yaw_delta_w, t185, P_delta_yaw_w,
-            t188, M22_yaw_by_delta, M22_yaw_per_v_delta, t195, P_delta_theta_yaw_per_v_delta, t197,
-            t198, t200, C112_yaw_per_v_delta, t204, t205, t206, t209, t212, C122_yaw_by_delta,
-            C122_yaw_per_v_delta, t220, C132_yaw_per_v_delta, t223, t224, t225, t228, t229, t232,
-            t234, hz_delta_c, t238, t240, M_yaw_delta_c, t251, t254, t255, t259, t261, t262, t263,
-            hx_delta_lam, t266, t268, hz_delta_lam, t273, M_yaw_delta_lam, t286, t287, t289, t291,
-            t294, t298, t299, t302, t303, t307, t308, t309, t310, t311, t312, t313, t314, t315,
-            t316, t317, t319, t320, t321, t322, t323, t324, t325, P_delta_yaw_xB, t328, t329, t331,
-            t333, t334, t335, t336, t338, t339, t340, t341, t342, P_delta_yaw_mB, t344, t345, t348,
-            t349, t350, t351, M_yaw_delta_xH, P_delta_yaw_xH, t355, t358, P_delta_lateral_xH, t363,
-            t364, t365, t366, t367, t369, t371, t373, t374, t376, M_yaw_delta_zH, M22_Jxx_delta,
-            t383, t387, t389, t391, t392, t395, t396, t397, t398, t399, t400, hz_delta_mH, t404,
-            M_yaw_delta_mH, P_delta_yaw_mH, t410, t414, t415, t419, t421, t422, t423, t424, t428,
-            t430, t432, K222_h_spin_F, t434, t436, t438, t440, t441, t443, M_yaw_delta_rF, t449,
-            t453, t454, t456, t457, t458, t461, t462, t464, t467, t468, t469, hz_delta_mF, t473,
-            M_yaw_delta_mF, P_delta_yaw_mF, t479, t483, t484, t488, t490, t491, t492, t493, t494,
+            K0_13_mU, Sz_theta, Jxx_theta, t14, t18, Jxx_delta, t25, t29, t31, t32, M_11, sin_lam,
+            cos_lam, t48, t50, Jxz_delta, t55, hx_delta, t57, yaw_per_v_delta, yaw_by_delta,
+            Sx_theta, Jxz_theta, Sz_delta, Jxz_all, M_12, M_phi_theta, t81, t83, t84, t86, t89,
+            hz_delta, t94, t96, M_yaw_delta, t101, t103, t105, t113, P_delta_yaw_yaw_by_delta, t115,
+            P_delta_yaw, t117, M_22, P_delta_theta, zero, t125, h_spin_F, t127, t129, t130,
+            h_wheels_all, Sz_all, t135, t137, C1_12, Sx_all, K0_12, C1_22, M_23_c, C1_32, K0_22,
+            K2_12, t158, K2_22_yaw_per_v_delta, K2_22, t161, C1_12_h_spin_F, t163, t165, t166,
+            M_12_yaw_per_v_delta, M_12_w, t170, M_22_Jxz_delta, t173, t176, t178, t179, t180, t181,
+            t182, t183, M_yaw_delta_w, t185, P_delta_yaw_w, t188, M_22_yaw_by_delta,
+            M_22_yaw_per_v_delta, M_22_w, P_delta_theta_yaw_per_v_delta, t197, t198, t200,
+            C1_12_yaw_per_v_delta, C1_12_w, t205, C1_21_w, t209, K0_12_w, C1_22_yaw_by_delta,
+            C1_22_yaw_per_v_delta, C1_22_w, C1_32_yaw_per_v_delta, t223, K0_22_w, t225, t228,
+            K2_32_w, M_12_c, t234, hz_delta_c, t238, t240, M_yaw_delta_c, M_22_c, C1_12_c, t255,
+            K0_12_c, C1_22_c, K0_22_c, t263, hx_delta_lam, t266, M_12_lam, hz_delta_lam, t273,
+            M_yaw_delta_lam, M_22_lam, t287, t289, C1_21_lam, K0_12_lam, C1_22_lam, t299, K0_22_lam,
+            t303, K2_22_lam, K2_32_lam, M_11_rR, t310, t311, C1_12_rR, C1_21_rR, K2_12_rR, M_11_mR,
+            C1_12_mR, K2_12_mR, M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t323, t324, t325,
+            P_delta_yaw_xB, M_22_xB, t329, t331, C1_22_xB, t334, K2_22_xB, M_11_zB, t338, t339,
+            t340, M_11_mB, t342, P_delta_yaw_mB, M_22_mB, t345, C1_22_mB, t349, t350, K2_22_mB,
+            M_yaw_delta_xH, P_delta_yaw_xH, t355, M_22_xH, P_delta_lateral_xH, C1_22_xH, t364,
+            K2_22_xH, M_11_zH, t367, t369, t371, M_12_zH, K0_12_zH, t376, M_yaw_delta_zH,
+            M_22_Jxx_delta, t383, M_22_zH, t389, t391, C1_12_zH, C1_22_zH, K0_22_zH, t397, t398,
+            M_11_mH, M_12_mH, hz_delta_mH, t404, M_yaw_delta_mH, P_delta_yaw_mH, t410, M_22_mH,
+            C1_12_mH, K0_12_mH, C1_22_mH, K0_22_mH, t423, t424, M_22_IHzz, C1_22_IHzz, M_22_IHxz,
+            K2_22_h_spin_F, M_11_rF, t436, t438, M_12_rF, t441, t443, M_yaw_delta_rF, t449, M_22_rF,
+            t454, t456, C1_21_rF, C1_12_rF, C1_22_rF, t462, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
+            hz_delta_mF, t473, M_yaw_delta_mF, P_delta_yaw_mF, t479, M_22_mF, C1_12_mF, K0_12_mF,
+            C1_22_mF, K0_22_mF, K2_12_mF, t493,
         );
-        t5 = self.zU - self.zP;
-        Sz_theta = t5 * self.mU;
-        Jxx_theta = self.IUxx + t5 * Sz_theta;
+        K0_13_mU = self.zU - self.zP;
+        Sz_theta = K0_13_mU * self.mU;
+        Jxx_theta = self.IUxx + K0_13_mU * Sz_theta;
         t14 = self.zH * self.mH;
         t18 = self.rF * self.mF;
         Jxx_delta = self.IHxx + self.IFxx + self.zH * t14 + self.rF * t18;
@@ -387,32 +381,32 @@ impl<T: Number> WhippleLeaning<T> {
         t29 = self.zB * self.mB;
         t31 = self.zP * self.mU;
         t32 = Sz_theta + t31;
-        t40 = self.IRxx + self.IBxx + Jxx_theta + Jxx_delta + self.rR * t25
+        M_11 = self.IRxx + self.IBxx + Jxx_theta + Jxx_delta + self.rR * t25
             + self.zB * t29 + self.zP * (Sz_theta + t32);
-        (t42, t54) = self.lam.sin_cos();
+        (sin_lam, cos_lam) = self.lam.sin_cos();
         t48 = self.c + self.w;
         t50 = t48 - self.xH;
         Jxz_delta = self.IHxz + t14 * t50 - t18 * self.c;
-        t55 = Jxz_delta * t54;
-        hx_delta = Jxx_delta * t42 + t55;
+        t55 = Jxz_delta * cos_lam;
+        hx_delta = Jxx_delta * sin_lam + t55;
         t57 = self.w.like(1.0) / self.w;
-        yaw_per_v_delta = t54 * t57;
+        yaw_per_v_delta = cos_lam * t57;
         yaw_by_delta = self.c * yaw_per_v_delta;
         Sx_theta = self.mU * self.xU;
-        Jxz_theta = self.IUxz - t5 * Sx_theta;
+        Jxz_theta = self.IUxz - K0_13_mU * Sx_theta;
         Sz_delta = t14 - t18;
         Jxz_all = Jxz_delta + self.IBxz + Jxz_theta - t29 * self.xB - self.zP * Sx_theta
             - t48 * Sz_delta;
-        t77 = hx_delta + yaw_by_delta * Jxz_all;
+        M_12 = hx_delta + yaw_by_delta * Jxz_all;
         M_phi_theta = Jxx_theta + self.zP * Sz_theta;
-        t81 = t42 * Jxz_delta;
+        t81 = sin_lam * Jxz_delta;
         t83 = self.IFxx + self.IHzz;
         t84 = self.mF * self.c;
         t86 = self.mH * t50;
         t89 = t83 + self.c * t84 + t50 * t86;
-        hz_delta = t81 + t54 * t89;
+        hz_delta = t81 + cos_lam * t89;
         t94 = t84 + t86;
-        t96 = t42 * Sz_delta + t54 * t94;
+        t96 = sin_lam * Sz_delta + cos_lam * t94;
         M_yaw_delta = hz_delta - t48 * t96;
         t101 = self.mB * self.xB;
         t103 = self.xH * self.xH;
@@ -423,295 +417,301 @@ impl<T: Number> WhippleLeaning<T> {
         t115 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
         P_delta_yaw = M_yaw_delta + t115;
         t117 = M_yaw_delta + P_delta_yaw;
-        t120 = t42 * hx_delta + t54 * hz_delta + yaw_by_delta * t117;
+        M_22 = sin_lam * hx_delta + cos_lam * hz_delta + yaw_by_delta * t117;
         P_delta_theta = yaw_by_delta * Jxz_theta;
+        zero = self.w.like(0.0);
         t125 = self.w.like(1.0) / self.rF;
         h_spin_F = self.IFyy * t125;
-        t127 = t54 * h_spin_F;
+        t127 = cos_lam * h_spin_F;
         t129 = self.w.like(1.0) / self.rR;
         t130 = self.IRyy * t129;
         h_wheels_all = h_spin_F + t130;
         Sz_all = t29 + t32 + Sz_delta - t25;
         t135 = h_wheels_all - Sz_all;
         t137 = yaw_per_v_delta * Jxz_all;
-        t139 = t127 + yaw_by_delta * t135 + t137;
+        C1_12 = t127 + yaw_by_delta * t135 + t137;
         Sx_all = Sx_theta + t101 + t48 * (self.mH + self.mF) - t94;
-        t149 = t96 - yaw_by_delta * Sx_all;
-        t151 = yaw_per_v_delta * P_delta_yaw - yaw_by_delta * t149;
-        t153 = yaw_per_v_delta * Jxz_theta;
-        t154 = t153 - Sz_theta * yaw_by_delta;
-        t156 = t42 * t149;
-        t157 = yaw_per_v_delta * t135;
-        t158 = t42 * h_spin_F;
-        K222_yaw_per_v_delta = t158 - t149;
-        t160 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        K0_12 = t96 - yaw_by_delta * Sx_all;
+        C1_22 = yaw_per_v_delta * P_delta_yaw - yaw_by_delta * K0_12;
+        M_23_c = yaw_per_v_delta * Jxz_theta;
+        C1_32 = M_23_c - Sz_theta * yaw_by_delta;
+        K0_22 = sin_lam * K0_12;
+        K2_12 = yaw_per_v_delta * t135;
+        t158 = sin_lam * h_spin_F;
+        K2_22_yaw_per_v_delta = t158 - K0_12;
+        K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
         t161 = Sz_theta * yaw_per_v_delta;
-        C112_h_spin_F = t54 + yaw_by_delta;
-        t163 = t14 * C112_h_spin_F;
+        C1_12_h_spin_F = cos_lam + yaw_by_delta;
+        t163 = t14 * C1_12_h_spin_F;
         t165 = t163 - yaw_by_delta * Sz_delta;
         t166 = t57 * yaw_per_v_delta;
-        M12_yaw_per_v_delta = self.c * Jxz_all;
-        t169 = t165 - t166 * M12_yaw_per_v_delta;
-        t170 = t42 * t54;
-        M22_Jxz_delta = t170 + t170;
-        t173 = t50 * t54;
-        t176 = self.mH * t173 + t54 * t86;
-        t178 = t14 * M22_Jxz_delta + t54 * t176;
-        t179 = t14 * t42;
+        M_12_yaw_per_v_delta = self.c * Jxz_all;
+        M_12_w = t165 - t166 * M_12_yaw_per_v_delta;
+        t170 = sin_lam * cos_lam;
+        M_22_Jxz_delta = t170 + t170;
+        t173 = t50 * cos_lam;
+        t176 = self.mH * t173 + cos_lam * t86;
+        t178 = t14 * M_22_Jxz_delta + cos_lam * t176;
+        t179 = t14 * sin_lam;
         t180 = t176 + t179;
         t181 = t180 - t96;
-        t182 = self.mH * t54;
+        t182 = self.mH * cos_lam;
         t183 = t48 * t182;
         M_yaw_delta_w = t181 - t183;
         t185 = yaw_by_delta + yaw_by_delta;
         P_delta_yaw_w = self.mF * self.w * t185;
         t188 = M_yaw_delta_w + P_delta_yaw_w;
-        M22_yaw_by_delta = t115 + t117;
-        M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        t195 = t178 + yaw_by_delta * (M_yaw_delta_w + t188) - t166 * M22_yaw_per_v_delta;
+        M_22_yaw_by_delta = t115 + t117;
+        M_22_yaw_per_v_delta = self.c * M_22_yaw_by_delta;
+        M_22_w = t178 + yaw_by_delta * (M_yaw_delta_w + t188)
+            - t166 * M_22_yaw_per_v_delta;
         P_delta_theta_yaw_per_v_delta = self.c * Jxz_theta;
         t197 = t166 * P_delta_theta_yaw_per_v_delta;
         t198 = t14 * yaw_per_v_delta;
         t200 = t198 - yaw_per_v_delta * Sz_delta;
-        C112_yaw_per_v_delta = Jxz_all + self.c * t135;
-        t204 = t200 - t166 * C112_yaw_per_v_delta;
+        C1_12_yaw_per_v_delta = Jxz_all + self.c * t135;
+        C1_12_w = t200 - t166 * C1_12_yaw_per_v_delta;
         t205 = self.c * h_wheels_all;
-        t206 = t166 * t205;
+        C1_21_w = t166 * t205;
         t209 = self.c * Sx_all;
-        t212 = t182 + t166 * t209 - self.mF * yaw_by_delta;
-        C122_yaw_by_delta = yaw_per_v_delta * P_delta_yaw_yaw_by_delta - t149;
-        C122_yaw_per_v_delta = P_delta_yaw + self.c * C122_yaw_by_delta;
-        t220 = yaw_per_v_delta * t188 - yaw_by_delta * t212
-            - t166 * C122_yaw_per_v_delta;
-        C132_yaw_per_v_delta = Jxz_theta - Sz_theta * self.c;
-        t223 = t166 * C132_yaw_per_v_delta;
-        t224 = t42 * t212;
+        K0_12_w = t182 + t166 * t209 - self.mF * yaw_by_delta;
+        C1_22_yaw_by_delta = yaw_per_v_delta * P_delta_yaw_yaw_by_delta - K0_12;
+        C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_yaw_by_delta;
+        C1_22_w = yaw_per_v_delta * t188 - yaw_by_delta * K0_12_w
+            - t166 * C1_22_yaw_per_v_delta;
+        C1_32_yaw_per_v_delta = Jxz_theta - Sz_theta * self.c;
+        t223 = t166 * C1_32_yaw_per_v_delta;
+        K0_22_w = sin_lam * K0_12_w;
         t225 = t135 * t166;
-        t228 = yaw_per_v_delta * t212 + K222_yaw_per_v_delta * t166;
-        t229 = Sz_theta * t166;
-        t232 = t137 + t165 - t18 * C112_h_spin_F;
-        t234 = self.c * t54;
-        hz_delta_c = self.mF * t234 + t54 * t84;
-        t238 = t18 * t42;
-        t240 = t182 + self.mF * t54;
+        t228 = yaw_per_v_delta * K0_12_w + K2_22_yaw_per_v_delta * t166;
+        K2_32_w = Sz_theta * t166;
+        M_12_c = t137 + t165 - t18 * C1_12_h_spin_F;
+        t234 = self.c * cos_lam;
+        hz_delta_c = self.mF * t234 + cos_lam * t84;
+        t238 = t18 * sin_lam;
+        t240 = t182 + self.mF * cos_lam;
         M_yaw_delta_c = t181 + hz_delta_c - t238 - t48 * t240;
-        t251 = t178 + t185 * M_yaw_delta_c + t54 * hz_delta_c
-            + yaw_per_v_delta * M22_yaw_by_delta - t18 * M22_Jxz_delta;
-        t254 = t200 + yaw_per_v_delta * (t135 - t18);
+        M_22_c = t178 + t185 * M_yaw_delta_c + cos_lam * hz_delta_c
+            + yaw_per_v_delta * M_22_yaw_by_delta - t18 * M_22_Jxz_delta;
+        C1_12_c = t200 + yaw_per_v_delta * (t135 - t18);
         t255 = yaw_per_v_delta * h_wheels_all;
-        t259 = t240 - yaw_per_v_delta * Sx_all;
-        t261 = yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c)
-            - yaw_by_delta * t259;
-        t262 = t42 * t259;
-        t263 = yaw_per_v_delta * t259;
-        hx_delta_lam = Jxx_delta * t54 - t81;
-        t266 = t42 * t57;
-        t268 = hx_delta_lam - M12_yaw_per_v_delta * t266;
-        hz_delta_lam = t55 - t42 * t89;
-        t273 = t54 * Sz_delta - t42 * t94;
+        K0_12_c = t240 - yaw_per_v_delta * Sx_all;
+        C1_22_c = yaw_per_v_delta * (C1_22_yaw_by_delta + M_yaw_delta_c)
+            - yaw_by_delta * K0_12_c;
+        K0_22_c = sin_lam * K0_12_c;
+        t263 = yaw_per_v_delta * K0_12_c;
+        hx_delta_lam = Jxx_delta * cos_lam - t81;
+        t266 = sin_lam * t57;
+        M_12_lam = hx_delta_lam - M_12_yaw_per_v_delta * t266;
+        hz_delta_lam = t55 - sin_lam * t89;
+        t273 = cos_lam * Sz_delta - sin_lam * t94;
         M_yaw_delta_lam = hz_delta_lam - t48 * t273;
-        t286 = t185 * M_yaw_delta_lam + t42 * hx_delta_lam + t54 * hz_delta_lam
-            + t54 * hx_delta - t42 * hz_delta - M22_yaw_per_v_delta * t266;
+        M_22_lam = t185 * M_yaw_delta_lam + sin_lam * hx_delta_lam
+            + cos_lam * hz_delta_lam + cos_lam * hx_delta - sin_lam * hz_delta
+            - M_22_yaw_per_v_delta * t266;
         t287 = P_delta_theta_yaw_per_v_delta * t266;
-        t289 = t158 + C112_yaw_per_v_delta * t266;
-        t291 = t158 + t205 * t266;
-        t294 = t273 + t209 * t266;
-        t298 = yaw_per_v_delta * M_yaw_delta_lam - yaw_by_delta * t294
-            - C122_yaw_per_v_delta * t266;
-        t299 = C132_yaw_per_v_delta * t266;
-        t302 = t42 * t294 + t54 * t149;
+        t289 = t158 + C1_12_yaw_per_v_delta * t266;
+        C1_21_lam = t158 + t205 * t266;
+        K0_12_lam = t273 + t209 * t266;
+        C1_22_lam = yaw_per_v_delta * M_yaw_delta_lam - yaw_by_delta * K0_12_lam
+            - C1_22_yaw_per_v_delta * t266;
+        t299 = C1_32_yaw_per_v_delta * t266;
+        K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
         t303 = t135 * t266;
-        t307 = yaw_per_v_delta * (t127 - t294) - K222_yaw_per_v_delta * t266;
-        t308 = Sz_theta * t266;
-        t309 = t25 + t25;
+        K2_22_lam = yaw_per_v_delta * (t127 - K0_12_lam) - K2_22_yaw_per_v_delta * t266;
+        K2_32_lam = Sz_theta * t266;
+        M_11_rR = t25 + t25;
         t310 = t129 * t130;
         t311 = self.mR - t310;
-        t312 = yaw_by_delta * t311;
-        t313 = yaw_by_delta * t310;
-        t314 = yaw_per_v_delta * t311;
-        t315 = self.rR * self.rR;
-        t316 = self.rR * yaw_by_delta;
-        t317 = self.rR * yaw_per_v_delta;
-        t319 = yaw_by_delta * yaw_by_delta;
-        t320 = yaw_per_v_delta * yaw_by_delta;
-        t321 = yaw_by_delta * t129;
-        t322 = yaw_per_v_delta * t129;
+        C1_12_rR = yaw_by_delta * t311;
+        C1_21_rR = yaw_by_delta * t310;
+        K2_12_rR = yaw_per_v_delta * t311;
+        M_11_mR = self.rR * self.rR;
+        C1_12_mR = self.rR * yaw_by_delta;
+        K2_12_mR = self.rR * yaw_per_v_delta;
+        M_22_IRxx = yaw_by_delta * yaw_by_delta;
+        C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+        C1_12_IRyy = yaw_by_delta * t129;
+        K2_12_IRyy = yaw_per_v_delta * t129;
         t323 = t29 * yaw_by_delta;
         t324 = yaw_by_delta * self.xB;
         t325 = self.mB * t324;
         P_delta_yaw_xB = t325 + yaw_by_delta * t101;
-        t328 = yaw_by_delta * P_delta_yaw_xB;
+        M_22_xB = yaw_by_delta * P_delta_yaw_xB;
         t329 = t29 * yaw_per_v_delta;
         t331 = self.mB * yaw_by_delta;
-        t333 = yaw_per_v_delta * P_delta_yaw_xB + yaw_by_delta * t331;
-        t334 = t42 * t331;
-        t335 = yaw_per_v_delta * t331;
-        t336 = t29 + t29;
+        C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB + yaw_by_delta * t331;
+        t334 = sin_lam * t331;
+        K2_22_xB = yaw_per_v_delta * t331;
+        M_11_zB = t29 + t29;
         t338 = yaw_by_delta + yaw_per_v_delta * self.xB;
         t339 = self.mB * t338;
         t340 = self.mB * yaw_per_v_delta;
-        t341 = self.zB * self.zB;
+        M_11_mB = self.zB * self.zB;
         t342 = self.zB * t324;
         P_delta_yaw_mB = self.xB * t324;
-        t344 = yaw_by_delta * P_delta_yaw_mB;
+        M_22_mB = yaw_by_delta * P_delta_yaw_mB;
         t345 = self.zB * t338;
-        t348 = yaw_per_v_delta * P_delta_yaw_mB + yaw_by_delta * t324;
-        t349 = t42 * t324;
+        C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB + yaw_by_delta * t324;
+        t349 = sin_lam * t324;
         t350 = self.zB * yaw_per_v_delta;
-        t351 = yaw_per_v_delta * t324;
+        K2_22_mB = yaw_per_v_delta * t324;
         M_yaw_delta_xH = t183 - t180;
         P_delta_yaw_xH = self.mH * self.xH * t185;
         t355 = M_yaw_delta_xH + P_delta_yaw_xH;
-        t358 = yaw_by_delta * (M_yaw_delta_xH + t355) - t178;
+        M_22_xH = yaw_by_delta * (M_yaw_delta_xH + t355) - t178;
         P_delta_lateral_xH = t182 + self.mH * yaw_by_delta;
-        t363 = yaw_per_v_delta * t355 + yaw_by_delta * P_delta_lateral_xH;
-        t364 = t42 * P_delta_lateral_xH;
-        t365 = yaw_per_v_delta * P_delta_lateral_xH;
-        t366 = t14 + t14;
+        C1_22_xH = yaw_per_v_delta * t355 + yaw_by_delta * P_delta_lateral_xH;
+        t364 = sin_lam * P_delta_lateral_xH;
+        K2_22_xH = yaw_per_v_delta * P_delta_lateral_xH;
+        M_11_zH = t14 + t14;
         t367 = t48 * yaw_by_delta;
-        t369 = self.zH * t42;
-        t371 = t50 * C112_h_spin_F + t369 - t367;
-        t373 = t179 + self.mH * t371;
-        t374 = self.mH * t42;
-        t376 = t42 * t50;
-        M_yaw_delta_zH = self.mH * t376 - t48 * t374;
-        M22_Jxx_delta = t42 * t42;
-        t383 = self.zH * M22_Jxx_delta + t50 * M22_Jxz_delta;
-        t387 = t185 * M_yaw_delta_zH + self.mH * t383 + t14 * M22_Jxx_delta;
+        t369 = self.zH * sin_lam;
+        t371 = t50 * C1_12_h_spin_F + t369 - t367;
+        M_12_zH = t179 + self.mH * t371;
+        K0_12_zH = self.mH * sin_lam;
+        t376 = sin_lam * t50;
+        M_yaw_delta_zH = self.mH * t376 - t48 * K0_12_zH;
+        M_22_Jxx_delta = sin_lam * sin_lam;
+        t383 = self.zH * M_22_Jxx_delta + t50 * M_22_Jxz_delta;
+        M_22_zH = t185 * M_yaw_delta_zH + self.mH * t383 + t14 * M_22_Jxx_delta;
         t389 = yaw_by_delta + t48 * yaw_per_v_delta;
         t391 = t50 * yaw_per_v_delta - t389;
-        t392 = self.mH * t391;
-        t395 = yaw_per_v_delta * M_yaw_delta_zH - yaw_by_delta * t374;
-        t396 = t42 * t374;
+        C1_12_zH = self.mH * t391;
+        C1_22_zH = yaw_per_v_delta * M_yaw_delta_zH - yaw_by_delta * K0_12_zH;
+        K0_22_zH = sin_lam * K0_12_zH;
         t397 = self.mH * yaw_per_v_delta;
-        t398 = yaw_per_v_delta * t374;
-        t399 = self.zH * self.zH;
-        t400 = self.zH * t371;
+        t398 = yaw_per_v_delta * K0_12_zH;
+        M_11_mH = self.zH * self.zH;
+        M_12_mH = self.zH * t371;
         hz_delta_mH = t50 * t173;
         t404 = t173 + t369;
         M_yaw_delta_mH = hz_delta_mH + self.zH * t376 - t48 * t404;
         P_delta_yaw_mH = yaw_by_delta * t103;
         t410 = M_yaw_delta_mH + P_delta_yaw_mH;
-        t414 = self.zH * t383 + t54 * hz_delta_mH
+        M_22_mH = self.zH * t383 + cos_lam * hz_delta_mH
             + yaw_by_delta * (M_yaw_delta_mH + t410);
-        t415 = self.zH * t391;
-        t419 = t404 - yaw_by_delta * (t48 - t50);
-        t421 = yaw_per_v_delta * t410 - yaw_by_delta * t419;
-        t422 = t42 * t419;
+        C1_12_mH = self.zH * t391;
+        K0_12_mH = t404 - yaw_by_delta * (t48 - t50);
+        C1_22_mH = yaw_per_v_delta * t410 - yaw_by_delta * K0_12_mH;
+        K0_22_mH = sin_lam * K0_12_mH;
         t423 = self.zH * yaw_per_v_delta;
-        t424 = yaw_per_v_delta * t419;
-        t428 = t319 + t54 * t54 + t54 * t185;
-        t430 = t320 + t54 * yaw_per_v_delta;
-        t432 = M22_Jxz_delta + t42 * t185;
-        K222_h_spin_F = t42 * yaw_per_v_delta;
-        t434 = t18 + t18;
-        t436 = self.rF * t42;
-        t438 = t367 + t436 - self.c * C112_h_spin_F;
-        t440 = t238 + self.mF * t438;
-        t441 = self.mF * t42;
-        t443 = t42 * self.c;
+        t424 = yaw_per_v_delta * K0_12_mH;
+        M_22_IHzz = M_22_IRxx + cos_lam * cos_lam + cos_lam * t185;
+        C1_22_IHzz = C1_22_IRxx + cos_lam * yaw_per_v_delta;
+        M_22_IHxz = M_22_Jxz_delta + sin_lam * t185;
+        K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
+        M_11_rF = t18 + t18;
+        t436 = self.rF * sin_lam;
+        t438 = t367 + t436 - self.c * C1_12_h_spin_F;
+        M_12_rF = t238 + self.mF * t438;
+        t441 = self.mF * sin_lam;
+        t443 = sin_lam * self.c;
         M_yaw_delta_rF = t48 * t441 - self.mF * t443;
-        t449 = self.rF * M22_Jxx_delta - self.c * M22_Jxz_delta;
-        t453 = t185 * M_yaw_delta_rF + self.mF * t449 + t18 * M22_Jxx_delta;
+        t449 = self.rF * M_22_Jxx_delta - self.c * M_22_Jxz_delta;
+        M_22_rF = t185 * M_yaw_delta_rF + self.mF * t449 + t18 * M_22_Jxx_delta;
         t454 = t389 - yaw_by_delta;
         t456 = t125 * h_spin_F;
-        t457 = C112_h_spin_F * t456;
-        t458 = self.mF * t454 - t457;
-        t461 = yaw_by_delta * t441 + yaw_per_v_delta * M_yaw_delta_rF;
-        t462 = t42 * t441;
-        t464 = yaw_per_v_delta * (self.mF - t456);
-        t467 = yaw_per_v_delta * t441 - K222_h_spin_F * t456;
-        t468 = self.rF * self.rF;
-        t469 = self.rF * t438;
+        C1_21_rF = C1_12_h_spin_F * t456;
+        C1_12_rF = self.mF * t454 - C1_21_rF;
+        C1_22_rF = yaw_by_delta * t441 + yaw_per_v_delta * M_yaw_delta_rF;
+        t462 = sin_lam * t441;
+        K2_12_rF = yaw_per_v_delta * (self.mF - t456);
+        K2_22_rF = yaw_per_v_delta * t441 - K2_22_h_spin_F * t456;
+        M_11_mF = self.rF * self.rF;
+        M_12_mF = self.rF * t438;
         hz_delta_mF = self.c * t234;
         t473 = t234 - t436;
         M_yaw_delta_mF = hz_delta_mF - t48 * t473 - self.rF * t443;
         P_delta_yaw_mF = yaw_by_delta * t105;
         t479 = M_yaw_delta_mF + P_delta_yaw_mF;
-        t483 = self.rF * t449 + t54 * hz_delta_mF
+        M_22_mF = self.rF * t449 + cos_lam * hz_delta_mF
             + yaw_by_delta * (M_yaw_delta_mF + t479);
-        t484 = self.rF * t454;
-        t488 = t473 - yaw_by_delta * (t48 - self.c);
-        t490 = yaw_per_v_delta * t479 - yaw_by_delta * t488;
-        t491 = t42 * t488;
-        t492 = self.rF * yaw_per_v_delta;
-        t493 = yaw_per_v_delta * t488;
-        t494 = M22_Jxx_delta + t428;
+        C1_12_mF = self.rF * t454;
+        K0_12_mF = t473 - yaw_by_delta * (t48 - self.c);
+        C1_22_mF = yaw_per_v_delta * t479 - yaw_by_delta * K0_12_mF;
+        K0_22_mF = sin_lam * K0_12_mF;
+        K2_12_mF = self.rF * yaw_per_v_delta;
+        t493 = yaw_per_v_delta * K0_12_mF;
         let (
-            t495, t496, t497, t498, t499, t500, t501, t502, t504, t505, t506, Jxx_theta_mU, t510,
-            t511, t512, t513, P_delta_yaw_Sx_theta, P_delta_yaw_mU, t516, t517, t518, t519, t521,
-            t524, t525, t527, t528, t529, t530, P_delta_yaw_xU, t533, t534, t535, t538, t539, t540,
-            t541, t542, t543, t544,
+            M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, M_33_zU, M_13_zU, M_13_zP, M_23_zP, t502,
+            C1_32_zP, K2_32_zP, K0_11_mU, Jxx_theta_mU, M_13_mU, M_11_mU, t512, t513,
+            P_delta_yaw_Sx_theta, P_delta_yaw_mU, M_22_mU, t517, t518, t519, t521, C1_22_mU, t525,
+            t527, t528, K2_22_mU, t530, P_delta_yaw_xU, M_22_xU, t534, t535, C1_22_xU, t539, t540,
+            K2_22_xU, M_11_zU, C1_21, K2_32,
         );
-        t495 = t125 * C112_h_spin_F;
-        t496 = yaw_per_v_delta * t125;
-        t497 = t125 * K222_h_spin_F;
-        t498 = Sz_theta + Sz_theta;
-        t499 = t31 + t498;
-        t500 = Sz_theta - t499;
-        t501 = yaw_by_delta * Sx_theta;
+        M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
+        C1_12_IFyy = t125 * C1_12_h_spin_F;
+        K2_12_IFyy = yaw_per_v_delta * t125;
+        K2_22_IFyy = t125 * K2_22_h_spin_F;
+        M_33_zU = Sz_theta + Sz_theta;
+        M_13_zU = t31 + M_33_zU;
+        M_13_zP = Sz_theta - M_13_zU;
+        M_23_zP = yaw_by_delta * Sx_theta;
         t502 = self.mU * yaw_by_delta;
-        t504 = t502 + yaw_per_v_delta * Sx_theta;
-        t505 = self.mU * yaw_per_v_delta;
-        t506 = self.zP + t5;
-        Jxx_theta_mU = t5 * t5;
-        t510 = Jxx_theta_mU + self.zP * t5;
-        t511 = self.zP * t506 + t510;
-        t512 = yaw_by_delta * t506;
+        C1_32_zP = t502 + yaw_per_v_delta * Sx_theta;
+        K2_32_zP = self.mU * yaw_per_v_delta;
+        K0_11_mU = self.zP + K0_13_mU;
+        Jxx_theta_mU = K0_13_mU * K0_13_mU;
+        M_13_mU = Jxx_theta_mU + self.zP * K0_13_mU;
+        M_11_mU = self.zP * K0_11_mU + M_13_mU;
+        t512 = yaw_by_delta * K0_11_mU;
         t513 = self.xU * t512;
         P_delta_yaw_Sx_theta = yaw_by_delta * self.xU;
         P_delta_yaw_mU = self.xU * P_delta_yaw_Sx_theta;
-        t516 = yaw_by_delta * P_delta_yaw_mU;
-        t517 = t5 * yaw_by_delta;
+        M_22_mU = yaw_by_delta * P_delta_yaw_mU;
+        t517 = K0_13_mU * yaw_by_delta;
         t518 = self.xU * t517;
-        t519 = yaw_per_v_delta * t506;
+        t519 = yaw_per_v_delta * K0_11_mU;
         t521 = t512 + self.xU * t519;
-        t524 = yaw_per_v_delta * P_delta_yaw_mU + yaw_by_delta * P_delta_yaw_Sx_theta;
-        t525 = t5 * yaw_per_v_delta;
+        C1_22_mU = yaw_per_v_delta * P_delta_yaw_mU
+            + yaw_by_delta * P_delta_yaw_Sx_theta;
+        t525 = K0_13_mU * yaw_per_v_delta;
         t527 = t517 + self.xU * t525;
-        t528 = t42 * P_delta_yaw_Sx_theta;
-        t529 = yaw_per_v_delta * P_delta_yaw_Sx_theta;
+        t528 = sin_lam * P_delta_yaw_Sx_theta;
+        K2_22_mU = yaw_per_v_delta * P_delta_yaw_Sx_theta;
         t530 = self.mU * t512;
-        P_delta_yaw_xU = t501 + self.mU * P_delta_yaw_Sx_theta;
-        t533 = yaw_by_delta * P_delta_yaw_xU;
+        P_delta_yaw_xU = M_23_zP + self.mU * P_delta_yaw_Sx_theta;
+        M_22_xU = yaw_by_delta * P_delta_yaw_xU;
         t534 = self.mU * t517;
         t535 = self.mU * t519;
-        t538 = yaw_per_v_delta * P_delta_yaw_xU + yaw_by_delta * t502;
+        C1_22_xU = yaw_per_v_delta * P_delta_yaw_xU + yaw_by_delta * t502;
         t539 = self.mU * t525;
-        t540 = t42 * t502;
-        t541 = yaw_per_v_delta * t502;
-        t542 = t31 + t499;
-        t543 = -(t127 + yaw_by_delta * h_wheels_all);
-        t544 = -t161;
+        t540 = sin_lam * t502;
+        K2_22_xU = yaw_per_v_delta * t502;
+        M_11_zU = t31 + M_13_zU;
+        C1_21 = -(t127 + yaw_by_delta * h_wheels_all);
+        K2_32 = -t161;
         (
             WhippleLeaningMatrices::from_entries([
-                t40, t77, M_phi_theta, t77, t120, P_delta_theta, M_phi_theta, P_delta_theta,
-                Jxx_theta, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
-                self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.dU,
-                self.w.like(0.0), t139, self.w.like(0.0), t543, t151, self.w.like(0.0),
-                self.w.like(0.0), t154, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
-                self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.w.like(0.0),
-                self.w.like(0.0), self.w.like(0.0), self.kU, Sz_all, t149, Sz_theta, t149, t156,
-                self.w.like(0.0), Sz_theta, self.w.like(0.0), Sz_theta, self.w.like(0.0), t157,
-                self.w.like(0.0), self.w.like(0.0), t160, self.w.like(0.0), self.w.like(0.0), t544,
-                self.w.like(0.0),
+                M_11, M_12, M_phi_theta, M_12, M_22, P_delta_theta, M_phi_theta, P_delta_theta,
+                Jxx_theta, zero, zero, zero, zero, zero, zero, zero, zero, self.dU, zero, C1_12,
+                zero, C1_21, C1_22, zero, zero, C1_32, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, self.kU, Sz_all, K0_12, Sz_theta, K0_12, K0_22, zero, Sz_theta, zero,
+                Sz_theta, zero, K2_12, zero, zero, K2_22, zero, zero, K2_32, zero,
             ]),
             WhippleLeaningDerivatives {
                 values: [
-                    t169, t195, t197, t204, t206, t220, t223, t212, t224, t225, t228, t229, t232,
-                    t251, t153, t254, t255, t261, t161, t259, t262, t263, t268, t286, t287, t289,
-                    t291, t298, t299, t294, t302, t303, t307, t308, t309, t312, t313, self.mR, t314,
-                    t315, t316, self.rR, t317, self.w.like(1.0), t319, t320, t321, t322, t323, t328,
-                    t329, t333, t331, t334, t335, t336, t325, t339, self.mB, t340, t341, t342, t344,
-                    t345, t348, self.zB, t324, t349, t350, t351, yaw_by_delta, yaw_per_v_delta,
-                    t163, t358, t198, t363, P_delta_lateral_xH, t364, t365, t366, t373, t387, t392,
-                    t395, self.mH, t374, t396, t397, t398, t399, t400, t414, t415, t421, self.zH,
-                    t419, t422, t423, t424, t42, M22_Jxx_delta, t428, t430, C112_h_spin_F, t432,
-                    K222_h_spin_F, t434, t440, t453, t458, t457, t461, self.mF, t441, t462, t464,
-                    t467, t468, t469, t483, t484, t490, self.rF, t488, t491, t492, t493, t494, t495,
-                    t496, t497, t500, t501, t498, t504, self.mU, t505, t511, t513, t510, t516, t518,
-                    Jxx_theta_mU, t521, t524, t527, t506, P_delta_yaw_Sx_theta, t5, t528, t519,
-                    t529, t525, t530, t533, t534, t535, t538, t539, t502, t540, t541, t542, t499,
+                    M_12_w, M_22_w, t197, C1_12_w, C1_21_w, C1_22_w, t223, K0_12_w, K0_22_w, t225,
+                    t228, K2_32_w, M_12_c, M_22_c, M_23_c, C1_12_c, t255, C1_22_c, t161, K0_12_c,
+                    K0_22_c, t263, M_12_lam, M_22_lam, t287, t289, C1_21_lam, C1_22_lam, t299,
+                    K0_12_lam, K0_22_lam, t303, K2_22_lam, K2_32_lam, M_11_rR, C1_12_rR, C1_21_rR,
+                    self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR, self.w.like(1.0),
+                    M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t323, M_22_xB, t329, C1_22_xB,
+                    t331, t334, K2_22_xB, M_11_zB, t325, t339, self.mB, t340, M_11_mB, t342,
+                    M_22_mB, t345, C1_22_mB, self.zB, t324, t349, t350, K2_22_mB, yaw_by_delta,
+                    yaw_per_v_delta, t163, M_22_xH, t198, C1_22_xH, P_delta_lateral_xH, t364,
+                    K2_22_xH, M_11_zH, M_12_zH, M_22_zH, C1_12_zH, C1_22_zH, self.mH, K0_12_zH,
+                    K0_22_zH, t397, t398, M_11_mH, M_12_mH, M_22_mH, C1_12_mH, C1_22_mH, self.zH,
+                    K0_12_mH, K0_22_mH, t423, t424, sin_lam, M_22_Jxx_delta, M_22_IHzz, C1_22_IHzz,
+                    C1_12_h_spin_F, M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF,
+                    C1_21_rF, C1_22_rF, self.mF, t441, t462, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF,
+                    M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF, K0_22_mF, K2_12_mF, t493,
+                    M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, M_13_zP, M_23_zP, M_33_zU,
+                    C1_32_zP, self.mU, K2_32_zP, M_11_mU, t513, M_13_mU, M_22_mU, t518,
+                    Jxx_theta_mU, t521, C1_22_mU, t527, K0_11_mU, P_delta_yaw_Sx_theta, K0_13_mU,
+                    t528, t519, K2_22_mU, t525, t530, M_22_xU, t534, t535, C1_22_xU, t539, t502,
+                    t540, K2_22_xU, M_11_zU, M_13_zU,
                 ],
             },
         )

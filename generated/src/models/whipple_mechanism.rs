@@ -164,23 +164,23 @@ impl<T: Number> WhippleMechanism<T> {
         let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (t28, t40) = self.lam.sin_cos();
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t35 = self.c + self.w;
         let t36 = t35 - self.xH;
         let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let hx_delta = Jxx_delta * t28 + Jxz_delta * t40;
-        let yaw_per_v_delta = t40 / self.w;
+        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
+        let yaw_per_v_delta = cos_lam / self.w;
         let mu = self.c * yaw_per_v_delta;
         let Sz_delta = t6 - t10;
         let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let t54 = hx_delta + mu * Jxz_all;
+        let M_12 = hx_delta + mu * Jxz_all;
         let t57 = self.mH * t36;
         let t59 = self.mF * self.c;
         let Jzz_delta = self.IFxx + self.IHzz + t36 * t57 + self.c * t59;
-        let hz_delta = t28 * Jxz_delta + t40 * Jzz_delta;
+        let hz_delta = sin_lam * Jxz_delta + cos_lam * Jzz_delta;
         let t67 = t57 + t59;
-        let t69 = t28 * Sz_delta + t40 * t67;
+        let t69 = sin_lam * Sz_delta + cos_lam * t67;
         let M_yaw_delta = hz_delta - t35 * t69;
         let t73 = self.mB * self.xB;
         let mA = self.mH + self.mF;
@@ -189,25 +189,27 @@ impl<T: Number> WhippleMechanism<T> {
             + mu
                 * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t73
                     - t35 * (t67 + t77));
-        let t91 = mu * (M_yaw_delta + P_delta_yaw) + t28 * hx_delta + t40 * hz_delta;
+        let M_22 = mu * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
+            + cos_lam * hz_delta;
+        let zero = self.w.like(0.0);
         let SF = self.IFyy / self.rF;
         let ST = SF + self.IRyy / self.rR;
         let Sz_all = t21 + Sz_delta - t17;
         let t100 = ST - Sz_all;
-        let t103 = t40 * SF;
-        let t105 = mu * t100 + yaw_per_v_delta * Jxz_all + t103;
+        let t103 = cos_lam * SF;
+        let C1_12 = mu * t100 + yaw_per_v_delta * Jxz_all + t103;
         let Sx_all = t73 - t77;
         let t109 = mu * Sx_all;
         let P_delta_lateral = t109 - t69;
-        let t113 = mu * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let t115 = yaw_per_v_delta * t100;
-        let t118 = yaw_per_v_delta * (P_delta_lateral + t28 * SF);
-        let t119 = -(t103 + mu * ST);
-        let t120 = t69 - t109;
-        let t121 = -(t28 * P_delta_lateral);
+        let C1_22 = mu * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
+        let K2_12 = yaw_per_v_delta * t100;
+        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * SF);
+        let C1_21 = -(t103 + mu * ST);
+        let K0_12 = t69 - t109;
+        let K0_22 = -(sin_lam * P_delta_lateral);
         WhippleMechanismMatrices::from_entries([
-            t26, t54, t54, t91, self.w.like(0.0), t105, t119, t113, Sz_all, t120, t120, t121,
-            self.w.like(0.0), t115, self.w.like(0.0), t118,
+            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, Sz_all, K0_12, K0_12, K0_22, zero,
+            K2_12, zero, K2_22,
         ])
     }
 }
@@ -237,39 +239,28 @@ impl<T: Scalar> WhippleMechanism<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleMechanismKinematics<T> {
+        let t0 = self.w.like(0.0);
         let yaw_per_v_delta = self.lam.cos() / self.w;
         let mu = self.c * yaw_per_v_delta;
         let t12 = -(self.w.like(1.0) / self.rR);
         let t13 = -(self.w.like(1.0) / self.rF);
         WhippleMechanismKinematics {
             lateral: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                speed: t0,
+                rates: [t0, t0],
+                coordinates: [t0, t0],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), mu],
-                coordinates: [self.w.like(0.0), yaw_per_v_delta],
-                heading: self.w.like(0.0),
+                speed: t0, rates: [t0, mu], coordinates: [t0, yaw_per_v_delta], heading: t0,
             },
             wheel_R: Rate {
-                speed: t12,
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t12, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
             wheel_F: Rate {
-                speed: t13,
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t13, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
-            forces: [
-                [self.w.like(1.0), self.w.like(0.0)],
-                [self.w.like(0.0), self.w.like(1.0)],
-            ],
+            forces: [[self.w.like(1.0), t0], [t0, self.w.like(1.0)]],
         }
     }
 }
@@ -297,26 +288,26 @@ impl<T: Number> WhippleMechanism<T> {
         let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (t28, t40) = self.lam.sin_cos();
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t34 = self.c + self.w;
         let t36 = t34 - self.xH;
         let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let t41 = Jxz_delta * t40;
-        let hx_delta = Jxx_delta * t28 + t41;
+        let t41 = Jxz_delta * cos_lam;
+        let hx_delta = Jxx_delta * sin_lam + t41;
         let t43 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = t40 * t43;
+        let yaw_per_v_delta = cos_lam * t43;
         let mu = self.c * yaw_per_v_delta;
         let Sz_delta = t6 - t10;
         let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t34 * Sz_delta;
-        let t55 = hx_delta + mu * Jxz_all;
-        let t57 = t28 * Jxz_delta;
+        let M_12 = hx_delta + mu * Jxz_all;
+        let t57 = sin_lam * Jxz_delta;
         let t59 = self.mF * self.c;
         let t61 = self.mH * t36;
         let Jzz_delta = self.IFxx + self.IHzz + self.c * t59 + t36 * t61;
-        let hz_delta = t57 + t40 * Jzz_delta;
+        let hz_delta = t57 + cos_lam * Jzz_delta;
         let t70 = t59 + t61;
-        let t72 = t28 * Sz_delta + t40 * t70;
+        let t72 = sin_lam * Sz_delta + cos_lam * t70;
         let M_yaw_delta = hz_delta - t34 * t72;
         let mA = self.mH + self.mF;
         let t78 = t70 - t34 * mA;
@@ -327,212 +318,219 @@ impl<T: Number> WhippleMechanism<T> {
         let t87 = mu * P_delta_yaw_mu;
         let P_delta_yaw = M_yaw_delta + t87;
         let t89 = M_yaw_delta + P_delta_yaw;
-        let t92 = t28 * hx_delta + t40 * hz_delta + mu * t89;
+        let M_22 = sin_lam * hx_delta + cos_lam * hz_delta + mu * t89;
+        let zero = self.w.like(0.0);
         let t95 = self.w.like(1.0) / self.rF;
         let SF = self.IFyy * t95;
-        let t97 = t40 * SF;
+        let t97 = cos_lam * SF;
         let t99 = self.w.like(1.0) / self.rR;
         let t100 = self.IRyy * t99;
         let ST = SF + t100;
         let Sz_all = t21 + Sz_delta - t17;
         let t104 = ST - Sz_all;
         let t106 = yaw_per_v_delta * Jxz_all;
-        let t108 = t97 + mu * t104 + t106;
+        let C1_12 = t97 + mu * t104 + t106;
         let Sx_all = t81 - t78;
-        let t114 = t72 - mu * Sx_all;
-        let t116 = yaw_per_v_delta * P_delta_yaw - mu * t114;
-        let t117 = t28 * t114;
-        let t118 = yaw_per_v_delta * t104;
-        let t119 = t28 * SF;
-        let K222_yaw_per_v_delta = t119 - t114;
-        let t121 = yaw_per_v_delta * K222_yaw_per_v_delta;
+        let K0_12 = t72 - mu * Sx_all;
+        let C1_22 = yaw_per_v_delta * P_delta_yaw - mu * K0_12;
+        let K0_22 = sin_lam * K0_12;
+        let K2_12 = yaw_per_v_delta * t104;
+        let t119 = sin_lam * SF;
+        let K2_22_yaw_per_v_delta = t119 - K0_12;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
         let t122 = t43 * yaw_per_v_delta;
         let t123 = self.c * Jxz_all;
-        let M12_Jxz_delta = t40 + mu;
-        let t127 = t6 * M12_Jxz_delta;
+        let M_12_Jxz_delta = cos_lam + mu;
+        let t127 = t6 * M_12_Jxz_delta;
         let t128 = t127 - mu * Sz_delta;
-        let t129 = t128 - t122 * t123;
-        let M22_mu = t87 + t89;
-        let M22_yaw_per_v_delta = self.c * M22_mu;
+        let M_12_w = t128 - t122 * t123;
+        let M_22_mu = t87 + t89;
+        let M_22_yaw_per_v_delta = self.c * M_22_mu;
         let t134 = t34 * mu;
         let t137 = mA * t134 - t72 - mu * t79;
         let t140 = t134 + t134;
-        let t143 = t40 * t140 + mu * t140;
-        let M22_hz_delta = mu + M12_Jxz_delta;
-        let t146 = mu * mu;
-        let M22_Jzz_delta = t40 * M22_hz_delta + t146;
-        let t149 = t36 * M22_Jzz_delta - t143;
-        let M22_Jxz_delta = t28 * (t40 + M22_hz_delta);
-        let t156 = self.mH * t149 + t6 * M22_Jxz_delta + t61 * M22_Jzz_delta;
+        let t143 = cos_lam * t140 + mu * t140;
+        let M_22_hz_delta = mu + M_12_Jxz_delta;
+        let M_22_IRxx = mu * mu;
+        let M_22_Jzz_delta = cos_lam * M_22_hz_delta + M_22_IRxx;
+        let t149 = t36 * M_22_Jzz_delta - t143;
+        let M_22_Jxz_delta = sin_lam * (cos_lam + M_22_hz_delta);
+        let t156 = self.mH * t149 + t6 * M_22_Jxz_delta + t61 * M_22_Jzz_delta;
         let t157 = mu * (t137 - t72) + t156;
-        let t158 = t157 - t122 * M22_yaw_per_v_delta;
-        let C112_yaw_per_v_delta = Jxz_all + self.c * t104;
+        let M_22_w = t157 - t122 * M_22_yaw_per_v_delta;
+        let C1_12_yaw_per_v_delta = Jxz_all + self.c * t104;
         let t163 = t6 * yaw_per_v_delta;
         let t164 = t163 - yaw_per_v_delta * Sz_delta;
-        let t165 = t164 - t122 * C112_yaw_per_v_delta;
+        let C1_12_w = t164 - t122 * C1_12_yaw_per_v_delta;
         let t166 = self.c * ST;
-        let t167 = t122 * t166;
+        let C1_21_w = t122 * t166;
         let t168 = mu * mA;
         let t169 = self.c * Sx_all;
         let t171 = t168 - t122 * t169;
-        let t172 = self.mH * M12_Jxz_delta;
+        let t172 = self.mH * M_12_Jxz_delta;
         let P_delta_lateral_w = t171 - t172;
-        let C122_mu = yaw_per_v_delta * P_delta_yaw_mu - t114;
-        let C122_yaw_per_v_delta = P_delta_yaw + self.c * C122_mu;
+        let C1_22_mu = yaw_per_v_delta * P_delta_yaw_mu - K0_12;
+        let C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_mu;
         let t181 = t34 * yaw_per_v_delta;
-        let t184 = t40 * t181 + yaw_per_v_delta * t140;
-        let t186 = yaw_per_v_delta * mu;
-        let C122_Jzz_delta = t40 * yaw_per_v_delta + t186;
-        let t189 = t36 * C122_Jzz_delta - t184;
-        let C122_Jxz_delta = t28 * yaw_per_v_delta;
-        let t195 = self.mH * t189 + t6 * C122_Jxz_delta + t61 * C122_Jzz_delta;
+        let t184 = cos_lam * t181 + yaw_per_v_delta * t140;
+        let C1_22_IRxx = yaw_per_v_delta * mu;
+        let C1_22_Jzz_delta = cos_lam * yaw_per_v_delta + C1_22_IRxx;
+        let t189 = t36 * C1_22_Jzz_delta - t184;
+        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+        let t195 = self.mH * t189 + t6 * C1_22_Jxz_delta + t61 * C1_22_Jzz_delta;
         let t196 = yaw_per_v_delta * t137 + t195;
-        let t198 = mu * P_delta_lateral_w + t196 - t122 * C122_yaw_per_v_delta;
-        let t199 = t28 * P_delta_lateral_w;
+        let C1_22_w = mu * P_delta_lateral_w + t196 - t122 * C1_22_yaw_per_v_delta;
+        let t199 = sin_lam * P_delta_lateral_w;
         let t200 = t104 * t122;
-        let t203 = yaw_per_v_delta * P_delta_lateral_w - K222_yaw_per_v_delta * t122;
-        let t206 = t106 + t128 - t10 * M12_Jxz_delta;
-        let t209 = self.c * M22_Jzz_delta - t143;
-        let t216 = t157 + self.mF * t209 + yaw_per_v_delta * M22_mu + t59 * M22_Jzz_delta
-            - t10 * M22_Jxz_delta;
-        let t219 = t164 + yaw_per_v_delta * (t104 - t10);
+        let K2_22_w = yaw_per_v_delta * P_delta_lateral_w - K2_22_yaw_per_v_delta * t122;
+        let M_12_c = t106 + t128 - t10 * M_12_Jxz_delta;
+        let t209 = self.c * M_22_Jzz_delta - t143;
+        let M_22_c = t157 + self.mF * t209 + yaw_per_v_delta * M_22_mu
+            + t59 * M_22_Jzz_delta - t10 * M_22_Jxz_delta;
+        let C1_12_c = t164 + yaw_per_v_delta * (t104 - t10);
         let t220 = yaw_per_v_delta * ST;
-        let t223 = self.c * C122_Jzz_delta - t184;
+        let t223 = self.c * C1_22_Jzz_delta - t184;
         let t228 = t168 + yaw_per_v_delta * Sx_all - t172;
-        let t229 = self.mF * M12_Jxz_delta;
+        let t229 = self.mF * M_12_Jxz_delta;
         let P_delta_lateral_c = t228 - t229;
-        let t237 = t196 + self.mF * t223 + yaw_per_v_delta * C122_mu
-            + mu * P_delta_lateral_c + t59 * C122_Jzz_delta - t10 * C122_Jxz_delta;
-        let t238 = t28 * P_delta_lateral_c;
-        let t239 = yaw_per_v_delta * P_delta_lateral_c;
-        let hx_delta_lam = Jxx_delta * t40 - t57;
-        let t242 = t28 * t43;
-        let t244 = hx_delta_lam - t123 * t242;
-        let hz_delta_lam = t41 - t28 * Jzz_delta;
-        let t254 = t40 * Sz_delta - t28 * t70;
-        let t260 = t28 * hx_delta_lam + t40 * hx_delta + M22_hz_delta * hz_delta_lam
-            - t28 * hz_delta - M22_yaw_per_v_delta * t242 - t140 * t254;
-        let t262 = t119 + C112_yaw_per_v_delta * t242;
-        let t264 = t119 + t166 * t242;
-        let t267 = t254 + t169 * t242;
-        let t273 = yaw_per_v_delta * hz_delta_lam - mu * t267
-            - C122_yaw_per_v_delta * t242 - t181 * t254;
-        let t276 = t28 * t267 + t40 * t114;
+        let C1_22_c = t196 + self.mF * t223 + yaw_per_v_delta * C1_22_mu
+            + mu * P_delta_lateral_c + t59 * C1_22_Jzz_delta - t10 * C1_22_Jxz_delta;
+        let t238 = sin_lam * P_delta_lateral_c;
+        let K2_22_c = yaw_per_v_delta * P_delta_lateral_c;
+        let hx_delta_lam = Jxx_delta * cos_lam - t57;
+        let t242 = sin_lam * t43;
+        let M_12_lam = hx_delta_lam - t123 * t242;
+        let hz_delta_lam = t41 - sin_lam * Jzz_delta;
+        let t254 = cos_lam * Sz_delta - sin_lam * t70;
+        let M_22_lam = sin_lam * hx_delta_lam + cos_lam * hx_delta
+            + M_22_hz_delta * hz_delta_lam - sin_lam * hz_delta
+            - M_22_yaw_per_v_delta * t242 - t140 * t254;
+        let t262 = t119 + C1_12_yaw_per_v_delta * t242;
+        let C1_21_lam = t119 + t166 * t242;
+        let K0_12_lam = t254 + t169 * t242;
+        let C1_22_lam = yaw_per_v_delta * hz_delta_lam - mu * K0_12_lam
+            - C1_22_yaw_per_v_delta * t242 - t181 * t254;
+        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
         let t277 = t104 * t242;
-        let t281 = yaw_per_v_delta * (t97 - t267) - K222_yaw_per_v_delta * t242;
-        let t282 = t17 + t17;
+        let K2_22_lam = yaw_per_v_delta * (t97 - K0_12_lam)
+            - K2_22_yaw_per_v_delta * t242;
+        let M_11_rR = t17 + t17;
         let t283 = t99 * t100;
         let t284 = self.mR - t283;
-        let t285 = mu * t284;
-        let t286 = mu * t283;
-        let t287 = yaw_per_v_delta * t284;
-        let t288 = self.rR * self.rR;
-        let t289 = self.rR * mu;
-        let t290 = self.rR * yaw_per_v_delta;
-        let t292 = mu * t99;
-        let t293 = yaw_per_v_delta * t99;
+        let C1_12_rR = mu * t284;
+        let C1_21_rR = mu * t283;
+        let K2_12_rR = yaw_per_v_delta * t284;
+        let M_11_mR = self.rR * self.rR;
+        let C1_12_mR = self.rR * mu;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_IRyy = mu * t99;
+        let K2_12_IRyy = yaw_per_v_delta * t99;
         let t294 = t21 * mu;
         let t295 = mu * self.xB;
         let t296 = self.mB * t295;
         let P_delta_yaw_xB = t296 + mu * t81;
-        let t299 = mu * P_delta_yaw_xB;
+        let M_22_xB = mu * P_delta_yaw_xB;
         let t300 = t21 * yaw_per_v_delta;
         let t302 = self.mB * mu;
-        let t304 = yaw_per_v_delta * P_delta_yaw_xB + mu * t302;
-        let t305 = t28 * t302;
-        let t306 = yaw_per_v_delta * t302;
-        let t307 = t21 + t21;
+        let C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB + mu * t302;
+        let t305 = sin_lam * t302;
+        let K2_22_xB = yaw_per_v_delta * t302;
+        let M_11_zB = t21 + t21;
         let t309 = mu + yaw_per_v_delta * self.xB;
         let t310 = self.mB * t309;
         let t311 = self.mB * yaw_per_v_delta;
-        let t312 = self.zB * self.zB;
+        let M_11_mB = self.zB * self.zB;
         let t313 = self.zB * t295;
         let P_delta_yaw_mB = self.xB * t295;
-        let t315 = mu * P_delta_yaw_mB;
+        let M_22_mB = mu * P_delta_yaw_mB;
         let t316 = self.zB * t309;
-        let t319 = yaw_per_v_delta * P_delta_yaw_mB + mu * t295;
-        let t320 = t28 * t295;
+        let C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB + mu * t295;
+        let t320 = sin_lam * t295;
         let t321 = self.zB * yaw_per_v_delta;
-        let t322 = yaw_per_v_delta * t295;
-        let t324 = mu * t172 - t195;
-        let t325 = t28 * t172;
-        let t326 = yaw_per_v_delta * t172;
-        let t327 = t6 + t6;
-        let t331 = self.zH * t28 + t36 * M12_Jxz_delta - t134;
-        let t334 = self.mH * t331 + t6 * t28;
-        let t335 = t28 * t140;
-        let M22_Jxx_delta = t28 * t28;
-        let t340 = self.zH * M22_Jxx_delta + t36 * M22_Jxz_delta - t335;
-        let t343 = self.mH * t340 + t6 * M22_Jxx_delta;
+        let K2_22_mB = yaw_per_v_delta * t295;
+        let C1_22_xH = mu * t172 - t195;
+        let t325 = sin_lam * t172;
+        let K2_22_xH = yaw_per_v_delta * t172;
+        let M_11_zH = t6 + t6;
+        let K0_12_mH = self.zH * sin_lam + t36 * M_12_Jxz_delta - t134;
+        let M_12_zH = self.mH * K0_12_mH + t6 * sin_lam;
+        let t335 = sin_lam * t140;
+        let M_22_Jxx_delta = sin_lam * sin_lam;
+        let t340 = self.zH * M_22_Jxx_delta + t36 * M_22_Jxz_delta - t335;
+        let M_22_zH = self.mH * t340 + t6 * M_22_Jxx_delta;
         let t344 = mu + t181;
         let t346 = t36 * yaw_per_v_delta - t344;
-        let t347 = self.mH * t346;
-        let t348 = t28 * t181;
-        let t350 = t36 * C122_Jxz_delta - t348;
-        let t352 = self.mH * t28;
-        let t354 = self.mH * t350 - mu * t352;
-        let t355 = t28 * t352;
+        let C1_12_zH = self.mH * t346;
+        let t348 = sin_lam * t181;
+        let t350 = t36 * C1_22_Jxz_delta - t348;
+        let K0_12_zH = self.mH * sin_lam;
+        let C1_22_zH = self.mH * t350 - mu * K0_12_zH;
+        let K0_22_zH = sin_lam * K0_12_zH;
         let t356 = self.mH * yaw_per_v_delta;
-        let t357 = yaw_per_v_delta * t352;
-        let t358 = self.zH * self.zH;
-        let t359 = self.zH * t331;
+        let t357 = yaw_per_v_delta * K0_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let M_12_mH = self.zH * K0_12_mH;
         let P_delta_yaw_mA = t34 * t134;
-        let M22_mA = mu * P_delta_yaw_mA;
-        let t365 = M22_mA + self.zH * t340 + t36 * t149;
-        let t366 = self.zH * t346;
-        let C122_mA = yaw_per_v_delta * P_delta_yaw_mA;
-        let t373 = C122_mA + self.zH * t350 + t36 * t189 - mu * t331;
-        let t374 = t28 * t331;
+        let M_22_mA = mu * P_delta_yaw_mA;
+        let M_22_mH = M_22_mA + self.zH * t340 + t36 * t149;
+        let C1_12_mH = self.zH * t346;
+        let C1_22_mA = yaw_per_v_delta * P_delta_yaw_mA;
+        let C1_22_mH = C1_22_mA + self.zH * t350 + t36 * t189 - mu * K0_12_mH;
+        let K0_22_mH = sin_lam * K0_12_mH;
         let t375 = self.zH * yaw_per_v_delta;
-        let t376 = yaw_per_v_delta * t331;
-        let t377 = t10 + t10;
-        let t381 = self.c * M12_Jxz_delta - t134 - self.rF * t28;
-        let t384 = t10 * t28 - self.mF * t381;
-        let t388 = t335 + self.rF * M22_Jxx_delta - self.c * M22_Jxz_delta;
-        let t391 = self.mF * t388 + t10 * M22_Jxx_delta;
+        let t376 = yaw_per_v_delta * K0_12_mH;
+        let M_11_rF = t10 + t10;
+        let K0_12_mF = self.c * M_12_Jxz_delta - t134 - self.rF * sin_lam;
+        let M_12_rF = t10 * sin_lam - self.mF * K0_12_mF;
+        let t388 = t335 + self.rF * M_22_Jxx_delta - self.c * M_22_Jxz_delta;
+        let M_22_rF = self.mF * t388 + t10 * M_22_Jxx_delta;
         let t392 = t344 - mu;
         let t394 = t95 * SF;
-        let t395 = M12_Jxz_delta * t394;
-        let t396 = self.mF * t392 - t395;
-        let t398 = t348 - self.c * C122_Jxz_delta;
-        let P_delta_lateral_rF = self.mF * t28;
-        let t402 = self.mF * t398 + mu * P_delta_lateral_rF;
-        let t403 = t28 * P_delta_lateral_rF;
-        let t406 = self.mF * yaw_per_v_delta - yaw_per_v_delta * t394;
-        let t409 = yaw_per_v_delta * P_delta_lateral_rF - C122_Jxz_delta * t394;
-        let t410 = self.rF * self.rF;
-        let t411 = self.rF * t381;
-        let t415 = M22_mA + self.c * t209 + self.rF * t388;
-        let t416 = self.rF * t392;
-        let t422 = C122_mA + self.c * t223 + self.rF * t398 - mu * t381;
-        let t423 = t28 * t381;
-        let t424 = self.rF * yaw_per_v_delta;
-        let t425 = yaw_per_v_delta * t381;
-        let t426 = M22_Jzz_delta + M22_Jxx_delta;
-        let t427 = t95 * M12_Jxz_delta;
-        let t428 = yaw_per_v_delta * t95;
-        let t429 = t95 * C122_Jxz_delta;
-        let t430 = -(t97 + mu * ST);
-        let t431 = t172 - t171;
-        let t432 = t229 - t228;
+        let C1_21_rF = M_12_Jxz_delta * t394;
+        let C1_12_rF = self.mF * t392 - C1_21_rF;
+        let t398 = t348 - self.c * C1_22_Jxz_delta;
+        let P_delta_lateral_rF = self.mF * sin_lam;
+        let C1_22_rF = self.mF * t398 + mu * P_delta_lateral_rF;
+        let t403 = sin_lam * P_delta_lateral_rF;
+        let K2_12_rF = self.mF * yaw_per_v_delta - yaw_per_v_delta * t394;
+        let K2_22_rF = yaw_per_v_delta * P_delta_lateral_rF - C1_22_Jxz_delta * t394;
+        let M_11_mF = self.rF * self.rF;
+        let t411 = self.rF * K0_12_mF;
+        let M_22_mF = M_22_mA + self.c * t209 + self.rF * t388;
+        let C1_12_mF = self.rF * t392;
+        let C1_22_mF = C1_22_mA + self.c * t223 + self.rF * t398 - mu * K0_12_mF;
+        let K0_22_mF = sin_lam * K0_12_mF;
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        let t425 = yaw_per_v_delta * K0_12_mF;
+        let M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
+        let C1_12_IFyy = t95 * M_12_Jxz_delta;
+        let K2_12_IFyy = yaw_per_v_delta * t95;
+        let K2_22_IFyy = t95 * C1_22_Jxz_delta;
+        let C1_21 = -(t97 + mu * ST);
+        let K0_12_w = t172 - t171;
+        let K0_12_c = t229 - t228;
         (
             WhippleMechanismMatrices::from_entries([
-                t26, t55, t55, t92, self.w.like(0.0), t108, t430, t116, Sz_all, t114, t114, t117,
-                self.w.like(0.0), t118, self.w.like(0.0), t121,
+                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, Sz_all, K0_12, K0_12, K0_22,
+                zero, K2_12, zero, K2_22,
             ]),
             WhippleMechanismDerivatives {
                 values: [
-                    t129, t158, t165, t167, t198, t431, t199, t200, t203, t206, t216, t219, t220,
-                    t237, t432, t238, t239, t244, t260, t262, t264, t273, t267, t276, t277, t281,
-                    t282, t285, t286, self.mR, t287, t288, t289, self.rR, t290, self.w.like(1.0),
-                    t146, t186, t292, t293, t294, t299, t300, t304, t302, t305, t306, t307, t296,
-                    t310, self.mB, t311, t312, t313, t315, t316, t319, self.zB, t295, t320, t321,
-                    t322, mu, yaw_per_v_delta, t127, t156, t163, t324, t172, t325, t326, t327, t334,
-                    t343, t347, t354, self.mH, t352, t355, t356, t357, t358, t359, t365, t366, t373,
-                    self.zH, t331, t374, t375, t376, t28, M22_Jxx_delta, M22_Jzz_delta,
-                    C122_Jzz_delta, M12_Jxz_delta, M22_Jxz_delta, C122_Jxz_delta, t377, t384, t391,
-                    t396, t395, t402, self.mF, P_delta_lateral_rF, t403, t406, t409, t410, t411,
-                    t415, t416, t422, self.rF, t381, t423, t424, t425, t426, t427, t428, t429,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t199, t200, K2_22_w, M_12_c,
+                    M_22_c, C1_12_c, t220, C1_22_c, K0_12_c, t238, K2_22_c, M_12_lam, M_22_lam,
+                    t262, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t277, K2_22_lam, M_11_rR,
+                    C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t294, M_22_xB,
+                    t300, C1_22_xB, t302, t305, K2_22_xB, M_11_zB, t296, t310, self.mB, t311,
+                    M_11_mB, t313, M_22_mB, t316, C1_22_mB, self.zB, t295, t320, t321, K2_22_mB, mu,
+                    yaw_per_v_delta, t127, t156, t163, C1_22_xH, t172, t325, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, C1_12_zH, C1_22_zH, self.mH, K0_12_zH, K0_22_zH, t356, t357,
+                    M_11_mH, M_12_mH, M_22_mH, C1_12_mH, C1_22_mH, self.zH, K0_12_mH, K0_22_mH,
+                    t375, t376, sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta,
+                    M_12_Jxz_delta, M_22_Jxz_delta, C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF,
+                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, P_delta_lateral_rF, t403, K2_12_rF,
+                    K2_22_rF, M_11_mF, t411, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
+                    K0_22_mF, K2_12_mF, t425, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )

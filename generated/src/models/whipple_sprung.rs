@@ -173,23 +173,23 @@ impl<T: Number> WhippleSprung<T> {
         let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (t28, t41) = self.lam.sin_cos();
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t35 = self.c + self.w;
         let t36 = self.xH - t35;
         let t37 = self.mH * t36;
         let Jxz_delta = self.IHxz - t10 * self.c - self.zH * t37;
-        let hx_delta = Jxx_delta * t28 + Jxz_delta * t41;
-        let yaw_per_v_delta = t41 / self.w;
+        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
+        let yaw_per_v_delta = cos_lam / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let Sz_delta = t6 - t10;
         let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let t55 = hx_delta + yaw_by_delta * Jxz_all;
+        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
         let t58 = self.mF * self.c;
         let t61 = self.IFxx + self.IHzz;
-        let hz_delta = t28 * Jxz_delta + t41 * (t36 * t37 + self.c * t58 + t61);
+        let hz_delta = sin_lam * Jxz_delta + cos_lam * (t36 * t37 + self.c * t58 + t61);
         let Sx_delta = t37 - t58;
-        let py_delta = t41 * Sx_delta - t28 * Sz_delta;
+        let py_delta = cos_lam * Sx_delta - sin_lam * Sz_delta;
         let M_yaw_delta = hz_delta + t35 * py_delta;
         let t73 = self.mB * self.xB;
         let t75 = self.mH * self.xH;
@@ -198,27 +198,26 @@ impl<T: Number> WhippleSprung<T> {
             * (self.IRxx + t61 + self.IBzz + self.xB * t73 + self.xH * t75
                 + self.w * t77);
         let P_delta_yaw = M_yaw_delta + t84;
-        let t91 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + t28 * hx_delta
-            + t41 * hz_delta;
+        let M_22 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
+            + cos_lam * hz_delta;
+        let zero = self.w.like(0.0);
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + self.IRyy / self.rR;
         let Sz_all = t21 + Sz_delta - t17;
         let t101 = h_wheels_all - Sz_all;
-        let t104 = t41 * h_spin_F;
-        let t106 = yaw_by_delta * t101 + yaw_per_v_delta * Jxz_all + t104;
+        let t104 = cos_lam * h_spin_F;
+        let C1_12 = yaw_by_delta * t101 + yaw_per_v_delta * Jxz_all + t104;
         let Sx_all = t73 + t75 + t77;
         let P_delta_lateral = py_delta + yaw_by_delta * Sx_all;
-        let t115 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
-        let t118 = yaw_per_v_delta * t101;
-        let t121 = yaw_per_v_delta * (P_delta_lateral + t28 * h_spin_F);
-        let t122 = -(t104 + yaw_by_delta * h_wheels_all);
-        let t123 = -P_delta_lateral;
-        let t124 = -(t28 * P_delta_lateral);
+        let C1_22 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
+        let K2_12 = yaw_per_v_delta * t101;
+        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * h_spin_F);
+        let C1_21 = -(t104 + yaw_by_delta * h_wheels_all);
+        let K0_12 = -P_delta_lateral;
+        let K0_22 = -(sin_lam * P_delta_lateral);
         WhippleSprungMatrices::from_entries([
-            t26, t55, t55, t91, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.d,
-            self.w.like(0.0), t106, t122, t115, self.w.like(0.0), self.w.like(0.0),
-            self.w.like(0.0), self.k, Sz_all, t123, t123, t124, self.w.like(0.0), t118,
-            self.w.like(0.0), t121,
+            M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero, zero,
+            zero, self.k, Sz_all, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
         ])
     }
 }
@@ -248,39 +247,29 @@ impl<T: Scalar> WhippleSprung<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleSprungKinematics<T> {
+        let t0 = self.w.like(0.0);
         let yaw_per_v_delta = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let t12 = -(self.w.like(1.0) / self.rR);
         let t13 = -(self.w.like(1.0) / self.rF);
         WhippleSprungKinematics {
             lateral: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                speed: t0,
+                rates: [t0, t0],
+                coordinates: [t0, t0],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), yaw_by_delta],
-                coordinates: [self.w.like(0.0), yaw_per_v_delta],
-                heading: self.w.like(0.0),
+                speed: t0, rates: [t0, yaw_by_delta], coordinates: [t0, yaw_per_v_delta],
+                heading: t0,
             },
             wheel_R: Rate {
-                speed: t12,
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t12, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
             wheel_F: Rate {
-                speed: t13,
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t13, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
-            forces: [
-                [self.w.like(1.0), self.w.like(0.0)],
-                [self.w.like(0.0), self.w.like(1.0)],
-            ],
+            forces: [[self.w.like(1.0), t0], [t0, self.w.like(1.0)]],
         }
     }
 }
@@ -308,27 +297,27 @@ impl<T: Number> WhippleSprung<T> {
         let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (t28, t41) = self.lam.sin_cos();
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t35 = self.c + self.w;
         let t36 = self.xH - t35;
         let t37 = self.mH * t36;
         let Jxz_delta = self.IHxz - t10 * self.c - self.zH * t37;
-        let t42 = Jxz_delta * t41;
-        let hx_delta = Jxx_delta * t28 + t42;
+        let t42 = Jxz_delta * cos_lam;
+        let hx_delta = Jxx_delta * sin_lam + t42;
         let t44 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = t41 * t44;
+        let yaw_per_v_delta = cos_lam * t44;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let Sz_delta = t6 - t10;
         let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let t56 = hx_delta + yaw_by_delta * Jxz_all;
-        let t58 = t28 * Jxz_delta;
+        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
+        let t58 = sin_lam * Jxz_delta;
         let t60 = self.IFxx + self.IHzz;
         let t61 = self.mF * self.c;
         let t65 = t60 + self.c * t61 + t36 * t37;
-        let hz_delta = t58 + t41 * t65;
+        let hz_delta = t58 + cos_lam * t65;
         let Sx_delta = t37 - t61;
-        let py_delta = t41 * Sx_delta - t28 * Sz_delta;
+        let py_delta = cos_lam * Sx_delta - sin_lam * Sz_delta;
         let M_yaw_delta = hz_delta + t35 * py_delta;
         let t76 = self.mF * self.w;
         let t78 = self.mB * self.xB;
@@ -338,238 +327,245 @@ impl<T: Number> WhippleSprung<T> {
         let t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
         let P_delta_yaw = M_yaw_delta + t87;
         let t89 = M_yaw_delta + P_delta_yaw;
-        let t92 = t28 * hx_delta + t41 * hz_delta + yaw_by_delta * t89;
+        let M_22 = sin_lam * hx_delta + cos_lam * hz_delta + yaw_by_delta * t89;
+        let zero = self.w.like(0.0);
         let t96 = self.w.like(1.0) / self.rF;
         let h_spin_F = self.IFyy * t96;
-        let t98 = t41 * h_spin_F;
+        let t98 = cos_lam * h_spin_F;
         let t100 = self.w.like(1.0) / self.rR;
         let t101 = self.IRyy * t100;
         let h_wheels_all = h_spin_F + t101;
         let Sz_all = t21 + Sz_delta - t17;
         let t105 = h_wheels_all - Sz_all;
         let t107 = yaw_per_v_delta * Jxz_all;
-        let t109 = t98 + yaw_by_delta * t105 + t107;
+        let C1_12 = t98 + yaw_by_delta * t105 + t107;
         let Sx_all = t76 + t78 + t80;
         let P_delta_lateral = py_delta + yaw_by_delta * Sx_all;
-        let t118 = yaw_per_v_delta * P_delta_yaw + yaw_by_delta * P_delta_lateral;
-        let t121 = yaw_per_v_delta * t105;
-        let t122 = t28 * h_spin_F;
-        let K222_yaw_per_v_delta = P_delta_lateral + t122;
-        let t124 = yaw_per_v_delta * K222_yaw_per_v_delta;
-        let t126 = self.zH * t41;
+        let C1_22 = yaw_per_v_delta * P_delta_yaw + yaw_by_delta * P_delta_lateral;
+        let K2_12 = yaw_per_v_delta * t105;
+        let t122 = sin_lam * h_spin_F;
+        let K2_22_yaw_per_v_delta = P_delta_lateral + t122;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let t126 = self.zH * cos_lam;
         let t127 = self.mH * t126;
         let t129 = t127 + t6 * yaw_by_delta;
         let t130 = t129 - yaw_by_delta * Sz_delta;
         let t131 = t44 * yaw_per_v_delta;
-        let M12_yaw_per_v_delta = self.c * Jxz_all;
-        let t134 = t130 - t131 * M12_yaw_per_v_delta;
-        let py_delta_mH = t36 * t41 - self.zH * t28;
-        let t140 = t37 * t41;
+        let M_12_yaw_per_v_delta = self.c * Jxz_all;
+        let M_12_w = t130 - t131 * M_12_yaw_per_v_delta;
+        let py_delta_mH = t36 * cos_lam - self.zH * sin_lam;
+        let t140 = t37 * cos_lam;
         let t141 = self.mH * py_delta_mH + t140;
-        let t143 = t41 * t141 - t28 * t127;
-        let t144 = self.mH * t41;
+        let t143 = cos_lam * t141 - sin_lam * t127;
+        let t144 = self.mH * cos_lam;
         let t146 = t141 + t35 * t144;
         let t147 = py_delta - t146;
         let t148 = yaw_by_delta + yaw_by_delta;
         let t150 = t147 * t148 - t143;
         let t151 = self.w * yaw_by_delta;
         let P_delta_yaw_w = self.mF * t151 + yaw_by_delta * t76;
-        let M22_yaw_by_delta = t87 + t89;
-        let M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        let t160 = t150 + yaw_by_delta * P_delta_yaw_w - t131 * M22_yaw_per_v_delta;
+        let M_22_yaw_by_delta = t87 + t89;
+        let M_22_yaw_per_v_delta = self.c * M_22_yaw_by_delta;
+        let M_22_w = t150 + yaw_by_delta * P_delta_yaw_w - t131 * M_22_yaw_per_v_delta;
         let t162 = t6 * yaw_per_v_delta;
         let t163 = t162 - yaw_per_v_delta * Sz_delta;
-        let C112_yaw_per_v_delta = Jxz_all + self.c * t105;
-        let t167 = t163 - t131 * C112_yaw_per_v_delta;
+        let C1_12_yaw_per_v_delta = Jxz_all + self.c * t105;
+        let C1_12_w = t163 - t131 * C1_12_yaw_per_v_delta;
         let t168 = self.c * h_wheels_all;
-        let t169 = t131 * t168;
+        let C1_21_w = t131 * t168;
         let t170 = yaw_per_v_delta * t147;
         let P_delta_lateral_yaw_per_v_delta = self.c * Sx_all;
-        let t176 = t144 + t131 * P_delta_lateral_yaw_per_v_delta
+        let K0_12_w = t144 + t131 * P_delta_lateral_yaw_per_v_delta
             - self.mF * yaw_by_delta;
-        let C122_yaw_by_delta = P_delta_lateral
+        let C1_22_yaw_by_delta = P_delta_lateral
             + yaw_per_v_delta * P_delta_yaw_yaw_by_delta;
-        let C122_yaw_per_v_delta = P_delta_yaw + self.c * C122_yaw_by_delta;
-        let t185 = t170 + yaw_per_v_delta * P_delta_yaw_w - yaw_by_delta * t176
-            - t131 * C122_yaw_per_v_delta;
-        let t186 = t28 * t176;
+        let C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_yaw_by_delta;
+        let C1_22_w = t170 + yaw_per_v_delta * P_delta_yaw_w - yaw_by_delta * K0_12_w
+            - t131 * C1_22_yaw_per_v_delta;
+        let K0_22_w = sin_lam * K0_12_w;
         let t187 = t105 * t131;
-        let t190 = yaw_per_v_delta * t176 + K222_yaw_per_v_delta * t131;
-        let t191 = t10 * t41;
-        let t195 = t107 + t130 - t191 - t10 * yaw_by_delta;
-        let hx_delta_rF = t10 * t28;
-        let t197 = self.c * t41;
-        let hz_delta_c = self.mF * t197 + t41 * t61 - hx_delta_rF;
-        let t202 = self.mF * t41;
+        let t190 = yaw_per_v_delta * K0_12_w + K2_22_yaw_per_v_delta * t131;
+        let t191 = t10 * cos_lam;
+        let M_12_c = t107 + t130 - t191 - t10 * yaw_by_delta;
+        let hx_delta_rF = t10 * sin_lam;
+        let t197 = self.c * cos_lam;
+        let hz_delta_c = self.mF * t197 + cos_lam * t61 - hx_delta_rF;
+        let t202 = self.mF * cos_lam;
         let M_yaw_delta_c = hz_delta_c - t35 * t202;
-        let t212 = t150 + t148 * M_yaw_delta_c + t41 * hz_delta_c
-            + yaw_per_v_delta * M22_yaw_by_delta - t28 * t191;
-        let t215 = t163 + yaw_per_v_delta * (t105 - t10);
+        let M_22_c = t150 + t148 * M_yaw_delta_c + cos_lam * hz_delta_c
+            + yaw_per_v_delta * M_22_yaw_by_delta - sin_lam * t191;
+        let C1_12_c = t163 + yaw_per_v_delta * (t105 - t10);
         let t216 = yaw_per_v_delta * h_wheels_all;
-        let t221 = t144 + t202 - yaw_per_v_delta * Sx_all;
-        let t224 = t170 + yaw_per_v_delta * (C122_yaw_by_delta + M_yaw_delta_c)
-            - yaw_by_delta * t221;
-        let t225 = t28 * t221;
-        let t226 = yaw_per_v_delta * t221;
-        let hx_delta_lam = Jxx_delta * t41 - t58;
-        let t229 = t28 * t44;
-        let t231 = hx_delta_lam - M12_yaw_per_v_delta * t229;
-        let hz_delta_lam = t42 - t28 * t65;
-        let t236 = t41 * Sz_delta + t28 * Sx_delta;
+        let K0_12_c = t144 + t202 - yaw_per_v_delta * Sx_all;
+        let C1_22_c = t170 + yaw_per_v_delta * (C1_22_yaw_by_delta + M_yaw_delta_c)
+            - yaw_by_delta * K0_12_c;
+        let K0_22_c = sin_lam * K0_12_c;
+        let t226 = yaw_per_v_delta * K0_12_c;
+        let hx_delta_lam = Jxx_delta * cos_lam - t58;
+        let t229 = sin_lam * t44;
+        let M_12_lam = hx_delta_lam - M_12_yaw_per_v_delta * t229;
+        let hz_delta_lam = t42 - sin_lam * t65;
+        let t236 = cos_lam * Sz_delta + sin_lam * Sx_delta;
         let M_yaw_delta_lam = hz_delta_lam - t35 * t236;
-        let t249 = t148 * M_yaw_delta_lam + t28 * hx_delta_lam + t41 * hz_delta_lam
-            + t41 * hx_delta - t28 * hz_delta - M22_yaw_per_v_delta * t229;
-        let t251 = t122 + C112_yaw_per_v_delta * t229;
-        let t253 = t122 + t168 * t229;
-        let t256 = t236 + P_delta_lateral_yaw_per_v_delta * t229;
-        let t260 = yaw_per_v_delta * M_yaw_delta_lam - yaw_by_delta * t256
-            - C122_yaw_per_v_delta * t229;
-        let t263 = t28 * t256 - t41 * P_delta_lateral;
+        let M_22_lam = t148 * M_yaw_delta_lam + sin_lam * hx_delta_lam
+            + cos_lam * hz_delta_lam + cos_lam * hx_delta - sin_lam * hz_delta
+            - M_22_yaw_per_v_delta * t229;
+        let t251 = t122 + C1_12_yaw_per_v_delta * t229;
+        let C1_21_lam = t122 + t168 * t229;
+        let K0_12_lam = t236 + P_delta_lateral_yaw_per_v_delta * t229;
+        let C1_22_lam = yaw_per_v_delta * M_yaw_delta_lam - yaw_by_delta * K0_12_lam
+            - C1_22_yaw_per_v_delta * t229;
+        let K0_22_lam = sin_lam * K0_12_lam - cos_lam * P_delta_lateral;
         let t264 = t105 * t229;
-        let t268 = yaw_per_v_delta * (t98 - t256) - K222_yaw_per_v_delta * t229;
-        let t269 = t17 + t17;
+        let K2_22_lam = yaw_per_v_delta * (t98 - K0_12_lam)
+            - K2_22_yaw_per_v_delta * t229;
+        let M_11_rR = t17 + t17;
         let t270 = t100 * t101;
         let t271 = self.mR - t270;
-        let t272 = yaw_by_delta * t271;
-        let t273 = yaw_by_delta * t270;
-        let t274 = yaw_per_v_delta * t271;
-        let t275 = self.rR * self.rR;
-        let t276 = self.rR * yaw_by_delta;
-        let t277 = self.rR * yaw_per_v_delta;
-        let t279 = yaw_by_delta * yaw_by_delta;
-        let t280 = yaw_per_v_delta * yaw_by_delta;
-        let t281 = yaw_by_delta * t100;
-        let t282 = yaw_per_v_delta * t100;
+        let C1_12_rR = yaw_by_delta * t271;
+        let C1_21_rR = yaw_by_delta * t270;
+        let K2_12_rR = yaw_per_v_delta * t271;
+        let M_11_mR = self.rR * self.rR;
+        let C1_12_mR = self.rR * yaw_by_delta;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let M_22_IRxx = yaw_by_delta * yaw_by_delta;
+        let C1_22_IRxx = yaw_per_v_delta * yaw_by_delta;
+        let C1_12_IRyy = yaw_by_delta * t100;
+        let K2_12_IRyy = yaw_per_v_delta * t100;
         let t283 = t21 * yaw_by_delta;
         let P_delta_lateral_mB = yaw_by_delta * self.xB;
         let t285 = self.mB * P_delta_lateral_mB;
         let P_delta_yaw_xB = t285 + yaw_by_delta * t78;
-        let t288 = yaw_by_delta * P_delta_yaw_xB;
+        let M_22_xB = yaw_by_delta * P_delta_yaw_xB;
         let t289 = t21 * yaw_per_v_delta;
         let P_delta_lateral_xB = self.mB * yaw_by_delta;
-        let t293 = yaw_per_v_delta * P_delta_yaw_xB + yaw_by_delta * P_delta_lateral_xB;
-        let t294 = t28 * P_delta_lateral_xB;
-        let t295 = yaw_per_v_delta * P_delta_lateral_xB;
-        let t296 = t21 + t21;
+        let C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB
+            + yaw_by_delta * P_delta_lateral_xB;
+        let t294 = sin_lam * P_delta_lateral_xB;
+        let K2_22_xB = yaw_per_v_delta * P_delta_lateral_xB;
+        let M_11_zB = t21 + t21;
         let t298 = yaw_by_delta + yaw_per_v_delta * self.xB;
         let t299 = self.mB * t298;
         let t300 = self.mB * yaw_per_v_delta;
-        let t301 = self.zB * self.zB;
+        let M_11_mB = self.zB * self.zB;
         let t302 = self.zB * P_delta_lateral_mB;
         let P_delta_yaw_mB = self.xB * P_delta_lateral_mB;
-        let t304 = yaw_by_delta * P_delta_yaw_mB;
+        let M_22_mB = yaw_by_delta * P_delta_yaw_mB;
         let t305 = self.zB * t298;
-        let t308 = yaw_per_v_delta * P_delta_yaw_mB + yaw_by_delta * P_delta_lateral_mB;
-        let t309 = t28 * P_delta_lateral_mB;
+        let C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB
+            + yaw_by_delta * P_delta_lateral_mB;
+        let t309 = sin_lam * P_delta_lateral_mB;
         let t310 = self.zB * yaw_per_v_delta;
-        let t311 = yaw_per_v_delta * P_delta_lateral_mB;
+        let K2_22_mB = yaw_per_v_delta * P_delta_lateral_mB;
         let t312 = self.xH * yaw_by_delta;
         let t316 = t146 + self.mH * t312 + yaw_by_delta * t80;
-        let t319 = t143 + yaw_by_delta * (t146 + t316);
+        let M_22_xH = t143 + yaw_by_delta * (t146 + t316);
         let t321 = self.mH * yaw_by_delta;
         let P_delta_lateral_xH = t144 + t321;
-        let t324 = yaw_per_v_delta * t316 + yaw_by_delta * P_delta_lateral_xH;
-        let t325 = t28 * P_delta_lateral_xH;
-        let t326 = yaw_per_v_delta * P_delta_lateral_xH;
+        let C1_22_xH = yaw_per_v_delta * t316 + yaw_by_delta * P_delta_lateral_xH;
+        let t325 = sin_lam * P_delta_lateral_xH;
+        let K2_22_xH = yaw_per_v_delta * P_delta_lateral_xH;
         let Jxx_delta_zH = t6 + t6;
-        let hx_delta_zH = t28 * Jxx_delta_zH - t140;
+        let hx_delta_zH = sin_lam * Jxx_delta_zH - t140;
         let t331 = t37 + self.mH * t35;
-        let t333 = hx_delta_zH - yaw_by_delta * t331;
-        let t334 = t28 * t37;
-        let t335 = self.mH * t28;
-        let t337 = t334 + t35 * t335;
-        let t342 = t28 * hx_delta_zH - t148 * t337 - t41 * t334;
+        let M_12_zH = hx_delta_zH - yaw_by_delta * t331;
+        let t334 = sin_lam * t37;
+        let K0_12_zH = self.mH * sin_lam;
+        let t337 = t334 + t35 * K0_12_zH;
+        let M_22_zH = sin_lam * hx_delta_zH - t148 * t337 - cos_lam * t334;
         let t344 = t321 + yaw_per_v_delta * t331;
-        let t347 = yaw_per_v_delta * t337 + yaw_by_delta * t335;
-        let t348 = t28 * t335;
+        let t347 = yaw_per_v_delta * t337 + yaw_by_delta * K0_12_zH;
+        let K0_22_zH = sin_lam * K0_12_zH;
         let t349 = self.mH * yaw_per_v_delta;
-        let t350 = yaw_per_v_delta * t335;
+        let t350 = yaw_per_v_delta * K0_12_zH;
         let Jxx_delta_mH = self.zH * self.zH;
-        let hx_delta_mH = t28 * Jxx_delta_mH - t36 * t126;
+        let hx_delta_mH = sin_lam * Jxx_delta_mH - t36 * t126;
         let t357 = self.zH * t35 + self.zH * t36;
-        let t359 = hx_delta_mH - yaw_by_delta * t357;
+        let M_12_mH = hx_delta_mH - yaw_by_delta * t357;
         let hz_delta_mH = t36 * py_delta_mH;
         let M_yaw_delta_mH = hz_delta_mH + t35 * py_delta_mH;
         let P_delta_yaw_mH = self.xH * t312;
         let t366 = M_yaw_delta_mH + P_delta_yaw_mH;
-        let t370 = t28 * hx_delta_mH + t41 * hz_delta_mH
+        let M_22_mH = sin_lam * hx_delta_mH + cos_lam * hz_delta_mH
             + yaw_by_delta * (M_yaw_delta_mH + t366);
         let t373 = self.zH * yaw_by_delta + yaw_per_v_delta * t357;
         let P_delta_lateral_mH = py_delta_mH + t312;
-        let t377 = yaw_per_v_delta * t366 + yaw_by_delta * P_delta_lateral_mH;
-        let t378 = t28 * P_delta_lateral_mH;
+        let C1_22_mH = yaw_per_v_delta * t366 + yaw_by_delta * P_delta_lateral_mH;
+        let t378 = sin_lam * P_delta_lateral_mH;
         let t379 = self.zH * yaw_per_v_delta;
-        let t380 = yaw_per_v_delta * P_delta_lateral_mH;
-        let t381 = t28 * t28;
-        let C112_h_spin_F = t41 + yaw_by_delta;
-        let t386 = yaw_by_delta * (t41 + C112_h_spin_F) + t41 * t41;
-        let t388 = t280 + t41 * yaw_per_v_delta;
-        let t391 = t28 * t41 + t28 * yaw_by_delta;
-        let t392 = t391 + t391;
-        let K222_h_spin_F = t28 * yaw_per_v_delta;
-        let t394 = t10 + t10;
-        let t396 = t197 - self.rF * t28;
+        let K2_22_mH = yaw_per_v_delta * P_delta_lateral_mH;
+        let M_22_IHxx = sin_lam * sin_lam;
+        let C1_12_h_spin_F = cos_lam + yaw_by_delta;
+        let M_22_IHzz = yaw_by_delta * (cos_lam + C1_12_h_spin_F) + cos_lam * cos_lam;
+        let C1_22_IHzz = C1_22_IRxx + cos_lam * yaw_per_v_delta;
+        let t391 = sin_lam * cos_lam + sin_lam * yaw_by_delta;
+        let M_22_IHxz = t391 + t391;
+        let K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
+        let M_11_rF = t10 + t10;
+        let t396 = t197 - self.rF * sin_lam;
         let t397 = t35 - self.c;
         let t399 = yaw_by_delta * t397 - t396;
-        let t401 = hx_delta_rF + self.mF * t399;
-        let t402 = t28 * self.c;
-        let t404 = t28 * t35 - t402;
-        let t409 = t148 * t404 - t28 * t396 - t41 * t402;
-        let t412 = self.mF * t409 + t28 * hx_delta_rF;
+        let M_12_rF = hx_delta_rF + self.mF * t399;
+        let t402 = sin_lam * self.c;
+        let t404 = sin_lam * t35 - t402;
+        let t409 = t148 * t404 - sin_lam * t396 - cos_lam * t402;
+        let M_22_rF = self.mF * t409 + sin_lam * hx_delta_rF;
         let t414 = yaw_by_delta + yaw_per_v_delta * t397;
         let t416 = t96 * h_spin_F;
-        let t417 = C112_h_spin_F * t416;
-        let t418 = self.mF * t414 - t417;
+        let C1_21_rF = C1_12_h_spin_F * t416;
+        let C1_12_rF = self.mF * t414 - C1_21_rF;
         let t419 = yaw_per_v_delta * t404;
-        let P_delta_lateral_rF = self.mF * t28;
-        let t423 = self.mF * t419 + yaw_by_delta * P_delta_lateral_rF;
-        let t424 = t28 * P_delta_lateral_rF;
-        let t426 = yaw_per_v_delta * (self.mF - t416);
-        let t429 = yaw_per_v_delta * P_delta_lateral_rF - K222_h_spin_F * t416;
-        let t430 = self.rF * self.rF;
-        let t431 = self.rF * t399;
+        let P_delta_lateral_rF = self.mF * sin_lam;
+        let C1_22_rF = self.mF * t419 + yaw_by_delta * P_delta_lateral_rF;
+        let t424 = sin_lam * P_delta_lateral_rF;
+        let K2_12_rF = yaw_per_v_delta * (self.mF - t416);
+        let K2_22_rF = yaw_per_v_delta * P_delta_lateral_rF - K2_22_h_spin_F * t416;
+        let M_11_mF = self.rF * self.rF;
+        let M_12_mF = self.rF * t399;
         let hz_delta_mF = self.c * t197;
         let M_yaw_delta_mF = hz_delta_mF - t35 * t197;
         let P_delta_yaw_mF = self.w * t151;
         let t438 = M_yaw_delta_mF + P_delta_yaw_mF;
-        let t442 = self.rF * t409 + t41 * hz_delta_mF
+        let M_22_mF = self.rF * t409 + cos_lam * hz_delta_mF
             + yaw_by_delta * (M_yaw_delta_mF + t438);
-        let t443 = self.rF * t414;
+        let C1_12_mF = self.rF * t414;
         let P_delta_lateral_mF = t151 - t396;
-        let t449 = self.rF * t419 + yaw_per_v_delta * t438
+        let C1_22_mF = self.rF * t419 + yaw_per_v_delta * t438
             + yaw_by_delta * P_delta_lateral_mF;
-        let t450 = t28 * P_delta_lateral_mF;
-        let t451 = self.rF * yaw_per_v_delta;
-        let t452 = yaw_per_v_delta * P_delta_lateral_mF;
-        let t453 = t381 + t386;
-        let t454 = t96 * C112_h_spin_F;
-        let t455 = yaw_per_v_delta * t96;
-        let t456 = t96 * K222_h_spin_F;
-        let t457 = -(t98 + yaw_by_delta * h_wheels_all);
-        let t458 = -P_delta_lateral;
-        let t459 = -(t28 * P_delta_lateral);
-        let t460 = t396 - t151;
+        let t450 = sin_lam * P_delta_lateral_mF;
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        let K2_22_mF = yaw_per_v_delta * P_delta_lateral_mF;
+        let M_22_IFxx = M_22_IHxx + M_22_IHzz;
+        let C1_12_IFyy = t96 * C1_12_h_spin_F;
+        let K2_12_IFyy = yaw_per_v_delta * t96;
+        let K2_22_IFyy = t96 * K2_22_h_spin_F;
+        let C1_21 = -(t98 + yaw_by_delta * h_wheels_all);
+        let K0_12 = -P_delta_lateral;
+        let K0_22 = -(sin_lam * P_delta_lateral);
+        let K0_12_mF = t396 - t151;
         (
             WhippleSprungMatrices::from_entries([
-                t26, t56, t56, t92, self.w.like(0.0), self.w.like(0.0), self.w.like(0.0), self.d,
-                self.w.like(0.0), t109, t457, t118, self.w.like(0.0), self.w.like(0.0),
-                self.w.like(0.0), self.k, Sz_all, t458, t458, t459, self.w.like(0.0), t121,
-                self.w.like(0.0), t124,
+                M_11, M_12, M_12, M_22, zero, zero, zero, self.d, zero, C1_12, C1_21, C1_22, zero,
+                zero, zero, self.k, Sz_all, K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
             ]),
             WhippleSprungDerivatives {
                 values: [
-                    t134, t160, t167, t169, t185, t176, t186, t187, t190, t195, t212, t215, t216,
-                    t224, t221, t225, t226, t231, t249, t251, t253, t260, t256, t263, t264, t268,
-                    t269, t272, t273, self.mR, t274, t275, t276, self.rR, t277, self.w.like(1.0),
-                    t279, t280, t281, t282, t283, t288, t289, t293, P_delta_lateral_xB, t294, t295,
-                    t296, t285, t299, self.mB, t300, t301, t302, t304, t305, t308, self.zB,
-                    P_delta_lateral_mB, t309, t310, t311, yaw_by_delta, yaw_per_v_delta, t129, t319,
-                    t162, t324, P_delta_lateral_xH, t325, t326, Jxx_delta_zH, t333, t342, t344,
-                    t347, self.mH, t335, t348, t349, t350, Jxx_delta_mH, t359, t370, t373, t377,
-                    self.zH, P_delta_lateral_mH, t378, t379, t380, t28, t381, t386, t388,
-                    C112_h_spin_F, t392, K222_h_spin_F, t394, t401, t412, t418, t417, t423, self.mF,
-                    P_delta_lateral_rF, t424, t426, t429, t430, t431, t442, t443, t449, self.rF,
-                    t460, t450, t451, t452, t453, t454, t455, t456,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, K0_22_w, t187, t190, M_12_c,
+                    M_22_c, C1_12_c, t216, C1_22_c, K0_12_c, K0_22_c, t226, M_12_lam, M_22_lam,
+                    t251, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t264, K2_22_lam, M_11_rR,
+                    C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t283, M_22_xB,
+                    t289, C1_22_xB, P_delta_lateral_xB, t294, K2_22_xB, M_11_zB, t285, t299,
+                    self.mB, t300, M_11_mB, t302, M_22_mB, t305, C1_22_mB, self.zB,
+                    P_delta_lateral_mB, t309, t310, K2_22_mB, yaw_by_delta, yaw_per_v_delta, t129,
+                    M_22_xH, t162, C1_22_xH, P_delta_lateral_xH, t325, K2_22_xH, Jxx_delta_zH,
+                    M_12_zH, M_22_zH, t344, t347, self.mH, K0_12_zH, K0_22_zH, t349, t350,
+                    Jxx_delta_mH, M_12_mH, M_22_mH, t373, C1_22_mH, self.zH, P_delta_lateral_mH,
+                    t378, t379, K2_22_mH, sin_lam, M_22_IHxx, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F,
+                    M_22_IHxz, K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF,
+                    C1_22_rF, self.mF, P_delta_lateral_rF, t424, K2_12_rF, K2_22_rF, M_11_mF,
+                    M_12_mF, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF, t450, K2_12_mF,
+                    K2_22_mF, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
                 ],
             },
         )

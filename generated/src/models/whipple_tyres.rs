@@ -170,53 +170,54 @@ impl<T: Number> WhippleTyres<T> {
         let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         let t17 = self.rR * self.mR;
         let t21 = self.zB * self.mB;
-        let t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        let (t28, t40) = self.lam.sin_cos();
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
         let t35 = self.c + self.w;
         let t36 = t35 - self.xH;
         let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        let hx_delta = Jxx_delta * t28 + Jxz_delta * t40;
+        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
         let t43 = self.w.like(1.0) / self.w;
-        let yaw_per_v_delta = t40 * t43;
+        let yaw_per_v_delta = cos_lam * t43;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let Sz_delta = t6 - t10;
         let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
-        let t55 = hx_delta + yaw_by_delta * Jxz_all;
+        let M_12 = hx_delta + yaw_by_delta * Jxz_all;
         let t57 = self.mH * t36;
         let t59 = self.mF * self.c;
         let t62 = self.IFxx + self.IHzz;
-        let hz_delta = t28 * Jxz_delta + t40 * (t36 * t57 + self.c * t59 + t62);
+        let hz_delta = sin_lam * Jxz_delta + cos_lam * (t36 * t57 + self.c * t59 + t62);
         let t68 = t57 + t59;
-        let t70 = t28 * Sz_delta + t40 * t68;
+        let t70 = sin_lam * Sz_delta + cos_lam * t68;
         let M_yaw_delta = hz_delta - t35 * t70;
         let t74 = self.mB * self.xB;
         let t85 = yaw_by_delta
             * (self.IRxx + t62 + self.IBzz + self.xB * t74 + self.mH * self.xH * self.xH
                 + self.mF * self.w * self.w);
         let P_delta_yaw = M_yaw_delta + t85;
-        let t92 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + t28 * hx_delta
-            + t40 * hz_delta;
+        let M_22 = yaw_by_delta * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
+            + cos_lam * hz_delta;
+        let zero = self.w.like(0.0);
         let h_spin_F = self.IFyy / self.rF;
         let h_wheels_all = h_spin_F + self.IRyy / self.rR;
         let Sz_all = t21 + Sz_delta - t17;
         let t101 = h_wheels_all - Sz_all;
-        let t104 = t40 * h_spin_F;
-        let t106 = yaw_by_delta * t101 + yaw_per_v_delta * Jxz_all + t104;
+        let t104 = cos_lam * h_spin_F;
+        let C1_12 = yaw_by_delta * t101 + yaw_per_v_delta * Jxz_all + t104;
         let m_delta = self.mH + self.mF;
         let Sx_all = t74 + t35 * m_delta - t68;
         let P_delta_lateral = yaw_by_delta * Sx_all - t70;
-        let t117 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
+        let C1_22 = yaw_by_delta * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
         let t119 = t43 * Sx_all;
-        let t127 = Sz_all + self.rhoF * t119
+        let K0_11 = Sz_all + self.rhoF * t119
             + self.rhoR * (self.mR + self.mB + m_delta - t119);
-        let K_phi_delta = t70 + t119 * (t28 * self.rhoF - self.c * t40);
-        let t133 = t28 * K_phi_delta;
-        let t134 = yaw_per_v_delta * t101;
-        let t137 = yaw_per_v_delta * (P_delta_lateral + t28 * h_spin_F);
-        let t138 = -(t104 + yaw_by_delta * h_wheels_all);
+        let K_phi_delta = t70 + t119 * (sin_lam * self.rhoF - self.c * cos_lam);
+        let K0_22 = sin_lam * K_phi_delta;
+        let K2_12 = yaw_per_v_delta * t101;
+        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * h_spin_F);
+        let C1_21 = -(t104 + yaw_by_delta * h_wheels_all);
         WhippleTyresMatrices::from_entries([
-            t26, t55, t55, t92, self.w.like(0.0), t106, t138, t117, t127, K_phi_delta, K_phi_delta,
-            t133, self.w.like(0.0), t134, self.w.like(0.0), t137,
+            M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K_phi_delta, K_phi_delta,
+            K0_22, zero, K2_12, zero, K2_22,
         ])
     }
 }
@@ -246,39 +247,29 @@ impl<T: Scalar> WhippleTyres<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleTyresKinematics<T> {
+        let t0 = self.w.like(0.0);
         let yaw_per_v_delta = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let t12 = -(self.w.like(1.0) / self.rR);
         let t13 = -(self.w.like(1.0) / self.rF);
         WhippleTyresKinematics {
             lateral: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
+                speed: t0,
+                rates: [t0, t0],
+                coordinates: [t0, t0],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
-                speed: self.w.like(0.0),
-                rates: [self.w.like(0.0), yaw_by_delta],
-                coordinates: [self.w.like(0.0), yaw_per_v_delta],
-                heading: self.w.like(0.0),
+                speed: t0, rates: [t0, yaw_by_delta], coordinates: [t0, yaw_per_v_delta],
+                heading: t0,
             },
             wheel_R: Rate {
-                speed: t12,
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t12, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
             wheel_F: Rate {
-                speed: t13,
-                rates: [self.w.like(0.0), self.w.like(0.0)],
-                coordinates: [self.w.like(0.0), self.w.like(0.0)],
-                heading: self.w.like(0.0),
+                speed: t13, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
             },
-            forces: [
-                [self.w.like(1.0), self.w.like(0.0)],
-                [self.w.like(0.0), self.w.like(1.0)],
-            ],
+            forces: [[self.w.like(1.0), t0], [t0, self.w.like(1.0)]],
         }
     }
 }
@@ -302,57 +293,61 @@ impl<T: Number> WhippleTyres<T> {
     #[must_use]
     pub fn matrices_and_derivatives(&self) -> (WhippleTyresMatrices<T>, WhippleTyresDerivatives<T>) {
         let (
-            t6, t10, Jxx_delta, t17, t21, t26, t28, t40, t34, t36, Jxz_delta, t41, hx_delta, t43,
-            yaw_per_v_delta, yaw_by_delta, Sz_delta, Jxz_all, t55, t57, t59, t60, t62, t65,
-            hz_delta, t70, t72, M_yaw_delta, t76, t78, t80, P_delta_yaw_yaw_by_delta, t87,
-            P_delta_yaw, t89, t92, t95, h_spin_F, t97, t99, t100, h_wheels_all, Sz_all, t104, t106,
-            t108, m_delta, Sx_all, t116, P_delta_lateral, t119, t121, t122, t126, t129, t130, t132,
-            K_phi_delta, t135, t136, t137, t138, t139, C112_h_spin_F, t141, t143, t144, t145,
-            M12_yaw_per_v_delta, t148, t149, t150, t151, t152, M22_hz_delta, t155, M22_Jxz_delta,
-            t160, t163, t165, P_delta_yaw_w, M22_yaw_by_delta, M22_yaw_per_v_delta, t173, t174,
-            t176, C112_yaw_per_v_delta, t180, t181, t182, C122_Sx_all, t185, t187, t189,
-            K222_h_spin_F, t195, t199, C122_yaw_by_delta, C122_yaw_per_v_delta, t208, t209,
-            K011_Sx_all, t211, t213, t216, K_phi_delta_Sx_all, t218, t219, t221, K_phi_delta_w,
-            t224, t225, K222_Sx_all, t228, t229, t231, K222_yaw_by_delta, K222_yaw_per_v_delta,
-            t236, t239, t242, hz_delta_c, t250, t253, t254, t257, t263, K_phi_delta_c, t268, t272,
-            hx_delta_lam, t275, t277, t283, hz_delta_lam, t293, t295, t297, t302, K_phi_delta_rhoF,
-            K_phi_delta_lam, t310, t311, t315, t316, t317, t318, t319, t320, t321, t322, t323, t324,
-            t325, t327, t328, t329, t330, t331, P_delta_yaw_xB, t334, t335, t338, t339,
-            K_phi_delta_xB, t341, t342, t343, t345, t346, t347, t348, t349, P_delta_yaw_mB, t351,
-            t352, t355, t358, K_phi_delta_mB, t360, t361, t362, P_delta_yaw_xH, t366, t368, t369,
-            t370, t371, t373, t375, t378, t379, M22_Jxx_delta, t384, t387, t389, t390, t391, t393,
-            t394, K_phi_delta_zH, t396, t397, t398, t399, t400, P_delta_yaw_mH, t406, t407,
-            C122_m_delta, t414, K011_m_delta, t419, K_phi_delta_m_delta, K_phi_delta_mH, t424, t425,
-            K222_m_delta, t430, t432, t433, t434, t436, t438, t441, t445, t448, t449, t451, t452,
-            t453, t455, t456, t457, t458, t461, t464, t465, t466, P_delta_yaw_mF, t472, t473, t479,
-            t482, K_phi_delta_mF, t486, t487, t491, t492, t493, t494,
+            t6, t10, Jxx_delta, t17, t21, M_11, sin_lam, cos_lam, t34, t36, Jxz_delta, t41,
+            hx_delta, t43, yaw_per_v_delta, yaw_by_delta, Sz_delta, Jxz_all, M_12, t57, t59, t60,
+            t62, t65, hz_delta, t70, t72, M_yaw_delta, t76, t78, t80, P_delta_yaw_yaw_by_delta, t87,
+            P_delta_yaw, t89, M_22, zero, t95, h_spin_F, t97, t99, t100, h_wheels_all, Sz_all, t104,
+            t106, C1_12, m_delta, Sx_all, t116, P_delta_lateral, C1_22, K0_11_rhoF, t122,
+            K0_11_rhoR, K0_11, t130, t132, K_phi_delta, K0_22, K2_12, t137, t138, K2_22,
+            C1_12_h_spin_F, t141, t143, t144, t145, M_12_yaw_per_v_delta, M_12_w, t149, t150, t151,
+            t152, M_22_hz_delta, t155, M_22_Jxz_delta, t160, t163, t165, P_delta_yaw_w,
+            M_22_yaw_by_delta, M_22_yaw_per_v_delta, M_22_w, t174, t176, C1_12_yaw_per_v_delta,
+            C1_12_w, t181, C1_21_w, C1_22_Sx_all, t185, t187, t189, K2_22_h_spin_F, t195, t199,
+            C1_22_yaw_by_delta, C1_22_yaw_per_v_delta, C1_22_w, t209, K0_11_Sx_all, K0_11_xH, t213,
+            K0_11_w, K_phi_delta_Sx_all, t218, t219, t221, K_phi_delta_w, K0_22_w, t225,
+            K2_22_Sx_all, t228, K2_22_xH, t231, K2_22_yaw_by_delta, K2_22_yaw_per_v_delta, K2_22_w,
+            M_12_c, t242, hz_delta_c, M_22_c, C1_12_c, t254, t257, C1_22_c, K_phi_delta_c, K0_22_c,
+            K2_22_c, hx_delta_lam, t275, M_12_lam, t283, hz_delta_lam, M_22_lam, t295, C1_21_lam,
+            C1_22_lam, K_phi_delta_rhoF, K_phi_delta_lam, K0_22_lam, t311, K2_22_lam, M_11_rR, t317,
+            t318, C1_12_rR, C1_21_rR, K2_12_rR, M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR, C1_12_IRyy,
+            K2_12_IRyy, t329, t330, t331, P_delta_yaw_xB, M_22_xB, t335, C1_22_xB, K0_11_xB,
+            K_phi_delta_xB, K0_22_xB, K2_22_xB, M_11_zB, t345, t346, t347, M_11_mB, t349,
+            P_delta_yaw_mB, M_22_mB, t352, C1_22_mB, K0_11_mB, K_phi_delta_mB, K0_22_mB, t361,
+            K2_22_mB, P_delta_yaw_xH, M_22_xH, C1_22_xH, t369, M_11_zH, t371, t373, t375, M_12_zH,
+            t379, M_22_Jxx_delta, t384, M_22_zH, t389, C1_12_zH, t391, t393, C1_22_zH,
+            K_phi_delta_zH, K0_22_zH, t397, t398, M_11_mH, M_12_mH, P_delta_yaw_mH, M_22_mH,
+            C1_12_mH, C1_22_m_delta, C1_22_mH, K0_11_m_delta, K0_11_mH, K_phi_delta_m_delta,
+            K_phi_delta_mH, K0_22_mH, t425, K2_22_m_delta, K2_22_mH, M_22_IHzz, C1_22_IHzz, M_11_rF,
+            t436, t438, M_12_rF, t445, M_22_rF, t449, t451, C1_21_rF, C1_12_rF, t455, C1_22_rF,
+            t457, t458, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, P_delta_yaw_mF, M_22_mF, C1_12_mF,
+            C1_22_mF, K0_11_mF, K_phi_delta_mF, K0_22_mF, K2_12_mF, K2_22_mF, M_22_IFxx, C1_12_IFyy,
         );
         t6 = self.zH * self.mH;
         t10 = self.rF * self.mF;
         Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
         t17 = self.rR * self.mR;
         t21 = self.zB * self.mB;
-        t26 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
-        (t28, t40) = self.lam.sin_cos();
+        M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        (sin_lam, cos_lam) = self.lam.sin_cos();
         t34 = self.c + self.w;
         t36 = t34 - self.xH;
         Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
-        t41 = Jxz_delta * t40;
-        hx_delta = Jxx_delta * t28 + t41;
+        t41 = Jxz_delta * cos_lam;
+        hx_delta = Jxx_delta * sin_lam + t41;
         t43 = self.w.like(1.0) / self.w;
-        yaw_per_v_delta = t40 * t43;
+        yaw_per_v_delta = cos_lam * t43;
         yaw_by_delta = self.c * yaw_per_v_delta;
         Sz_delta = t6 - t10;
         Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t34 * Sz_delta;
-        t55 = hx_delta + yaw_by_delta * Jxz_all;
-        t57 = t28 * Jxz_delta;
+        M_12 = hx_delta + yaw_by_delta * Jxz_all;
+        t57 = sin_lam * Jxz_delta;
         t59 = self.IFxx + self.IHzz;
         t60 = self.mF * self.c;
         t62 = self.mH * t36;
         t65 = t59 + self.c * t60 + t36 * t62;
-        hz_delta = t57 + t40 * t65;
+        hz_delta = t57 + cos_lam * t65;
         t70 = t60 + t62;
-        t72 = t28 * Sz_delta + t40 * t70;
+        t72 = sin_lam * Sz_delta + cos_lam * t70;
         M_yaw_delta = hz_delta - t34 * t72;
         t76 = self.mB * self.xB;
         t78 = self.xH * self.xH;
@@ -362,253 +357,260 @@ impl<T: Number> WhippleTyres<T> {
         t87 = yaw_by_delta * P_delta_yaw_yaw_by_delta;
         P_delta_yaw = M_yaw_delta + t87;
         t89 = M_yaw_delta + P_delta_yaw;
-        t92 = t28 * hx_delta + t40 * hz_delta + yaw_by_delta * t89;
+        M_22 = sin_lam * hx_delta + cos_lam * hz_delta + yaw_by_delta * t89;
+        zero = self.w.like(0.0);
         t95 = self.w.like(1.0) / self.rF;
         h_spin_F = self.IFyy * t95;
-        t97 = t40 * h_spin_F;
+        t97 = cos_lam * h_spin_F;
         t99 = self.w.like(1.0) / self.rR;
         t100 = self.IRyy * t99;
         h_wheels_all = h_spin_F + t100;
         Sz_all = t21 + Sz_delta - t17;
         t104 = h_wheels_all - Sz_all;
         t106 = yaw_per_v_delta * Jxz_all;
-        t108 = t97 + yaw_by_delta * t104 + t106;
+        C1_12 = t97 + yaw_by_delta * t104 + t106;
         m_delta = self.mH + self.mF;
         Sx_all = t76 + t34 * m_delta - t70;
         t116 = yaw_by_delta * Sx_all;
         P_delta_lateral = t116 - t72;
-        t119 = yaw_per_v_delta * P_delta_yaw + yaw_by_delta * P_delta_lateral;
-        t121 = t43 * Sx_all;
-        t122 = self.rhoF * t121;
-        t126 = self.mR + self.mB + m_delta - t121;
-        t129 = Sz_all + t122 + self.rhoR * t126;
-        t130 = self.c * t40;
-        t132 = t28 * self.rhoF - t130;
-        K_phi_delta = t72 + t121 * t132;
-        t135 = t28 * K_phi_delta;
-        t136 = yaw_per_v_delta * t104;
-        t137 = t28 * h_spin_F;
+        C1_22 = yaw_per_v_delta * P_delta_yaw + yaw_by_delta * P_delta_lateral;
+        K0_11_rhoF = t43 * Sx_all;
+        t122 = self.rhoF * K0_11_rhoF;
+        K0_11_rhoR = self.mR + self.mB + m_delta - K0_11_rhoF;
+        K0_11 = Sz_all + t122 + self.rhoR * K0_11_rhoR;
+        t130 = self.c * cos_lam;
+        t132 = sin_lam * self.rhoF - t130;
+        K_phi_delta = t72 + K0_11_rhoF * t132;
+        K0_22 = sin_lam * K_phi_delta;
+        K2_12 = yaw_per_v_delta * t104;
+        t137 = sin_lam * h_spin_F;
         t138 = P_delta_lateral + t137;
-        t139 = yaw_per_v_delta * t138;
-        C112_h_spin_F = t40 + yaw_by_delta;
-        t141 = t6 * C112_h_spin_F;
+        K2_22 = yaw_per_v_delta * t138;
+        C1_12_h_spin_F = cos_lam + yaw_by_delta;
+        t141 = t6 * C1_12_h_spin_F;
         t143 = t141 - yaw_by_delta * Sz_delta;
         t144 = t43 * t43;
-        t145 = t40 * t144;
-        M12_yaw_per_v_delta = self.c * Jxz_all;
-        t148 = t143 - t145 * M12_yaw_per_v_delta;
+        t145 = cos_lam * t144;
+        M_12_yaw_per_v_delta = self.c * Jxz_all;
+        M_12_w = t143 - t145 * M_12_yaw_per_v_delta;
         t149 = yaw_by_delta + yaw_by_delta;
         t150 = t34 * t149;
-        t151 = t40 * t150;
-        t152 = t36 * t40;
-        M22_hz_delta = t40 + t149;
-        t155 = t152 * M22_hz_delta - t151;
-        M22_Jxz_delta = t28 * (t40 + M22_hz_delta);
-        t160 = t40 * t62;
-        t163 = self.mH * t155 + t6 * M22_Jxz_delta + M22_hz_delta * t160;
+        t151 = cos_lam * t150;
+        t152 = t36 * cos_lam;
+        M_22_hz_delta = cos_lam + t149;
+        t155 = t152 * M_22_hz_delta - t151;
+        M_22_Jxz_delta = sin_lam * (cos_lam + M_22_hz_delta);
+        t160 = cos_lam * t62;
+        t163 = self.mH * t155 + t6 * M_22_Jxz_delta + M_22_hz_delta * t160;
         t165 = t163 - t72 * t149;
         P_delta_yaw_w = self.mF * self.w * t149;
-        M22_yaw_by_delta = t87 + t89;
-        M22_yaw_per_v_delta = self.c * M22_yaw_by_delta;
-        t173 = t165 + yaw_by_delta * P_delta_yaw_w - t145 * M22_yaw_per_v_delta;
+        M_22_yaw_by_delta = t87 + t89;
+        M_22_yaw_per_v_delta = self.c * M_22_yaw_by_delta;
+        M_22_w = t165 + yaw_by_delta * P_delta_yaw_w - t145 * M_22_yaw_per_v_delta;
         t174 = t6 * yaw_per_v_delta;
         t176 = t174 - yaw_per_v_delta * Sz_delta;
-        C112_yaw_per_v_delta = Jxz_all + self.c * t104;
-        t180 = t176 - t145 * C112_yaw_per_v_delta;
+        C1_12_yaw_per_v_delta = Jxz_all + self.c * t104;
+        C1_12_w = t176 - t145 * C1_12_yaw_per_v_delta;
         t181 = self.c * h_wheels_all;
-        t182 = t145 * t181;
-        C122_Sx_all = yaw_by_delta * yaw_by_delta;
+        C1_21_w = t145 * t181;
+        C1_22_Sx_all = yaw_by_delta * yaw_by_delta;
         t185 = yaw_by_delta + t34 * yaw_per_v_delta;
-        t187 = C122_Sx_all + t40 * t185;
+        t187 = C1_22_Sx_all + cos_lam * t185;
         t189 = yaw_per_v_delta * t152 - t187;
-        K222_h_spin_F = t28 * yaw_per_v_delta;
-        t195 = self.mH * t189 + t6 * K222_h_spin_F + yaw_per_v_delta * t160;
-        t199 = t195 + m_delta * C122_Sx_all - yaw_per_v_delta * t72;
-        C122_yaw_by_delta = t116 + P_delta_lateral
+        K2_22_h_spin_F = sin_lam * yaw_per_v_delta;
+        t195 = self.mH * t189 + t6 * K2_22_h_spin_F + yaw_per_v_delta * t160;
+        t199 = t195 + m_delta * C1_22_Sx_all - yaw_per_v_delta * t72;
+        C1_22_yaw_by_delta = t116 + P_delta_lateral
             + yaw_per_v_delta * P_delta_yaw_yaw_by_delta;
-        C122_yaw_per_v_delta = P_delta_yaw + self.c * C122_yaw_by_delta;
-        t208 = t199 + yaw_per_v_delta * P_delta_yaw_w - t145 * C122_yaw_per_v_delta;
+        C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_yaw_by_delta;
+        C1_22_w = t199 + yaw_per_v_delta * P_delta_yaw_w - t145 * C1_22_yaw_per_v_delta;
         t209 = self.rhoF - self.rhoR;
-        K011_Sx_all = t43 * t209;
-        t211 = self.mH * K011_Sx_all;
+        K0_11_Sx_all = t43 * t209;
+        K0_11_xH = self.mH * K0_11_Sx_all;
         t213 = Sx_all * t144;
-        t216 = m_delta * K011_Sx_all - t211 - t209 * t213;
+        K0_11_w = m_delta * K0_11_Sx_all - K0_11_xH - t209 * t213;
         K_phi_delta_Sx_all = t43 * t132;
-        t218 = t40 - K_phi_delta_Sx_all;
+        t218 = cos_lam - K_phi_delta_Sx_all;
         t219 = self.mH * t218;
         t221 = t219 + m_delta * K_phi_delta_Sx_all;
         K_phi_delta_w = t221 - t132 * t213;
-        t224 = t28 * K_phi_delta_w;
+        K0_22_w = sin_lam * K_phi_delta_w;
         t225 = t104 * t145;
-        K222_Sx_all = yaw_per_v_delta * yaw_by_delta;
-        t228 = t40 * yaw_per_v_delta + K222_Sx_all;
-        t229 = self.mH * t228;
-        t231 = m_delta * K222_Sx_all - t229;
-        K222_yaw_by_delta = yaw_per_v_delta * Sx_all;
-        K222_yaw_per_v_delta = t138 + self.c * K222_yaw_by_delta;
-        t236 = t231 - t145 * K222_yaw_per_v_delta;
-        t239 = t106 + t143 - t10 * C112_h_spin_F;
-        t242 = t130 * M22_hz_delta - t151;
-        hz_delta_c = t40 * t60;
-        t250 = t165 + self.mF * t242 + yaw_per_v_delta * M22_yaw_by_delta
-            + M22_hz_delta * hz_delta_c - t10 * M22_Jxz_delta;
-        t253 = t176 + yaw_per_v_delta * (t104 - t10);
+        K2_22_Sx_all = yaw_per_v_delta * yaw_by_delta;
+        t228 = cos_lam * yaw_per_v_delta + K2_22_Sx_all;
+        K2_22_xH = self.mH * t228;
+        t231 = m_delta * K2_22_Sx_all - K2_22_xH;
+        K2_22_yaw_by_delta = yaw_per_v_delta * Sx_all;
+        K2_22_yaw_per_v_delta = t138 + self.c * K2_22_yaw_by_delta;
+        K2_22_w = t231 - t145 * K2_22_yaw_per_v_delta;
+        M_12_c = t106 + t143 - t10 * C1_12_h_spin_F;
+        t242 = t130 * M_22_hz_delta - t151;
+        hz_delta_c = cos_lam * t60;
+        M_22_c = t165 + self.mF * t242 + yaw_per_v_delta * M_22_yaw_by_delta
+            + M_22_hz_delta * hz_delta_c - t10 * M_22_Jxz_delta;
+        C1_12_c = t176 + yaw_per_v_delta * (t104 - t10);
         t254 = yaw_per_v_delta * h_wheels_all;
         t257 = yaw_per_v_delta * t130 - t187;
-        t263 = t199 + self.mF * t257 + yaw_per_v_delta * (C122_yaw_by_delta + hz_delta_c)
-            - t10 * K222_h_spin_F;
-        K_phi_delta_c = t221 + self.mF * t218 - t40 * t121;
-        t268 = t28 * K_phi_delta_c;
-        t272 = t231 + yaw_per_v_delta * K222_yaw_by_delta - self.mF * t228;
-        hx_delta_lam = Jxx_delta * t40 - t57;
-        t275 = t28 * t43;
-        t277 = hx_delta_lam - M12_yaw_per_v_delta * t275;
-        t283 = t40 * Sz_delta - t28 * t70;
-        hz_delta_lam = t41 - t28 * t65;
-        t293 = t28 * hx_delta_lam + t40 * hx_delta + M22_hz_delta * hz_delta_lam
-            - t28 * hz_delta - t150 * t283 - M22_yaw_per_v_delta * t275;
-        t295 = t137 + C112_yaw_per_v_delta * t275;
-        t297 = t137 + t181 * t275;
-        t302 = yaw_per_v_delta * hz_delta_lam - t185 * t283
-            - C122_yaw_per_v_delta * t275;
-        K_phi_delta_rhoF = t28 * t121;
-        K_phi_delta_lam = t283 + self.c * K_phi_delta_rhoF + t40 * t122;
-        t310 = t28 * K_phi_delta_lam + t40 * K_phi_delta;
+        C1_22_c = t199 + self.mF * t257
+            + yaw_per_v_delta * (C1_22_yaw_by_delta + hz_delta_c) - t10 * K2_22_h_spin_F;
+        K_phi_delta_c = t221 + self.mF * t218 - cos_lam * K0_11_rhoF;
+        K0_22_c = sin_lam * K_phi_delta_c;
+        K2_22_c = t231 + yaw_per_v_delta * K2_22_yaw_by_delta - self.mF * t228;
+        hx_delta_lam = Jxx_delta * cos_lam - t57;
+        t275 = sin_lam * t43;
+        M_12_lam = hx_delta_lam - M_12_yaw_per_v_delta * t275;
+        t283 = cos_lam * Sz_delta - sin_lam * t70;
+        hz_delta_lam = t41 - sin_lam * t65;
+        M_22_lam = sin_lam * hx_delta_lam + cos_lam * hx_delta
+            + M_22_hz_delta * hz_delta_lam - sin_lam * hz_delta - t150 * t283
+            - M_22_yaw_per_v_delta * t275;
+        t295 = t137 + C1_12_yaw_per_v_delta * t275;
+        C1_21_lam = t137 + t181 * t275;
+        C1_22_lam = yaw_per_v_delta * hz_delta_lam - t185 * t283
+            - C1_22_yaw_per_v_delta * t275;
+        K_phi_delta_rhoF = sin_lam * K0_11_rhoF;
+        K_phi_delta_lam = t283 + self.c * K_phi_delta_rhoF + cos_lam * t122;
+        K0_22_lam = sin_lam * K_phi_delta_lam + cos_lam * K_phi_delta;
         t311 = t104 * t275;
-        t315 = yaw_per_v_delta * (t97 - t283) - K222_yaw_per_v_delta * t275;
-        t316 = t17 + t17;
+        K2_22_lam = yaw_per_v_delta * (t97 - t283) - K2_22_yaw_per_v_delta * t275;
+        M_11_rR = t17 + t17;
         t317 = t99 * t100;
         t318 = self.mR - t317;
-        t319 = yaw_by_delta * t318;
-        t320 = yaw_by_delta * t317;
-        t321 = yaw_per_v_delta * t318;
-        t322 = self.rR * self.rR;
-        t323 = self.rR * yaw_by_delta;
-        t324 = self.rhoR - self.rR;
-        t325 = self.rR * yaw_per_v_delta;
-        t327 = yaw_by_delta * t99;
-        t328 = yaw_per_v_delta * t99;
+        C1_12_rR = yaw_by_delta * t318;
+        C1_21_rR = yaw_by_delta * t317;
+        K2_12_rR = yaw_per_v_delta * t318;
+        M_11_mR = self.rR * self.rR;
+        C1_12_mR = self.rR * yaw_by_delta;
+        K0_11_mR = self.rhoR - self.rR;
+        K2_12_mR = self.rR * yaw_per_v_delta;
+        C1_12_IRyy = yaw_by_delta * t99;
+        K2_12_IRyy = yaw_per_v_delta * t99;
         t329 = t21 * yaw_by_delta;
         t330 = yaw_by_delta * self.xB;
         t331 = self.mB * t330;
         P_delta_yaw_xB = t331 + yaw_by_delta * t76;
-        t334 = yaw_by_delta * P_delta_yaw_xB;
+        M_22_xB = yaw_by_delta * P_delta_yaw_xB;
         t335 = t21 * yaw_per_v_delta;
-        t338 = self.mB * C122_Sx_all + yaw_per_v_delta * P_delta_yaw_xB;
-        t339 = self.mB * K011_Sx_all;
+        C1_22_xB = self.mB * C1_22_Sx_all + yaw_per_v_delta * P_delta_yaw_xB;
+        K0_11_xB = self.mB * K0_11_Sx_all;
         K_phi_delta_xB = self.mB * K_phi_delta_Sx_all;
-        t341 = t28 * K_phi_delta_xB;
-        t342 = self.mB * K222_Sx_all;
-        t343 = t21 + t21;
+        K0_22_xB = sin_lam * K_phi_delta_xB;
+        K2_22_xB = self.mB * K2_22_Sx_all;
+        M_11_zB = t21 + t21;
         t345 = yaw_by_delta + yaw_per_v_delta * self.xB;
         t346 = self.mB * t345;
         t347 = self.mB * yaw_per_v_delta;
-        t348 = self.zB * self.zB;
+        M_11_mB = self.zB * self.zB;
         t349 = self.zB * t330;
         P_delta_yaw_mB = self.xB * t330;
-        t351 = yaw_by_delta * P_delta_yaw_mB;
+        M_22_mB = yaw_by_delta * P_delta_yaw_mB;
         t352 = self.zB * t345;
-        t355 = self.xB * C122_Sx_all + yaw_per_v_delta * P_delta_yaw_mB;
-        t358 = self.zB + self.rhoR + self.xB * K011_Sx_all;
+        C1_22_mB = self.xB * C1_22_Sx_all + yaw_per_v_delta * P_delta_yaw_mB;
+        K0_11_mB = self.zB + self.rhoR + self.xB * K0_11_Sx_all;
         K_phi_delta_mB = self.xB * K_phi_delta_Sx_all;
-        t360 = t28 * K_phi_delta_mB;
+        K0_22_mB = sin_lam * K_phi_delta_mB;
         t361 = self.zB * yaw_per_v_delta;
-        t362 = self.xB * K222_Sx_all;
+        K2_22_mB = self.xB * K2_22_Sx_all;
         P_delta_yaw_xH = self.mH * self.xH * t149;
-        t366 = yaw_by_delta * P_delta_yaw_xH - t163;
-        t368 = yaw_per_v_delta * P_delta_yaw_xH - t195;
-        t369 = t28 * t219;
-        t370 = t6 + t6;
+        M_22_xH = yaw_by_delta * P_delta_yaw_xH - t163;
+        C1_22_xH = yaw_per_v_delta * P_delta_yaw_xH - t195;
+        t369 = sin_lam * t219;
+        M_11_zH = t6 + t6;
         t371 = t34 * yaw_by_delta;
-        t373 = self.zH * t28;
-        t375 = t36 * C112_h_spin_F + t373 - t371;
-        t378 = self.mH * t375 + t6 * t28;
-        t379 = t28 * t150;
-        M22_Jxx_delta = t28 * t28;
-        t384 = self.zH * M22_Jxx_delta + t36 * M22_Jxz_delta - t379;
-        t387 = self.mH * t384 + t6 * M22_Jxx_delta;
+        t373 = self.zH * sin_lam;
+        t375 = t36 * C1_12_h_spin_F + t373 - t371;
+        M_12_zH = self.mH * t375 + t6 * sin_lam;
+        t379 = sin_lam * t150;
+        M_22_Jxx_delta = sin_lam * sin_lam;
+        t384 = self.zH * M_22_Jxx_delta + t36 * M_22_Jxz_delta - t379;
+        M_22_zH = self.mH * t384 + t6 * M_22_Jxx_delta;
         t389 = t36 * yaw_per_v_delta - t185;
-        t390 = self.mH * t389;
-        t391 = t28 * t185;
-        t393 = t36 * K222_h_spin_F - t391;
-        t394 = self.mH * t393;
-        K_phi_delta_zH = self.mH * t28;
-        t396 = t28 * K_phi_delta_zH;
+        C1_12_zH = self.mH * t389;
+        t391 = sin_lam * t185;
+        t393 = t36 * K2_22_h_spin_F - t391;
+        C1_22_zH = self.mH * t393;
+        K_phi_delta_zH = self.mH * sin_lam;
+        K0_22_zH = sin_lam * K_phi_delta_zH;
         t397 = self.mH * yaw_per_v_delta;
-        t398 = self.mH * K222_h_spin_F;
-        t399 = self.zH * self.zH;
-        t400 = self.zH * t375;
+        t398 = self.mH * K2_22_h_spin_F;
+        M_11_mH = self.zH * self.zH;
+        M_12_mH = self.zH * t375;
         P_delta_yaw_mH = yaw_by_delta * t78;
-        t406 = self.zH * t384 + t36 * t155 + yaw_by_delta * P_delta_yaw_mH;
-        t407 = self.zH * t389;
-        C122_m_delta = t34 * C122_Sx_all;
-        t414 = C122_m_delta + self.zH * t393 + t36 * t189
+        M_22_mH = self.zH * t384 + t36 * t155 + yaw_by_delta * P_delta_yaw_mH;
+        C1_12_mH = self.zH * t389;
+        C1_22_m_delta = t34 * C1_22_Sx_all;
+        C1_22_mH = C1_22_m_delta + self.zH * t393 + t36 * t189
             + yaw_per_v_delta * P_delta_yaw_mH;
-        K011_m_delta = self.rhoR + t34 * K011_Sx_all;
-        t419 = self.zH + K011_m_delta - t36 * K011_Sx_all;
+        K0_11_m_delta = self.rhoR + t34 * K0_11_Sx_all;
+        K0_11_mH = self.zH + K0_11_m_delta - t36 * K0_11_Sx_all;
         K_phi_delta_m_delta = t34 * K_phi_delta_Sx_all;
         K_phi_delta_mH = t373 + K_phi_delta_m_delta + t36 * t218;
-        t424 = t28 * K_phi_delta_mH;
+        K0_22_mH = sin_lam * K_phi_delta_mH;
         t425 = self.zH * yaw_per_v_delta;
-        K222_m_delta = t34 * K222_Sx_all;
-        t430 = K222_m_delta - self.zH * K222_h_spin_F - t36 * t228;
-        t432 = C122_Sx_all + t40 * M22_hz_delta;
-        t433 = yaw_per_v_delta * C112_h_spin_F;
-        t434 = t10 + t10;
-        t436 = self.rF * t28;
-        t438 = t371 + t436 - self.c * C112_h_spin_F;
-        t441 = self.mF * t438 + t10 * t28;
-        t445 = t379 + self.rF * M22_Jxx_delta - self.c * M22_Jxz_delta;
-        t448 = self.mF * t445 + t10 * M22_Jxx_delta;
+        K2_22_m_delta = t34 * K2_22_Sx_all;
+        K2_22_mH = K2_22_m_delta - self.zH * K2_22_h_spin_F - t36 * t228;
+        M_22_IHzz = C1_22_Sx_all + cos_lam * M_22_hz_delta;
+        C1_22_IHzz = yaw_per_v_delta * C1_12_h_spin_F;
+        M_11_rF = t10 + t10;
+        t436 = self.rF * sin_lam;
+        t438 = t371 + t436 - self.c * C1_12_h_spin_F;
+        M_12_rF = self.mF * t438 + t10 * sin_lam;
+        t445 = t379 + self.rF * M_22_Jxx_delta - self.c * M_22_Jxz_delta;
+        M_22_rF = self.mF * t445 + t10 * M_22_Jxx_delta;
         t449 = t185 - yaw_by_delta;
         t451 = t95 * h_spin_F;
-        t452 = C112_h_spin_F * t451;
-        t453 = self.mF * t449 - t452;
-        t455 = t391 - self.c * K222_h_spin_F;
-        t456 = self.mF * t455;
-        t457 = self.mF * t28;
-        t458 = t28 * t457;
-        t461 = self.mF * yaw_per_v_delta - yaw_per_v_delta * t451;
-        t464 = self.mF * K222_h_spin_F - K222_h_spin_F * t451;
-        t465 = self.rF * self.rF;
-        t466 = self.rF * t438;
+        C1_21_rF = C1_12_h_spin_F * t451;
+        C1_12_rF = self.mF * t449 - C1_21_rF;
+        t455 = t391 - self.c * K2_22_h_spin_F;
+        C1_22_rF = self.mF * t455;
+        t457 = self.mF * sin_lam;
+        t458 = sin_lam * t457;
+        K2_12_rF = self.mF * yaw_per_v_delta - yaw_per_v_delta * t451;
+        K2_22_rF = self.mF * K2_22_h_spin_F - K2_22_h_spin_F * t451;
+        M_11_mF = self.rF * self.rF;
+        M_12_mF = self.rF * t438;
         P_delta_yaw_mF = yaw_by_delta * t80;
-        t472 = self.c * t242 + self.rF * t445 + yaw_by_delta * P_delta_yaw_mF;
-        t473 = self.rF * t449;
-        t479 = C122_m_delta + self.c * t257 + self.rF * t455
+        M_22_mF = self.c * t242 + self.rF * t445 + yaw_by_delta * P_delta_yaw_mF;
+        C1_12_mF = self.rF * t449;
+        C1_22_mF = C1_22_m_delta + self.c * t257 + self.rF * t455
             + yaw_per_v_delta * P_delta_yaw_mF;
-        t482 = K011_m_delta - self.rF - self.c * K011_Sx_all;
+        K0_11_mF = K0_11_m_delta - self.rF - self.c * K0_11_Sx_all;
         K_phi_delta_mF = K_phi_delta_m_delta + self.c * t218 - t436;
-        t486 = t28 * K_phi_delta_mF;
-        t487 = self.rF * yaw_per_v_delta;
-        t491 = K222_m_delta + self.rF * K222_h_spin_F - self.c * t228;
-        t492 = M22_Jxx_delta + t432;
-        t493 = t95 * C112_h_spin_F;
-        t494 = yaw_per_v_delta * t95;
-        let (t495, t496, t497);
-        t495 = t95 * K222_h_spin_F;
-        t496 = t28 * K_phi_delta_rhoF;
-        t497 = -(t97 + yaw_by_delta * h_wheels_all);
+        K0_22_mF = sin_lam * K_phi_delta_mF;
+        K2_12_mF = self.rF * yaw_per_v_delta;
+        K2_22_mF = K2_22_m_delta + self.rF * K2_22_h_spin_F - self.c * t228;
+        M_22_IFxx = M_22_Jxx_delta + M_22_IHzz;
+        C1_12_IFyy = t95 * C1_12_h_spin_F;
+        let (K2_12_IFyy, K2_22_IFyy, K0_22_rhoF, C1_21);
+        K2_12_IFyy = yaw_per_v_delta * t95;
+        K2_22_IFyy = t95 * K2_22_h_spin_F;
+        K0_22_rhoF = sin_lam * K_phi_delta_rhoF;
+        C1_21 = -(t97 + yaw_by_delta * h_wheels_all);
         (
             WhippleTyresMatrices::from_entries([
-                t26, t55, t55, t92, self.w.like(0.0), t108, t497, t119, t129, K_phi_delta,
-                K_phi_delta, t135, self.w.like(0.0), t136, self.w.like(0.0), t139,
+                M_11, M_12, M_12, M_22, zero, C1_12, C1_21, C1_22, K0_11, K_phi_delta, K_phi_delta,
+                K0_22, zero, K2_12, zero, K2_22,
             ]),
             WhippleTyresDerivatives {
                 values: [
-                    t148, t173, t180, t182, t208, t216, K_phi_delta_w, t224, t225, t236, t239, t250,
-                    t253, t254, t263, K_phi_delta_c, t268, t272, t277, t293, t295, t297, t302,
-                    K_phi_delta_lam, t310, t311, t315, t316, t319, t320, self.mR, t321, t322, t323,
-                    t324, t325, self.w.like(1.0), C122_Sx_all, K222_Sx_all, t327, t328, t329, t334,
-                    t335, t338, t339, K_phi_delta_xB, t341, t342, t343, t331, t346, self.mB, t347,
-                    t348, t349, t351, t352, t355, t358, K_phi_delta_mB, t360, t361, t362,
-                    yaw_by_delta, yaw_per_v_delta, t141, t366, t174, t368, t211, t219, t369, t229,
-                    t370, t378, t387, t390, t394, self.mH, K_phi_delta_zH, t396, t397, t398, t399,
-                    t400, t406, t407, t414, t419, K_phi_delta_mH, t424, t425, t430, t28,
-                    M22_Jxx_delta, t432, t433, C112_h_spin_F, M22_Jxz_delta, K222_h_spin_F, t434,
-                    t441, t448, t453, t452, t456, self.mF, t457, t458, t461, t464, t465, t466, t472,
-                    t473, t479, t482, K_phi_delta_mF, t486, t487, t491, t492, t493, t494, t495,
-                    t126, t121, K_phi_delta_rhoF, t496,
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_11_w, K_phi_delta_w, K0_22_w,
+                    t225, K2_22_w, M_12_c, M_22_c, C1_12_c, t254, C1_22_c, K_phi_delta_c, K0_22_c,
+                    K2_22_c, M_12_lam, M_22_lam, t295, C1_21_lam, C1_22_lam, K_phi_delta_lam,
+                    K0_22_lam, t311, K2_22_lam, M_11_rR, C1_12_rR, C1_21_rR, self.mR, K2_12_rR,
+                    M_11_mR, C1_12_mR, K0_11_mR, K2_12_mR, self.w.like(1.0), C1_22_Sx_all,
+                    K2_22_Sx_all, C1_12_IRyy, K2_12_IRyy, t329, M_22_xB, t335, C1_22_xB, K0_11_xB,
+                    K_phi_delta_xB, K0_22_xB, K2_22_xB, M_11_zB, t331, t346, self.mB, t347, M_11_mB,
+                    t349, M_22_mB, t352, C1_22_mB, K0_11_mB, K_phi_delta_mB, K0_22_mB, t361,
+                    K2_22_mB, yaw_by_delta, yaw_per_v_delta, t141, M_22_xH, t174, C1_22_xH,
+                    K0_11_xH, t219, t369, K2_22_xH, M_11_zH, M_12_zH, M_22_zH, C1_12_zH, C1_22_zH,
+                    self.mH, K_phi_delta_zH, K0_22_zH, t397, t398, M_11_mH, M_12_mH, M_22_mH,
+                    C1_12_mH, C1_22_mH, K0_11_mH, K_phi_delta_mH, K0_22_mH, t425, K2_22_mH, sin_lam,
+                    M_22_Jxx_delta, M_22_IHzz, C1_22_IHzz, C1_12_h_spin_F, M_22_Jxz_delta,
+                    K2_22_h_spin_F, M_11_rF, M_12_rF, M_22_rF, C1_12_rF, C1_21_rF, C1_22_rF,
+                    self.mF, t457, t458, K2_12_rF, K2_22_rF, M_11_mF, M_12_mF, M_22_mF, C1_12_mF,
+                    C1_22_mF, K0_11_mF, K_phi_delta_mF, K0_22_mF, K2_12_mF, K2_22_mF, M_22_IFxx,
+                    C1_12_IFyy, K2_12_IFyy, K2_22_IFyy, K0_11_rhoR, K0_11_rhoF, K_phi_delta_rhoF,
+                    K0_22_rhoF,
                 ],
             },
         )

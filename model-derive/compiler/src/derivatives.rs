@@ -4,6 +4,7 @@ use crate::equations::Equations;
 use crate::model::Model;
 use crate::program::{Counts, Instruction, Program, Value, passes};
 use crate::symbolic::{self, Derived, Failure, Node};
+use crate::syntax::MatrixName;
 
 /// The program of values and derivatives, and what its outputs are.
 #[derive(Debug)]
@@ -71,17 +72,19 @@ fn shared(mut program: Program, partials: &[(usize, usize)]) -> (Program, Vec<Pa
     (passes::optimize(program), partials)
 }
 
+/// A name for each entry of the matrices, row by row: `C1_12` stands in the first row and the second column of C1.
+pub fn entry_names(model: &Model) -> Vec<String> {
+    let size = model.coordinates.len();
+    let places = (1..=size).flat_map(|row| (1..=size).map(move |column| (row, column)));
+    let matrices = model.matrices.iter();
+    let name = |(matrix, _): &(MatrixName, _), (row, column)| format!("{}_{row}{column}", matrix.name());
+    matrices.flat_map(|matrix| places.clone().map(move |place| name(matrix, place))).collect()
+}
+
 /// With a name for each value that is the derivative of something with a name: `mu_c` for that of `mu` by `c`.
 fn named(model: &Model, derived: Derived, mut program: Program, partials: Vec<Partial>) -> Derivatives {
     let Derived { equations, definitions, .. } = derived;
-    let entries: Vec<String> = model
-        .matrices
-        .iter()
-        .flat_map(|(matrix, rows)| {
-            let size = rows.len();
-            (0..size * size).map(move |at| format!("{}{}{}", matrix.name(), at / size + 1, at % size + 1))
-        })
-        .collect();
+    let entries = entry_names(model);
     let name = |node: &Node| match *node {
         Node::Parameter(index) => Some(model.parameters[index].name.to_string()),
         Node::Definition(index) => model.definitions.get(equations.origins[index]).map(|(name, _)| name.to_string()),

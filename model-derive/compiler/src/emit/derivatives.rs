@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::evaluator::{self, Body};
 use super::names::Names;
 use super::{derive, docs};
-use crate::derivatives::{Derivatives, Partial};
+use crate::derivatives::{Derivatives, Partial, entry_names};
 use crate::model::Model;
 use crate::program::Counts;
 use crate::syntax::MatrixName;
@@ -25,7 +25,7 @@ pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> [Op
     let count = Literal::usize_unsuffixed(partials.len());
     let table = table(model, partials, runtime);
     let struct_docs = docs(&format!(
-        "The derivatives of the matrices of [`{name}`] with respect to its parameters, in SI units: those that are not\n\
+        "The derivatives of the matrices of [`{name}`] with respect to its parameters,\nin SI units: those that are not \
          zero for all parameters.",
     ));
     let counts = computed.map(|computed| format!(":\n{}", Counts::of(&computed.program))).unwrap_or_default();
@@ -93,10 +93,16 @@ fn table(model: &Model, partials: &[Partial], runtime: &TokenStream) -> Vec<Toke
 fn body(model: &Model, names: &Names, computed: &Derivatives) -> TokenStream {
     let program = &computed.program;
     let derivatives = &names.derivatives;
-    let body = Body::new(program, model, names);
+    let entries = model.matrices.len() * model.coordinates.len().pow(2);
+    let mut results = evaluator::results(model, program);
+    let entry_names = entry_names(model);
+    for Partial { entry, parameter, value, .. } in computed.partials.iter().filter(|partial| !partial.negative) {
+        let name = format!("{}_{}", entry_names[*entry], model.parameters[*parameter].name);
+        results.push((program.outputs[entries + value], name));
+    }
+    let body = Body::new(program, model, names, &results);
     let statements = body.statements();
     let matrices = evaluator::literal(&body, &program.outputs, model, names);
-    let entries = model.matrices.len() * model.coordinates.len().pow(2);
     let values = program.outputs[entries..].iter().map(|value| &body.values[*value]);
     quote! {
         #statements

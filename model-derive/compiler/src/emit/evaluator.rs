@@ -7,6 +7,7 @@ use quote::quote;
 
 use super::names::Names;
 use super::{derive, docs, number};
+use crate::derivatives::entry_names;
 use crate::model::{Model, Origin, Requirement};
 use crate::program::{Counts, Instruction, Program, Value};
 use crate::syntax::MatrixName;
@@ -129,7 +130,7 @@ fn field(matrix: MatrixName, model: &Model) -> Ident {
 }
 
 fn matrices_body(model: &Model, names: &Names, program: &Program) -> TokenStream {
-    let body = Body::new(program, model, names);
+    let body = Body::new(program, model, names, &results(model, program));
     let statements = body.statements();
     let matrices = literal(&body, &program.outputs, model, names);
     quote! { #statements #matrices }
@@ -141,6 +142,11 @@ pub fn literal(body: &Body, outputs: &[Value], model: &Model, names: &Names) -> 
     let entries = model.matrices.len() * model.coordinates.len().pow(2);
     let values = outputs[..entries].iter().map(|value| &body.values[*value]);
     quote!(#matrices::from_entries([#(#values),*]))
+}
+
+/// The entries of the matrices by name, which are the first of the outputs of a program.
+pub fn results(model: &Model, program: &Program) -> Vec<(Value, String)> {
+    program.outputs.iter().copied().zip(entry_names(model)).collect()
 }
 
 /// The values of a program that differ and are not always zero, each with the outputs that it is.
@@ -199,7 +205,8 @@ const MAX_DEPTH: usize = 6;
 const MAX_SCOPES: usize = 250;
 
 impl Body {
-    pub fn new(program: &Program, model: &Model, names: &Names) -> Self {
+    /// With names for some of the values, as far as nothing else has them.
+    pub fn new(program: &Program, model: &Model, names: &Names, results: &[(Value, String)]) -> Self {
         let mut uses = program.uses();
         for instruction in &program.instructions {
             if let Instruction::Square(a) = instruction {
@@ -211,7 +218,9 @@ impl Body {
         for value in program.labels.iter().map(|(value, _)| value).chain(&program.outputs) {
             named[*value] = true;
         }
-        let variable = names.values(program, model);
+        let zeros =
+            program.outputs.iter().filter(|value| program.instructions[**value] == Instruction::Constant(0.0)).count();
+        let variable = names.values(program, model, results);
         let pairs = pairs(program);
         let mut body = Self { bindings: Vec::new(), values: Vec::new(), depths: Vec::new(), strengths: Vec::new() };
         for (value, instruction) in program.instructions.iter().enumerate() {
@@ -230,7 +239,8 @@ impl Body {
             }
             let expression = body.expression(*instruction, model, names);
             let depth = instruction.operands().map(|value| body.depths[value] + 1).max().unwrap_or(0);
-            if depth == 0 || uses[value] == 1 && !named[value] && depth < MAX_DEPTH {
+            let repeated = *instruction == Instruction::Constant(0.0) && zeros > 1;
+            if depth == 0 && !repeated || uses[value] == 1 && !named[value] && depth < MAX_DEPTH {
                 body.push(expression, depth, Strength::of(*instruction));
             } else {
                 let name = variable(value);

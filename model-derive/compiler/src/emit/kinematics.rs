@@ -28,14 +28,14 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> Option<T
     let field_docs = kinematics.rates.iter().map(|rate| docs(&rate.docs));
     let coordinates: Vec<String> = model.coordinates.iter().map(|q| format!("`{}`", q.name)).collect();
     let struct_docs = docs(&format!(
-        "Rates and forces of [`{name}`] that follow from its coordinates q = ({}), to first order and in SI units.",
+        "Rates and forces of [`{name}`] that follow from its coordinates q = ({}),\nto first order and in SI units.",
         coordinates.join(", "),
     ));
     let force_field = (forces > 0).then(|| {
         let what = kinematics.applied.iter().map(|[name, label, unit]| format!("`{name}` ({label}) in {unit}"));
         let what: Vec<String> = what.collect();
         let docs = docs(&format!(
-            "The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of \
+            "The forces f on the coordinates that applied forces make: a row for each coordinate,\na column for each of \
              {}.",
             what.join(", ")
         ));
@@ -92,7 +92,7 @@ fn body(
     program: &Program,
 ) -> TokenStream {
     let Names { runtime, kinematics: output, .. } = names;
-    let body = Body::new(program, model, names);
+    let body = Body::new(program, model, names, &[]);
     let statements = body.statements();
     let mut values = program.outputs.iter().map(|value| &body.values[*value]);
     let mut next = || values.next().unwrap_or_else(|| unreachable!("a value for each formula"));

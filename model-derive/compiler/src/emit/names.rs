@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use super::Driver;
 use crate::derivatives::Derivatives;
 use crate::model::Model;
-use crate::program::{Program, Value};
+use crate::program::{Instruction, Program, Value};
 
 /// The names that the parts share.
 pub struct Names {
@@ -73,24 +73,49 @@ impl Names {
         self.among_items.then(|| quote!(#[allow(#allowed)]))
     }
 
-    /// The variables that hold the values of a program.
-    pub fn values<'a>(&'a self, program: &Program, model: &'a Model) -> impl Fn(Value) -> Ident + use<'a> {
-        let mut definitions: HashMap<Value, &Ident> = HashMap::new();
+    /// The variables that hold the values of a program, of which some are results that have names.
+    pub fn values<'a>(
+        &'a self,
+        program: &Program,
+        model: &'a Model,
+        results: &[(Value, String)],
+    ) -> impl Fn(Value) -> Ident + use<'a> {
+        let mut names: HashMap<Value, Ident> = HashMap::new();
         let mut taken: HashSet<String> = HashSet::new();
-        // For people to read, values that are definitions have their names.
+        // For people to read, values that are definitions have their names, then zero, functions of angles and other results.
         if !self.among_items {
             let named: Vec<&Ident> = model.definitions.iter().map(|(name, _)| name).chain(&self.derived).collect();
             for (value, index) in &program.labels {
-                definitions.entry(*value).or_insert(named[*index]);
+                names.entry(*value).or_insert_with(|| named[*index].clone());
             }
             taken.extend(named.iter().map(ToString::to_string));
+            for (value, name) in plain(program, model).iter().chain(results) {
+                if !names.contains_key(value) && taken.insert(name.clone()) {
+                    names.insert(*value, format_ident!("{name}"));
+                }
+            }
         }
-        move |value| match definitions.get(&value) {
-            Some(definition) => (*definition).clone(),
+        move |value| match names.get(&value) {
+            Some(name) => name.clone(),
             None if taken.contains(&format!("t{value}")) => format_ident!("t{value}_"),
             None => self.variable(&format!("t{value}")),
         }
     }
+}
+
+/// Zero, and sine and cosine of parameters by name: `sin_lam` is that of `lam`.
+fn plain(program: &Program, model: &Model) -> Vec<(Value, String)> {
+    let name = |(value, instruction): (Value, &Instruction)| {
+        let (function, angle) = match *instruction {
+            Instruction::Constant(0.0) => return Some((value, "zero".to_string())),
+            Instruction::Sin(angle) => ("sin", angle),
+            Instruction::Cos(angle) => ("cos", angle),
+            _ => return None,
+        };
+        let Instruction::Parameter(index) = program.instructions[angle] else { return None };
+        Some((value, format!("{function}_{}", model.parameters[index].name)))
+    };
+    program.instructions.iter().enumerate().filter_map(name).collect()
 }
 
 /// The lints that generated code does not keep to.

@@ -83,7 +83,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>, requirement
 
 fn validate_requirements(model: &Model, names: &Names, info: &Ident, program: &Program) -> TokenStream {
     let runtime = &names.runtime;
-    let body = Body::new(program, model, names);
+    let body = Body::new(program, model, names, &[]);
     let statements = body.statements();
     let checks = model.requirements.iter().zip(&program.outputs).map(|(requirement, value)| {
         let value = &body.values[*value];
