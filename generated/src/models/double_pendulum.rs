@@ -95,10 +95,12 @@ impl<T: Number> DoublePendulum<T> {
 
 // --- Rates and forces of the mechanism -----------------------------------------------------------
 
-/// Rates and forces of [`DoublePendulum`] that follow from its coordinates q = (`theta1`, `theta2`), to first order and in SI units.
+/// Rates and forces of [`DoublePendulum`] that follow from its coordinates q = (`theta1`, `theta2`),
+/// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulumKinematics<T = f64> {
-    /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `T1` (torque at the lower hinge) in N*m, `T2` (torque between the links) in N*m.
+    /// The forces f on the coordinates that applied forces make: a row for each coordinate,
+    /// a column for each of `T1` (torque at the lower hinge) in N*m, `T2` (torque between the links) in N*m.
     pub forces: [[T; 2]; 2],
 }
 
@@ -110,17 +112,17 @@ impl<T: Scalar> DoublePendulum<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> DoublePendulumKinematics<T> {
-        let t1 = self.l1.like(0.0);
+        let zero = self.l1.like(0.0);
         DoublePendulumKinematics {
-            forces: [[self.l1.like(1.0), t1], [t1, self.l1.like(1.0)]],
+            forces: [[self.l1.like(1.0), zero], [zero, self.l1.like(1.0)]],
         }
     }
 }
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`DoublePendulum`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`DoublePendulum`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulumDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -264,18 +266,20 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
                 .label("upper link")
                 .docs("Lean of the upper link relative to the lower one, to the right."),
         ],
-        matrices: &["M", "K0"],
+        matrices: &[MatrixName::M, MatrixName::K0],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
-            EntryInfo::at(&[("M", 1, 1)]), EntryInfo::at(&[("K0", 0, 0)]),
-            EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0), ("K0", 1, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0), (MatrixName::K0, 1, 1)]),
         ],
         sets: &[
             SetInfo {
                 name: "rods",
                 docs: "",
                 source: "Two slender rods of 1 m and 1 kg",
-                values: &DoublePendulum::<f64>::RODS.to_array(),
+                values: &DoublePendulum::to_array(&DoublePendulum::<f64>::RODS),
             },
         ],
         gravity: Some(7),

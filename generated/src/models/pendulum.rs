@@ -70,8 +70,8 @@ impl<T: Number> Pendulum<T> {
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`Pendulum`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`Pendulum`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PendulumDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -182,18 +182,18 @@ impl<T: Scalar> Model<1> for Pendulum<T> {
                 .label("swing")
                 .docs("Angle of the rod from the vertical."),
         ],
-        matrices: &["M", "C0", "K0"],
+        matrices: &[MatrixName::M, MatrixName::C0, MatrixName::K0],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]),
-            EntryInfo::at(&[("C0", 0, 0)]),
-            EntryInfo::at(&[("K0", 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::C0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
         ],
         sets: &[
             SetInfo {
                 name: "seconds",
                 docs: "",
                 source: "a bob of 2 kg that passes its lowest point once a second, nearly",
-                values: &Pendulum::<f64>::SECONDS.to_array(),
+                values: &Pendulum::to_array(&Pendulum::<f64>::SECONDS),
             },
         ],
         gravity: Some(3),

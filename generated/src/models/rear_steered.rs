@@ -212,7 +212,8 @@ impl<T: Number> RearSteered<T> {
 
 // --- Rates and forces of the mechanism -----------------------------------------------------------
 
-/// Rates and forces of [`RearSteered`] that follow from its coordinates q = (`phi`, `delta`), to first order and in SI units.
+/// Rates and forces of [`RearSteered`] that follow from its coordinates q = (`phi`, `delta`),
+/// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RearSteeredKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
@@ -223,7 +224,8 @@ pub struct RearSteeredKinematics<T = f64> {
     pub wheel_F: Rate<T, 2>,
     /// Spin of the wheel `R`, rear wheel: about the y axis, so negative in forward motion, in rad/s.
     pub wheel_R: Rate<T, 2>,
-    /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m.
+    /// The forces f on the coordinates that applied forces make: a row for each coordinate,
+    /// a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m.
     pub forces: [[T; 2]; 2],
 }
 
@@ -235,7 +237,7 @@ impl<T: Scalar> RearSteered<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> RearSteeredKinematics<T> {
-        let t0 = self.w.like(0.0);
+        let zero = self.w.like(0.0);
         let t6 = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * t6;
         let t12 = -t6;
@@ -243,29 +245,29 @@ impl<T: Scalar> RearSteered<T> {
         let t14 = -(self.w.like(1.0) / self.rF);
         RearSteeredKinematics {
             lateral: Rate {
-                speed: t0,
-                rates: [t0, t0],
-                coordinates: [t0, t0],
+                speed: zero,
+                rates: [zero, zero],
+                coordinates: [zero, zero],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
-                speed: t0, rates: [t0, yaw_by_delta], coordinates: [t0, t12], heading: t0,
+                speed: zero, rates: [zero, yaw_by_delta], coordinates: [zero, t12], heading: zero,
             },
             wheel_F: Rate {
-                speed: t13, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
+                speed: t13, rates: [zero, zero], coordinates: [zero, zero], heading: zero,
             },
             wheel_R: Rate {
-                speed: t14, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
+                speed: t14, rates: [zero, zero], coordinates: [zero, zero], heading: zero,
             },
-            forces: [[self.w.like(1.0), t0], [t0, self.w.like(1.0)]],
+            forces: [[self.w.like(1.0), zero], [zero, self.w.like(1.0)]],
         }
     }
 }
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`RearSteered`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`RearSteered`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RearSteeredDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -697,21 +699,24 @@ impl<T: Scalar> Model<2> for RearSteered<T> {
                 .label("steer")
                 .docs("Steer of the steered frame relative to the main frame, positive to the right seen from above."),
         ],
-        matrices: &["M", "C1", "K0", "K2"],
+        matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
-            EntryInfo::at(&[("M", 1, 1)]), EntryInfo::at(&[("C1", 0, 1)]),
-            EntryInfo::at(&[("C1", 1, 0)]), EntryInfo::at(&[("C1", 1, 1)]),
-            EntryInfo::at(&[("K0", 0, 0)]), EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0)]),
-            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 1)]),
-            EntryInfo::at(&[("K2", 1, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]), EntryInfo::at(&[(MatrixName::C1, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::C1, 1, 0)]), EntryInfo::at(&[(MatrixName::C1, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 1, 1)]),
         ],
         sets: &[
             SetInfo {
                 name: "backwards",
                 docs: "",
                 source: "The benchmark of Meijaard et al. (2007), Table 1, run backwards",
-                values: &RearSteered::<f64>::BACKWARDS.to_array(),
+                values: &RearSteered::to_array(&RearSteered::<f64>::BACKWARDS),
             },
         ],
         gravity: Some(3),

@@ -84,7 +84,8 @@ impl<T: Number> RollingDisc<T> {
 
 // --- Rates and forces of the mechanism -----------------------------------------------------------
 
-/// Rates and forces of [`RollingDisc`] that follow from its coordinates q = (`phi`, `psi`), to first order and in SI units.
+/// Rates and forces of [`RollingDisc`] that follow from its coordinates q = (`phi`, `psi`),
+/// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDiscKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `D` that is at the origin.
@@ -101,17 +102,17 @@ impl<T: Scalar> RollingDisc<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> RollingDiscKinematics<T> {
-        let t0 = self.r.like(0.0);
+        let zero = self.r.like(0.0);
         let t4 = -(self.r.like(1.0) / self.r);
         RollingDiscKinematics {
             lateral: Rate {
-                speed: t0,
-                rates: [t0, t0],
-                coordinates: [t0, self.r.like(1.0)],
-                heading: t0,
+                speed: zero,
+                rates: [zero, zero],
+                coordinates: [zero, self.r.like(1.0)],
+                heading: zero,
             },
             wheel_D: Rate {
-                speed: t4, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
+                speed: t4, rates: [zero, zero], coordinates: [zero, zero], heading: zero,
             },
         }
     }
@@ -119,8 +120,8 @@ impl<T: Scalar> RollingDisc<T> {
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`RollingDisc`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`RollingDisc`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDiscDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -255,24 +256,24 @@ impl<T: Scalar> Model<2> for RollingDisc<T> {
                 .label("yaw")
                 .docs("Yaw, positive to the right."),
         ],
-        matrices: &["M", "C1", "K0"],
+        matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 1, 1)]),
-            EntryInfo::at(&[("C1", 0, 1)]), EntryInfo::at(&[("C1", 1, 0)]),
-            EntryInfo::at(&[("K0", 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]), EntryInfo::at(&[(MatrixName::M, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::C1, 0, 1)]), EntryInfo::at(&[(MatrixName::C1, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
         ],
         sets: &[
             SetInfo {
                 name: "uniform",
                 docs: "",
                 source: "A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4",
-                values: &RollingDisc::<f64>::UNIFORM.to_array(),
+                values: &RollingDisc::to_array(&RollingDisc::<f64>::UNIFORM),
             },
             SetInfo {
                 name: "hoop",
                 docs: "",
                 source: "A hoop of 1 kg: Ia = m r^2, It = m r^2/2",
-                values: &RollingDisc::<f64>::HOOP.to_array(),
+                values: &RollingDisc::to_array(&RollingDisc::<f64>::HOOP),
             },
         ],
         gravity: Some(4),

@@ -135,7 +135,8 @@ impl<T: Number> Skateboard<T> {
 
 // --- Rates and forces of the mechanism -----------------------------------------------------------
 
-/// Rates and forces of [`Skateboard`] that follow from its coordinates q = (`gamma`), to first order and in SI units.
+/// Rates and forces of [`Skateboard`] that follow from its coordinates q = (`gamma`),
+/// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkateboardKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
@@ -154,7 +155,8 @@ pub struct SkateboardKinematics<T = f64> {
     pub wheel_RL: Rate<T, 1>,
     /// Spin of the wheel `RR`, rear right: about the y axis, so negative in forward motion, in rad/s.
     pub wheel_RR: Rate<T, 1>,
-    /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `T` (tilt torque) in N*m.
+    /// The forces f on the coordinates that applied forces make: a row for each coordinate,
+    /// a column for each of `T` (tilt torque) in N*m.
     pub forces: [[T; 1]; 1],
 }
 
@@ -166,7 +168,7 @@ impl<T: Scalar> Skateboard<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> SkateboardKinematics<T> {
-        let t0 = self.L.like(0.0);
+        let zero = self.L.like(0.0);
         let (lateral_per_v_deltaR, cos_lamR) = self.lamR.sin_cos();
         let t4 = self.L.like(1.0) / cos_lamR;
         let t6 = t4 * lateral_per_v_deltaR;
@@ -192,31 +194,31 @@ impl<T: Scalar> Skateboard<T> {
         let t33 = -spin_RL_by_gamma;
         SkateboardKinematics {
             lateral: Rate {
-                speed: t0,
+                speed: zero,
                 rates: [t26],
                 coordinates: [t27],
                 heading: self.L.like(1.0),
             },
             yaw: Rate {
-                speed: t0, rates: [t0], coordinates: [t17], heading: t0,
+                speed: zero, rates: [zero], coordinates: [t17], heading: zero,
             },
             deltaF: Rate {
-                speed: t0, rates: [t28], coordinates: [t0], heading: t0,
+                speed: zero, rates: [t28], coordinates: [zero], heading: zero,
             },
             deltaR: Rate {
-                speed: t0, rates: [t29], coordinates: [t0], heading: t0,
+                speed: zero, rates: [t29], coordinates: [zero], heading: zero,
             },
             wheel_FL: Rate {
-                speed: t30, rates: [t31], coordinates: [t32], heading: t0,
+                speed: t30, rates: [t31], coordinates: [t32], heading: zero,
             },
             wheel_FR: Rate {
-                speed: t30, rates: [t21], coordinates: [t24], heading: t0,
+                speed: t30, rates: [t21], coordinates: [t24], heading: zero,
             },
             wheel_RL: Rate {
-                speed: t30, rates: [spin_RL_by_gamma], coordinates: [t32], heading: t0,
+                speed: t30, rates: [spin_RL_by_gamma], coordinates: [t32], heading: zero,
             },
             wheel_RR: Rate {
-                speed: t30, rates: [t33], coordinates: [t24], heading: t0,
+                speed: t30, rates: [t33], coordinates: [t24], heading: zero,
             },
             forces: [[self.L.like(1.0)]],
         }
@@ -225,8 +227,8 @@ impl<T: Scalar> Skateboard<T> {
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`Skateboard`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`Skateboard`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkateboardDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -420,18 +422,20 @@ impl<T: Scalar> Model<1> for Skateboard<T> {
                 .label("tilt")
                 .docs("Tilt of the board, to the right."),
         ],
-        matrices: &["M", "C1", "Kc", "K0", "K2"],
+        matrices: &[
+            MatrixName::M, MatrixName::C1, MatrixName::Kc, MatrixName::K0, MatrixName::K2,
+        ],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("C1", 0, 0)]),
-            EntryInfo::at(&[("Kc", 0, 0)]), EntryInfo::at(&[("K0", 0, 0)]),
-            EntryInfo::at(&[("K2", 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]), EntryInfo::at(&[(MatrixName::C1, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::Kc, 0, 0)]), EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K2, 0, 0)]),
         ],
         sets: &[
             SetInfo {
                 name: "example",
                 docs: "",
                 source: "An adult on a board; the figures are an example",
-                values: &Skateboard::<f64>::EXAMPLE.to_array(),
+                values: &Skateboard::to_array(&Skateboard::<f64>::EXAMPLE),
             },
         ],
         gravity: Some(14),

@@ -110,8 +110,8 @@ impl<T: Number> ThreePipes<T> {
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`ThreePipes`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`ThreePipes`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThreePipesDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -281,31 +281,49 @@ impl<T: Scalar> Model<3> for ThreePipes<T> {
             CoordinateInfo::new("third", "rad")
                 .docs("Angle of the third pipe from the vertical."),
         ],
-        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        matrices: &[
+            MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K0,
+            MatrixName::K2,
+        ],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]),
-            EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
-            EntryInfo::at(&[("M", 0, 2), ("M", 1, 2), ("M", 2, 0), ("M", 2, 1)]),
-            EntryInfo::at(&[("M", 1, 1)]),
-            EntryInfo::at(&[("M", 2, 2)]),
-            EntryInfo::at(&[("C0", 0, 0), ("C0", 1, 1)]),
-            EntryInfo::at(&[("C0", 0, 1), ("C0", 1, 0), ("C0", 1, 2), ("C0", 2, 1)]),
-            EntryInfo::at(&[("C0", 2, 2)]),
-            EntryInfo::at(&[("C1", 0, 0), ("C1", 1, 1), ("C1", 2, 2)]),
-            EntryInfo::at(&[("C1", 0, 1), ("C1", 0, 2), ("C1", 1, 2)]),
-            EntryInfo::at(&[("Kc", 0, 0), ("Kc", 1, 1)]),
-            EntryInfo::at(&[("Kc", 0, 1), ("Kc", 1, 0), ("Kc", 1, 2), ("Kc", 2, 1)]),
-            EntryInfo::at(&[("Kc", 2, 2)]), EntryInfo::at(&[("K0", 0, 0)]),
-            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K0", 2, 2)]),
-            EntryInfo::at(&[("K2", 0, 0), ("K2", 1, 1)]),
-            EntryInfo::at(&[("K2", 0, 2), ("K2", 1, 2)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]),
+            EntryInfo::at(
+                &[
+                    (MatrixName::M, 0, 2), (MatrixName::M, 1, 2), (MatrixName::M, 2, 0),
+                    (MatrixName::M, 2, 1),
+                ],
+            ),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 2, 2)]),
+            EntryInfo::at(&[(MatrixName::C0, 0, 0), (MatrixName::C0, 1, 1)]),
+            EntryInfo::at(
+                &[
+                    (MatrixName::C0, 0, 1), (MatrixName::C0, 1, 0), (MatrixName::C0, 1, 2),
+                    (MatrixName::C0, 2, 1),
+                ],
+            ),
+            EntryInfo::at(&[(MatrixName::C0, 2, 2)]),
+            EntryInfo::at(&[(MatrixName::C1, 0, 0), (MatrixName::C1, 1, 1), (MatrixName::C1, 2, 2)]),
+            EntryInfo::at(&[(MatrixName::C1, 0, 1), (MatrixName::C1, 0, 2), (MatrixName::C1, 1, 2)]),
+            EntryInfo::at(&[(MatrixName::Kc, 0, 0), (MatrixName::Kc, 1, 1)]),
+            EntryInfo::at(
+                &[
+                    (MatrixName::Kc, 0, 1), (MatrixName::Kc, 1, 0), (MatrixName::Kc, 1, 2),
+                    (MatrixName::Kc, 2, 1),
+                ],
+            ),
+            EntryInfo::at(&[(MatrixName::Kc, 2, 2)]), EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 1, 1)]), EntryInfo::at(&[(MatrixName::K0, 2, 2)]),
+            EntryInfo::at(&[(MatrixName::K2, 0, 0), (MatrixName::K2, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 0, 2), (MatrixName::K2, 1, 2)]),
         ],
         sets: &[
             SetInfo {
                 name: "hose",
                 docs: "",
                 source: "a hose of rubber, by estimate",
-                values: &ThreePipes::<f64>::HOSE.to_array(),
+                values: &ThreePipes::to_array(&ThreePipes::<f64>::HOSE),
             },
         ],
         gravity: Some(5),

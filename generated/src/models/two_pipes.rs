@@ -104,8 +104,8 @@ impl<T: Number> TwoPipes<T> {
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`TwoPipes`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`TwoPipes`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoPipesDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -258,23 +258,31 @@ impl<T: Scalar> Model<2> for TwoPipes<T> {
             CoordinateInfo::new("second", "rad")
                 .docs("Angle of the second pipe from the vertical."),
         ],
-        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        matrices: &[
+            MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K0,
+            MatrixName::K2,
+        ],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
-            EntryInfo::at(&[("M", 1, 1)]), EntryInfo::at(&[("C0", 0, 0)]),
-            EntryInfo::at(&[("C0", 0, 1), ("C0", 1, 0)]), EntryInfo::at(&[("C0", 1, 1)]),
-            EntryInfo::at(&[("C1", 0, 0), ("C1", 1, 1)]), EntryInfo::at(&[("C1", 0, 1)]),
-            EntryInfo::at(&[("Kc", 0, 0)]), EntryInfo::at(&[("Kc", 0, 1), ("Kc", 1, 0)]),
-            EntryInfo::at(&[("Kc", 1, 1)]), EntryInfo::at(&[("K0", 0, 0)]),
-            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 0)]),
-            EntryInfo::at(&[("K2", 0, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::C0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::C0, 0, 1), (MatrixName::C0, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::C0, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::C1, 0, 0), (MatrixName::C1, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::C1, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::Kc, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::Kc, 0, 1), (MatrixName::Kc, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::Kc, 1, 1)]), EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 1, 1)]), EntryInfo::at(&[(MatrixName::K2, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K2, 0, 1)]),
         ],
         sets: &[
             SetInfo {
                 name: "hose",
                 docs: "",
                 source: "a hose of rubber, by estimate",
-                values: &TwoPipes::<f64>::HOSE.to_array(),
+                values: &TwoPipes::to_array(&TwoPipes::<f64>::HOSE),
             },
         ],
         gravity: Some(5),

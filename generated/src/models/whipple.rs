@@ -205,8 +205,8 @@ impl<T: Number> Whipple<T> {
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`Whipple`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`Whipple`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -631,27 +631,30 @@ impl<T: Scalar> Model<2> for Whipple<T> {
                 .label("steer")
                 .docs("Steer of the front frame relative to the rear frame, positive to the right."),
         ],
-        matrices: &["M", "C1", "K0", "K2"],
+        matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
-            EntryInfo::at(&[("M", 1, 1)]), EntryInfo::at(&[("C1", 0, 1)]),
-            EntryInfo::at(&[("C1", 1, 0)]), EntryInfo::at(&[("C1", 1, 1)]),
-            EntryInfo::at(&[("K0", 0, 0)]), EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0)]),
-            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 1)]),
-            EntryInfo::at(&[("K2", 1, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]), EntryInfo::at(&[(MatrixName::C1, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::C1, 1, 0)]), EntryInfo::at(&[(MatrixName::C1, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 1, 1)]),
         ],
         sets: &[
             SetInfo {
                 name: "benchmark",
                 docs: "",
                 source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1",
-                values: &Whipple::<f64>::BENCHMARK.to_array(),
+                values: &Whipple::to_array(&Whipple::<f64>::BENCHMARK),
             },
             SetInfo {
                 name: "benchmark_2005",
                 docs: "",
                 source: "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005",
-                values: &Whipple::<f64>::BENCHMARK_2005.to_array(),
+                values: &Whipple::to_array(&Whipple::<f64>::BENCHMARK_2005),
             },
         ],
         gravity: Some(3),

@@ -269,7 +269,8 @@ impl<T: Number> WhippleLeaning<T> {
 
 // --- Rates and forces of the mechanism -----------------------------------------------------------
 
-/// Rates and forces of [`WhippleLeaning`] that follow from its coordinates q = (`phi`, `delta`, `theta`), to first order and in SI units.
+/// Rates and forces of [`WhippleLeaning`] that follow from its coordinates q = (`phi`, `delta`, `theta`),
+/// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleLeaningKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
@@ -280,7 +281,8 @@ pub struct WhippleLeaningKinematics<T = f64> {
     pub wheel_R: Rate<T, 3>,
     /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in rad/s.
     pub wheel_F: Rate<T, 3>,
-    /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m, `Ttheta` (hip torque) in N*m.
+    /// The forces f on the coordinates that applied forces make: a row for each coordinate,
+    /// a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m, `Ttheta` (hip torque) in N*m.
     pub forces: [[T; 3]; 3],
 }
 
@@ -292,32 +294,34 @@ impl<T: Scalar> WhippleLeaning<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleLeaningKinematics<T> {
-        let t0 = self.w.like(0.0);
+        let zero = self.w.like(0.0);
         let yaw_per_v_delta = self.lam.cos() / self.w;
         let yaw_by_delta = self.c * yaw_per_v_delta;
         let t12 = -(self.w.like(1.0) / self.rR);
         let t13 = -(self.w.like(1.0) / self.rF);
         WhippleLeaningKinematics {
             lateral: Rate {
-                speed: t0,
-                rates: [t0, t0, t0],
-                coordinates: [t0, t0, t0],
+                speed: zero,
+                rates: [zero, zero, zero],
+                coordinates: [zero, zero, zero],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
-                speed: t0, rates: [t0, yaw_by_delta, t0], coordinates: [t0, yaw_per_v_delta, t0],
-                heading: t0,
+                speed: zero, rates: [zero, yaw_by_delta, zero],
+                coordinates: [zero, yaw_per_v_delta, zero], heading: zero,
             },
             wheel_R: Rate {
-                speed: t12, rates: [t0, t0, t0], coordinates: [t0, t0, t0], heading: t0,
+                speed: t12, rates: [zero, zero, zero], coordinates: [zero, zero, zero],
+                heading: zero,
             },
             wheel_F: Rate {
-                speed: t13, rates: [t0, t0, t0], coordinates: [t0, t0, t0], heading: t0,
+                speed: t13, rates: [zero, zero, zero], coordinates: [zero, zero, zero],
+                heading: zero,
             },
             forces: [
-                [self.w.like(1.0), t0, t0],
-                [t0, self.w.like(1.0), t0],
-                [t0, t0, self.w.like(1.0)],
+                [self.w.like(1.0), zero, zero],
+                [zero, self.w.like(1.0), zero],
+                [zero, zero, self.w.like(1.0)],
             ],
         }
     }
@@ -325,8 +329,8 @@ impl<T: Scalar> WhippleLeaning<T> {
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`WhippleLeaning`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`WhippleLeaning`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleLeaningDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -900,25 +904,31 @@ impl<T: Scalar> Model<3> for WhippleLeaning<T> {
                 .label("upper body")
                 .docs("Lean of the upper body relative to the rear frame, positive to the right."),
         ],
-        matrices: &["M", "C0", "C1", "Kc", "K0", "K2"],
+        matrices: &[
+            MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K0,
+            MatrixName::K2,
+        ],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
-            EntryInfo::at(&[("M", 0, 2), ("M", 2, 0)]), EntryInfo::at(&[("M", 1, 1)]),
-            EntryInfo::at(&[("M", 1, 2), ("M", 2, 1)]), EntryInfo::at(&[("M", 2, 2)]),
-            EntryInfo::at(&[("C0", 2, 2)]), EntryInfo::at(&[("C1", 0, 1)]),
-            EntryInfo::at(&[("C1", 1, 0)]), EntryInfo::at(&[("C1", 1, 1)]),
-            EntryInfo::at(&[("C1", 2, 1)]), EntryInfo::at(&[("Kc", 2, 2)]),
-            EntryInfo::at(&[("K0", 0, 0)]), EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0)]),
-            EntryInfo::at(&[("K0", 0, 2), ("K0", 2, 0), ("K0", 2, 2)]),
-            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 1)]),
-            EntryInfo::at(&[("K2", 1, 1)]), EntryInfo::at(&[("K2", 2, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 2), (MatrixName::M, 2, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 2), (MatrixName::M, 2, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 2, 2)]), EntryInfo::at(&[(MatrixName::C0, 2, 2)]),
+            EntryInfo::at(&[(MatrixName::C1, 0, 1)]), EntryInfo::at(&[(MatrixName::C1, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::C1, 1, 1)]), EntryInfo::at(&[(MatrixName::C1, 2, 1)]),
+            EntryInfo::at(&[(MatrixName::Kc, 2, 2)]), EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 2), (MatrixName::K0, 2, 0), (MatrixName::K0, 2, 2)]),
+            EntryInfo::at(&[(MatrixName::K0, 1, 1)]), EntryInfo::at(&[(MatrixName::K2, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 1, 1)]), EntryInfo::at(&[(MatrixName::K2, 2, 1)]),
         ],
         sets: &[
             SetInfo {
                 name: "example",
                 docs: "",
                 source: "The benchmark of Meijaard et al. (2007), Table 1, with 40 kg of rear frame and rider as an upper body",
-                values: &WhippleLeaning::<f64>::EXAMPLE.to_array(),
+                values: &WhippleLeaning::to_array(&WhippleLeaning::<f64>::EXAMPLE),
             },
         ],
         gravity: Some(3),

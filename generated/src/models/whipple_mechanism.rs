@@ -216,7 +216,8 @@ impl<T: Number> WhippleMechanism<T> {
 
 // --- Rates and forces of the mechanism -----------------------------------------------------------
 
-/// Rates and forces of [`WhippleMechanism`] that follow from its coordinates q = (`phi`, `delta`), to first order and in SI units.
+/// Rates and forces of [`WhippleMechanism`] that follow from its coordinates q = (`phi`, `delta`),
+/// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleMechanismKinematics<T = f64> {
     /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
@@ -227,7 +228,8 @@ pub struct WhippleMechanismKinematics<T = f64> {
     pub wheel_R: Rate<T, 2>,
     /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in rad/s.
     pub wheel_F: Rate<T, 2>,
-    /// The forces f on the coordinates that applied forces make: a row for each coordinate, a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m.
+    /// The forces f on the coordinates that applied forces make: a row for each coordinate,
+    /// a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m.
     pub forces: [[T; 2]; 2],
 }
 
@@ -239,36 +241,36 @@ impl<T: Scalar> WhippleMechanism<T> {
     #[inline]
     #[must_use]
     pub fn kinematics(&self) -> WhippleMechanismKinematics<T> {
-        let t0 = self.w.like(0.0);
+        let zero = self.w.like(0.0);
         let yaw_per_v_delta = self.lam.cos() / self.w;
         let mu = self.c * yaw_per_v_delta;
         let t12 = -(self.w.like(1.0) / self.rR);
         let t13 = -(self.w.like(1.0) / self.rF);
         WhippleMechanismKinematics {
             lateral: Rate {
-                speed: t0,
-                rates: [t0, t0],
-                coordinates: [t0, t0],
+                speed: zero,
+                rates: [zero, zero],
+                coordinates: [zero, zero],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
-                speed: t0, rates: [t0, mu], coordinates: [t0, yaw_per_v_delta], heading: t0,
+                speed: zero, rates: [zero, mu], coordinates: [zero, yaw_per_v_delta], heading: zero,
             },
             wheel_R: Rate {
-                speed: t12, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
+                speed: t12, rates: [zero, zero], coordinates: [zero, zero], heading: zero,
             },
             wheel_F: Rate {
-                speed: t13, rates: [t0, t0], coordinates: [t0, t0], heading: t0,
+                speed: t13, rates: [zero, zero], coordinates: [zero, zero], heading: zero,
             },
-            forces: [[self.w.like(1.0), t0], [t0, self.w.like(1.0)]],
+            forces: [[self.w.like(1.0), zero], [zero, self.w.like(1.0)]],
         }
     }
 }
 
 // --- The derivatives of the matrices -------------------------------------------------------------
 
-/// The derivatives of the matrices of [`WhippleMechanism`] with respect to its parameters, in SI units: those that are not
-/// zero for all parameters.
+/// The derivatives of the matrices of [`WhippleMechanism`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleMechanismDerivatives<T = f64> {
     /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
@@ -708,33 +710,36 @@ impl<T: Scalar> Model<2> for WhippleMechanism<T> {
                 .label("steer")
                 .docs("Steer of the front frame relative to the rear frame, positive to the right."),
         ],
-        matrices: &["M", "C1", "K0", "K2"],
+        matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2],
         entries: &[
-            EntryInfo::at(&[("M", 0, 0)]), EntryInfo::at(&[("M", 0, 1), ("M", 1, 0)]),
-            EntryInfo::at(&[("M", 1, 1)]), EntryInfo::at(&[("C1", 0, 1)]),
-            EntryInfo::at(&[("C1", 1, 0)]), EntryInfo::at(&[("C1", 1, 1)]),
-            EntryInfo::at(&[("K0", 0, 0)]), EntryInfo::at(&[("K0", 0, 1), ("K0", 1, 0)]),
-            EntryInfo::at(&[("K0", 1, 1)]), EntryInfo::at(&[("K2", 0, 1)]),
-            EntryInfo::at(&[("K2", 1, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]), EntryInfo::at(&[(MatrixName::C1, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::C1, 1, 0)]), EntryInfo::at(&[(MatrixName::C1, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 1, 1)]),
         ],
         sets: &[
             SetInfo {
                 name: "benchmark",
                 docs: "",
                 source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1",
-                values: &WhippleMechanism::<f64>::BENCHMARK.to_array(),
+                values: &WhippleMechanism::to_array(&WhippleMechanism::<f64>::BENCHMARK),
             },
             SetInfo {
                 name: "benchmark_2005",
                 docs: "",
                 source: "Schwab, Meijaard & Papadopoulos (2005), ENOC 2005",
-                values: &WhippleMechanism::<f64>::BENCHMARK_2005.to_array(),
+                values: &WhippleMechanism::to_array(&WhippleMechanism::<f64>::BENCHMARK_2005),
             },
             SetInfo {
                 name: "two_mass_skate",
                 docs: "A bicycle that balances itself without gyroscopic effects and without trail: two points of mass on skates.",
                 source: "Kooijman, Meijaard, Papadopoulos, Ruina & Schwab (2011), Science 332, 339-342",
-                values: &WhippleMechanism::<f64>::TWO_MASS_SKATE.to_array(),
+                values: &WhippleMechanism::to_array(&WhippleMechanism::<f64>::TWO_MASS_SKATE),
             },
         ],
         gravity: Some(3),

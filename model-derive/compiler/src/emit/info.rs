@@ -32,8 +32,9 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenSt
     let sets = model.sets.iter().map(|set| {
         let (name, constant) = (set.name.to_string(), constant(set));
         let crate::model::ParameterSet { docs, source, .. } = set;
-        let values = quote!(#model_name::<::core::primitive::f64>::#constant.to_array());
-        quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: &#values } }
+        let set = quote!(#model_name::<::core::primitive::f64>::#constant);
+        let values = quote!(&#model_name::to_array(&#set));
+        quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: #values } }
     });
     let matrix_name = |matrix: MatrixName| {
         let matrix = format_ident!("{}", matrix.name());

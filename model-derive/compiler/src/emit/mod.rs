@@ -33,7 +33,8 @@ pub fn sections(Compiled { model, programs }: &Compiled, driver: &Driver) -> Vec
 
 /// Items that belong together.
 pub struct Section {
-    /// What they are.
+    /// What they are, for a reader of a file.
+    #[cfg_attr(not(feature = "files"), allow(dead_code))]
     pub title: &'static str,
     pub items: TokenStream,
 }
