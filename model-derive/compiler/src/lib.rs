@@ -117,7 +117,7 @@ fn region(model: &Model, failure: &symbolic::Failure) -> Region {
         Failure::Undefined { equations: 0, place: Place::Output(index), .. } => model.entries[index],
         Failure::Undefined { equations: 1, place: Place::Output(index), .. } => model.requirements[index].region,
         Failure::Undefined { place: Place::Output(_), .. } => Region::from(&model.name),
-        Failure::System(_) | Failure::Engine(_) => Region::from(&model.name),
+        Failure::Engine(_) => Region::from(&model.name),
     }
 }
 

@@ -26,7 +26,7 @@ use self::motion::Motions;
 use self::projection::Projection;
 use self::unreduced::Unreduced;
 use crate::formula::Formula;
-use crate::symbolic::{self, Engine, Failure, Form, Place};
+use crate::symbolic::{self, Engine, EngineFailure, Failure, Form, Place};
 use crate::syntax::MatrixName;
 
 /// Square matrices of formulas, those that are not zero, in the order of the equation of motion.
@@ -124,7 +124,9 @@ fn derive_with(
         form(expr, Place::Output(index))?;
     }
     let mut formulas = Formulas::new(engine, parameters, values);
-    let mechanism = mechanism.map(|expr| engine.form(expr, &names).map_err(|why| Failure::Engine(why.to_string())))?;
+    let mechanism = mechanism.map(|expr| {
+        engine.form(expr, &names).map_err(|why| Failure::Engine(EngineFailure::Stopped(why.to_string())))
+    })?;
     Ok(derived(mechanism, &mut formulas).map(|found| found.export(formulas, parameters)))
 }
 

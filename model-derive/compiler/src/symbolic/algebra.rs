@@ -6,8 +6,8 @@ use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::domains::rational::Rational;
 use symbolica::transcendental::{sec, tan};
 
+use super::atoms::call_of;
 use super::form::Form;
-use super::identity::call_of;
 use crate::formula::{Decimal, Factor, Formula, Function, Term};
 
 impl Form {

@@ -7,8 +7,7 @@ use symbolica::domains::integer::Integer;
 use symbolica::domains::rational::Rational;
 use symbolica::transcendental::{sec, tan};
 
-use super::form::pi;
-use super::identity::{call_of, expanded_terms};
+use super::atoms::{call_of, expanded_terms, pi};
 
 /// For each angle in a formula, without its number, the part of it of which all its multiples there are whole ones: for
 /// the `t` of `sin(t/2) + cos(t/3)` a sixth.

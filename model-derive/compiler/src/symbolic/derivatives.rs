@@ -6,12 +6,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::door::{Failure, enter};
-use super::elimination::Graph;
-use super::form::{Engine, Form, Undefined};
-use super::optimize::Place;
+use super::door::enter;
+use super::failure::{Failure, Place, Undefined};
+use super::form::{Engine, Form};
 use super::prove::{Depth, Proof, prove};
 use super::sample::Sample;
+use super::vertex_elimination::Graph;
 use crate::equations::Equations;
 use crate::formula::{Factor, Formula, Function};
 

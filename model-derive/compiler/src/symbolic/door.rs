@@ -10,34 +10,23 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 
-use super::form::{Engine, Undefined};
+use super::form::Engine;
 use super::lock::Lock;
-use super::optimize::Place;
 
 /// Why nothing came out of the door.
 #[derive(Debug)]
-pub enum Failure {
+pub enum EngineFailure {
     /// The lock or the thread could not be had.
     System(String),
     /// The engine stopped with a message.
-    Engine(String),
-    /// A formula has no value, whatever the parameters.
-    Undefined {
-        /// The position of its equations among those compiled together.
-        equations: usize,
-        /// The formula.
-        place: Place,
-        /// What is wrong with it.
-        why: Undefined,
-    },
+    Stopped(String),
 }
 
-impl fmt::Display for Failure {
+impl fmt::Display for EngineFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::System(message) => write!(f, "the symbolic engine could not be started: {message}"),
-            Self::Engine(message) => write!(f, "the symbolic engine failed on this model: {message}"),
-            Self::Undefined { why, .. } => write!(f, "{why}"),
+            Self::Stopped(message) => write!(f, "the symbolic engine failed on this model: {message}"),
         }
     }
 }
@@ -52,17 +41,17 @@ static TURN: Mutex<()> = Mutex::new(());
 ///
 /// # Errors
 /// If the lock cannot be had, or if the engine panics.
-pub fn enter<T: Send + 'static>(work: impl FnOnce(&Engine) -> T + Send + 'static) -> Result<T, Failure> {
+pub fn enter<T: Send + 'static>(work: impl FnOnce(&Engine) -> T + Send + 'static) -> Result<T, EngineFailure> {
     quiet_panics();
     let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
-    let _lock = Lock::take().map_err(|error| Failure::System(error.to_string()))?;
+    let _lock = Lock::take().map_err(|error| EngineFailure::System(error.to_string()))?;
     let run = move || panic::catch_unwind(AssertUnwindSafe(|| work(&Engine::start())));
     let thread = thread::Builder::new().name(THREAD.into()).stack_size(STACK).spawn(run);
-    let thread = thread.map_err(|error| Failure::System(error.to_string()))?;
+    let thread = thread.map_err(|error| EngineFailure::System(error.to_string()))?;
     // Joining waits for the thread's own storage to be dropped, and with it the permit, before the lock opens.
     match thread.join() {
         Ok(Ok(value)) => Ok(value),
-        Ok(Err(payload)) | Err(payload) => Err(Failure::Engine(message(payload.as_ref()))),
+        Ok(Err(payload)) | Err(payload) => Err(EngineFailure::Stopped(message(payload.as_ref()))),
     }
 }
 

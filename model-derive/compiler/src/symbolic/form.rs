@@ -1,14 +1,13 @@
 //! Formulas inside the engine, and the algebra that the compiler asks of it.
 
-use std::fmt;
 use std::sync::atomic::Ordering;
 
-use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
+use symbolica::atom::{Atom, AtomCore, AtomView};
 use symbolica::domains::rational::Rational;
-use symbolica::symbol;
 use symbolica::transcendental::{TranscendentalFunctions, sec, tan};
 
-use super::identity::{call_of, expanded_terms};
+use super::atoms::{call_of, expanded_terms, operations, parameter, pi, symbol_at};
+use super::failure::Undefined;
 use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
 
 /// The engine, as long as its thread lives. Only the door makes one.
@@ -21,25 +20,6 @@ pub struct Engine(());
 /// A formula in the parameters, in the engine's own form.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Form(pub(super) Atom);
-
-/// Why a formula has no value, whatever the parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Undefined {
-    /// A divisor that is identically zero, or a power of zero that is not positive.
-    DivisionByZero,
-    /// The square root of a negative number.
-    RootOfNegative,
-}
-
-/// Reads as a whole message.
-impl fmt::Display for Undefined {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::DivisionByZero => "a division by zero here: expected divisors that are not zero for all parameters",
-            Self::RootOfNegative => "the square root of a negative number here: expected one of a number >= 0",
-        })
-    }
-}
 
 /// Symbols that are made at the start, so that only larger models make more, and those in their order.
 const READY: usize = 64;
@@ -140,25 +120,8 @@ impl Algebra for Forms<'_> {
     }
 }
 
-pub(super) fn pi() -> Atom {
-    symbol_at(0).to_atom()
-}
-
-fn parameter(index: usize) -> Symbol {
-    symbol_at(index + 1)
-}
-
-fn symbol_at(index: usize) -> Symbol {
-    symbol!(format!("carvallo::x{index}"))
-}
-
 fn decimal(number: &Decimal) -> Atom {
     symbolica::parse!(&number.digits) * Atom::num(10).pow(i64::from(number.exponent))
-}
-
-pub(super) fn operations(atom: &Atom) -> usize {
-    let count = atom.count_operations();
-    count.additions + count.multiplications + count.inversions + count.function_calls
 }
 
 impl Form {

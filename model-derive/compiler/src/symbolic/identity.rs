@@ -1,14 +1,13 @@
 //! Whether formulas are equal for all values of the parameters.
 
-use std::collections::HashMap;
-
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::domains::integer::Z;
 use symbolica::domains::rational::{Q, Rational};
 use symbolica::transcendental::{sec, tan};
 
 use super::angles::Angles;
-use super::form::{Form, operations};
+use super::atoms::{call_of, expanded_terms, operations};
+use super::form::Form;
 
 impl Form {
     /// Whether the formula is zero for all values of the parameters, exactly.
@@ -110,50 +109,6 @@ fn plain(atom: &Atom) -> Atom {
             **out = base.pow(whole) * base.pow(Atom::num(rest));
         }
     })
-}
-
-/// At most about so many terms stand in the numerator once all is expanded over one denominator.
-pub(super) fn expanded_terms(view: AtomView<'_>) -> f64 {
-    let mut divisors = Divisors::new();
-    let terms = terms(view, 1, &mut divisors);
-    divisors.into_values().fold(terms, |terms, (divisor, power)| terms * terms_of_power(divisor, power))
-}
-
-/// For each divisor its terms and its power.
-type Divisors = HashMap<Atom, (f64, u64)>;
-
-/// The terms of a numerator; the divisors are noted, equal ones once. All stands inside a power.
-fn terms(view: AtomView<'_>, power: u64, divisors: &mut Divisors) -> f64 {
-    match view {
-        AtomView::Add(sum) => sum.iter().map(|term| terms(term, power, divisors)).sum(),
-        AtomView::Mul(product) => product.iter().map(|factor| terms(factor, power, divisors)).product(),
-        AtomView::Pow(whole) => {
-            let (base, exponent) = whole.get_base_exp();
-            // A root is a symbol like any other.
-            let Ok(exponent) = i64::try_from(exponent) else { return 1.0 };
-            let inner = power.saturating_mul(exponent.unsigned_abs());
-            let base_terms = terms(base, inner, divisors);
-            if exponent > 0 {
-                return terms_of_power(base_terms, exponent.unsigned_abs());
-            }
-            let (_, known) = divisors.entry(base.to_owned()).or_insert((base_terms, inner));
-            *known = inner.max(*known);
-            1.0
-        }
-        AtomView::Num(_) | AtomView::Var(_) | AtomView::Fun(_) => 1.0,
-    }
-}
-
-/// As many as there are ways to choose the factors of a term: n + t - 1 over n.
-fn terms_of_power(terms: f64, power: u64) -> f64 {
-    (1..=power.min(MAX_TERMS as u64)).fold(1.0, |all, n| all * (terms + n as f64 - 1.0) / n as f64)
-}
-
-/// The argument, if `view` is a call of `function`.
-pub(super) fn call_of(view: AtomView<'_>, function: Symbol) -> Option<Atom> {
-    let AtomView::Fun(call) = view else { return None };
-    let argument = call.iter().next().filter(|_| call.get_symbol() == function)?;
-    Some(argument.to_owned())
 }
 
 /// Base, whole part and fraction of a power that is not a whole one.

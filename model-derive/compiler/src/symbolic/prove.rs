@@ -1,9 +1,9 @@
 //! Proofs of what a declaration claims.
 
-use super::door::{Failure, enter};
-use super::form::{Engine, Form, Undefined};
+use super::door::{EngineFailure, enter};
+use super::failure::{Place, Undefined};
+use super::form::{Engine, Form};
 use super::identity::Sign;
-use super::optimize::Place;
 use super::sample::Sample;
 use crate::equations::Equations;
 
@@ -32,8 +32,8 @@ pub enum Proof {
 /// Attempts to prove of each pair of outputs that both are equal for all parameters.
 ///
 /// # Errors
-/// If the engine cannot be had or fails.
-pub fn proofs(pairs: Vec<Equations>, depth: Depth) -> Result<Vec<Proof>, Failure> {
+/// If the engine cannot be had or stops.
+pub fn proofs(pairs: Vec<Equations>, depth: Depth) -> Result<Vec<Proof>, EngineFailure> {
     enter(move |engine| {
         let proof = |pair| prove(engine, pair, depth).unwrap_or_else(|(place, why)| Proof::Undefined(place, why));
         pairs.iter().map(proof).collect()
@@ -41,7 +41,7 @@ pub fn proofs(pairs: Vec<Equations>, depth: Depth) -> Result<Vec<Proof>, Failure
 }
 
 pub(super) fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<Proof, (Place, Undefined)> {
-    let system = System::new(engine, pair)?;
+    let system = NamedForms::new(engine, pair)?;
     let [left, right] = &system.outputs[..] else { unreachable!("a claim has two sides") };
     let mut difference = left.minus(right);
     let mut names = system.definitions.iter().rev();
@@ -69,10 +69,10 @@ const MAX_OPERATIONS: usize = 5_000;
 /// A sign is a proof.
 ///
 /// # Errors
-/// If the engine cannot be had or fails.
-pub fn multiples(equations: Equations) -> Result<Vec<Option<Sign>>, Failure> {
+/// If the engine cannot be had or stops.
+pub fn multiples(equations: Equations) -> Result<Vec<Option<Sign>>, EngineFailure> {
     enter(move |engine| {
-        let Ok(system) = System::new(engine, &equations) else { return Vec::new() };
+        let Ok(system) = NamedForms::new(engine, &equations) else { return Vec::new() };
         let mut outputs = system.outputs;
         for (name, value) in system.definitions.iter().rev() {
             outputs = outputs.iter().map(|output| output.replace(name, value)).collect();
@@ -86,13 +86,13 @@ pub fn multiples(equations: Equations) -> Result<Vec<Option<Sign>>, Failure> {
 }
 
 /// Formulas in parameters and in the names of definitions.
-struct System {
+struct NamedForms {
     /// Names and what they stand for.
     definitions: Vec<(Form, Form)>,
     outputs: Vec<Form>,
 }
 
-impl System {
+impl NamedForms {
     fn new(engine: &Engine, equations: &Equations) -> Result<Self, (Place, Undefined)> {
         let names = engine.definitions(equations.parameters, equations.definitions.len());
         let definition =

@@ -114,7 +114,7 @@ fn region(mechanism: &Mechanism, names: &Names, failure: &Failure) -> Region {
         Failure::Undefined { place: Place::Output(index), .. } => {
             mechanism.formulas().nth(*index).map_or(mechanism.span.into(), |formula| formula.region)
         }
-        Failure::System(_) | Failure::Engine(_) => mechanism.span.into(),
+        Failure::Engine(_) => mechanism.span.into(),
     }
 }
 

@@ -1,14 +1,14 @@
 //! The passes that improve a program, in their order.
 
-mod chains;
+mod common_pairs;
+mod cse;
+mod nary;
 mod powers;
 mod quotients;
-mod rebuild;
-mod share;
 mod signs;
-mod tie;
+mod substitute;
 
-pub use tie::tie;
+pub use substitute::substitute;
 
 use super::Program;
 
@@ -20,12 +20,12 @@ pub fn optimize(program: Program) -> Program {
     let program = checked(signs::collect(program));
     // After this point no two products or sums compute the same pair of factors or terms; where signs moved out of a sum,
     // more of them are the same.
-    let program = checked(signs::collect(share::share(program)));
-    let program = checked(signs::collect(share::share(program)));
+    let program = checked(signs::collect(common_pairs::extract(program)));
+    let program = checked(signs::collect(common_pairs::extract(program)));
     // After this point no reciprocal is used by one product alone, and no value divides twice.
     let program = checked(quotients::divide(program));
     // After this point no two instructions are equal, and every value is used.
-    checked(rebuild::common(program))
+    checked(cse::eliminate(program))
 }
 
 /// The invariants of every program hold between passes.
@@ -176,8 +176,8 @@ mod tests {
 
     #[test]
     #[should_panic(expected = "a definition depends on itself")]
-    fn ends_that_bite_their_own_tail_are_refused() {
-        let open = program(&[Instruction::Constant(0.0), Instruction::Add(2, 0)], &[3]);
-        tie(open, &[(0, 2)], &[3]);
+    fn results_that_depend_on_their_own_placeholders_are_refused() {
+        let placeholder = program(&[Instruction::Constant(0.0), Instruction::Add(2, 0)], &[3]);
+        substitute(placeholder, &[(0, 2)], &[3]);
     }
 }

@@ -1,11 +1,11 @@
 //! Whole powers to squares, products and reciprocals.
 
-use super::rebuild::{Builder, common};
+use super::cse::{self, Builder};
 use crate::program::{Instruction, Program, Value};
 
 /// Afterwards the program has no `Power`.
 pub fn expand(program: Program) -> Program {
-    let program = common(program);
+    let program = cse::eliminate(program);
     let mut builder = Builder::new(program.parameters);
     let mut new: Vec<Value> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {

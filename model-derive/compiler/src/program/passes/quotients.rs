@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::rebuild::{Builder, common};
+use super::cse::{self, Builder};
 use crate::program::{Instruction, Program, Value};
 
 /// Afterwards a reciprocal serves several products, or is an output, and no value divides more than once.
@@ -35,5 +35,5 @@ pub fn divide(program: Program) -> Program {
         };
         new.push(value);
     }
-    common(builder.finish(&program, |value| new[value], |value| Some(new[value])))
+    cse::eliminate(builder.finish(&program, |value| new[value], |value| Some(new[value])))
 }

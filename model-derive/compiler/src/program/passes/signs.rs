@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::rebuild::{Builder, common};
+use super::cse::{self, Builder};
 use crate::program::{Instruction, Program, Value};
 
 /// A value, and whether it stands for its negative.
@@ -23,7 +23,7 @@ pub fn collect(program: Program) -> Program {
     let plain: HashMap<Value, Value> =
         program.outputs.iter().map(|value| (*value, plain(&mut builder, new[*value]))).collect();
     let label = |value: Value| (!new[value].negative).then(|| new[value].value);
-    common(builder.finish(&program, |value| plain[&value], label))
+    cse::eliminate(builder.finish(&program, |value| plain[&value], label))
 }
 
 fn signed(builder: &mut Builder, instruction: Instruction, new: &[Signed]) -> Signed {

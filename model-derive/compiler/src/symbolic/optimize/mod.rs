@@ -4,7 +4,8 @@ mod search;
 mod shapes;
 mod system;
 
-use super::door::{Failure, enter};
+use super::door::enter;
+use super::failure::Failure;
 use crate::equations::Equations;
 use crate::program::Program;
 
@@ -21,15 +22,6 @@ pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
         });
         programs.collect()
     })?
-}
-
-/// A formula among equations: the definition of the model, or the output, at a position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// The definition at a position of the model.
-    Definition(usize),
-    /// The output at a position of the equations.
-    Output(usize),
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use super::super::form::{Engine, Form, Undefined};
-use super::Place;
+use super::super::failure::{Place, Undefined};
+use super::super::form::{Engine, Form};
 use super::shapes::{Shape, Shapes};
 use super::system::{Choices, System};
 use crate::equations::Equations;

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use symbolica::atom::{Atom, AtomCore, AtomView, Indeterminate};
 
+use super::super::atoms::expanded_terms;
 use super::super::form::Form;
-use super::super::identity::expanded_terms;
 
 /// How a formula is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

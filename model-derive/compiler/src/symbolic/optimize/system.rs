@@ -6,9 +6,9 @@ use std::collections::HashSet;
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::evaluate::OptimizationSettings;
 
-use super::super::form::{Engine, Form, Undefined};
+use super::super::failure::{Place, Undefined};
+use super::super::form::{Engine, Form};
 use super::super::import::append;
-use super::Place;
 use super::shapes::{Shape, Shapes};
 use crate::equations::Equations;
 use crate::program::{Instruction, Program, Value, passes};
@@ -131,15 +131,15 @@ impl System {
             kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(Form::without_tangents_of_numbers).collect();
         let formulas: Vec<AtomView<'_>> = formulas.iter().map(|form| form.0.as_view()).collect();
 
-        // The definitions enter as inputs whose values come out of the same program: open ends that are then tied.
+        // The definitions enter as inputs whose values come out of the same program, and are then put in their place.
         let mut program = Program::new(parameters);
         let mut inputs: Vec<usize> = (0..parameters).map(|index| program.push(Instruction::Parameter(index))).collect();
         inputs.push(program.push(Instruction::Constant(std::f64::consts::PI)));
-        let open: Vec<(usize, Value)> = kept
+        let placeholders: Vec<(usize, Value)> = kept
             .iter()
             .map(|(index, _)| (equations.origins[*index], program.push(Instruction::Constant(0.0))))
             .collect();
-        inputs.extend(open.iter().map(|(_, value)| value));
+        inputs.extend(placeholders.iter().map(|(_, value)| value));
         let mut results = Vec::with_capacity(formulas.len());
         for block in formulas.chunks(BLOCK) {
             let used: HashSet<Symbol> = block.iter().flat_map(|formula| formula.get_all_symbols(false)).collect();
@@ -153,6 +153,6 @@ impl System {
         }
         let (definitions, outputs) = results.split_at(kept.len());
         program.outputs = outputs.to_vec();
-        passes::tie(program, &open, definitions)
+        passes::substitute(program, &placeholders, definitions)
     }
 }

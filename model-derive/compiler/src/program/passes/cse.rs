@@ -1,10 +1,11 @@
-//! Rebuilding a program without what is equal and what is unused.
+//! Common subexpressions are computed once, and what no output needs goes: value numbering over the instructions of a
+//! straight-line program, and elimination of dead code.
 
 use std::collections::HashMap;
 
 use crate::program::{Instruction, Program, Value};
 
-/// Appends instructions to a program, each kind of value once.
+/// Appends instructions to a program; one that is there already is not repeated.
 pub struct Builder {
     program: Program,
     known: HashMap<Key, Value>,
@@ -76,8 +77,8 @@ impl Builder {
     }
 }
 
-/// The same program without equal instructions and without unused ones.
-pub fn common(program: Program) -> Program {
+/// Afterwards no two instructions are equal, and every value is used.
+pub fn eliminate(program: Program) -> Program {
     let mut used = vec![false; program.instructions.len()];
     program.outputs.iter().for_each(|value| used[*value] = true);
     for (value, instruction) in program.instructions.iter().enumerate().rev() {
