@@ -13,6 +13,8 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
     let Names { runtime, model: name, matrices: all, scalar, .. } = names;
     let allow = names.allow();
     let n = model.coordinates.len();
+    let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
+    let positions = (0..fields.len()).map(Literal::usize_unsuffixed);
     let size = Literal::usize_unsuffixed(n);
     let [parameter, matrices] = ["parameter", "matrices"].map(|name| names.variable(name));
     let declared: Vec<MatrixName> = model.matrices.iter().map(|(matrix, _)| *matrix).collect();
@@ -34,8 +36,8 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
             type Entries = [#scalar; #count];
 
             #[inline(always)]
-            fn from_parameters(#parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> #scalar) -> Self {
-                Self::from_array(::core::array::from_fn(#parameter))
+            fn from_parameters(mut #parameter: impl ::core::ops::FnMut(::core::primitive::usize) -> #scalar) -> Self {
+                Self { #(#fields: #parameter(#positions),)* }
             }
 
             #[inline(always)]
