@@ -240,8 +240,13 @@ impl<T: Number> Evaluator<T, 1> for Pendulum<T> {
     type Entries = [T; 3];
 
     #[inline(always)]
-    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
-        Self::from_array(core::array::from_fn(parameter))
+    fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
+        Self {
+            m: parameter(0),
+            l: parameter(1),
+            c: parameter(2),
+            g: parameter(3),
+        }
     }
 
     #[inline(always)]

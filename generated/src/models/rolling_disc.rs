@@ -320,8 +320,14 @@ impl<T: Number> Evaluator<T, 2> for RollingDisc<T> {
     type Entries = [T; 5];
 
     #[inline(always)]
-    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
-        Self::from_array(core::array::from_fn(parameter))
+    fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
+        Self {
+            r: parameter(0),
+            m: parameter(1),
+            Ia: parameter(2),
+            It: parameter(3),
+            g: parameter(4),
+        }
     }
 
     #[inline(always)]

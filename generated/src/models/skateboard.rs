@@ -482,8 +482,24 @@ impl<T: Number> Evaluator<T, 1> for Skateboard<T> {
     type Entries = [T; 5];
 
     #[inline(always)]
-    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
-        Self::from_array(core::array::from_fn(parameter))
+    fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
+        Self {
+            L: parameter(0),
+            b: parameter(1),
+            r: parameter(2),
+            lamF: parameter(3),
+            lamR: parameter(4),
+            kF: parameter(5),
+            kR: parameter(6),
+            m: parameter(7),
+            x: parameter(8),
+            h: parameter(9),
+            Ixx: parameter(10),
+            Iyy: parameter(11),
+            Izz: parameter(12),
+            Ixz: parameter(13),
+            g: parameter(14),
+        }
     }
 
     #[inline(always)]

@@ -370,8 +370,15 @@ impl<T: Number> Evaluator<T, 3> for ThreePipes<T> {
     type Entries = [T; 18];
 
     #[inline(always)]
-    fn from_parameters(parameter: impl FnMut(usize) -> T) -> Self {
-        Self::from_array(core::array::from_fn(parameter))
+    fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
+        Self {
+            l: parameter(0),
+            m: parameter(1),
+            f: parameter(2),
+            k: parameter(3),
+            c: parameter(4),
+            g: parameter(5),
+        }
     }
 
     #[inline(always)]
