@@ -26,6 +26,17 @@ pub fn regular() -> impl Strategy<Value = Whipple> {
     RANGES.map(|(_, low, high, _)| low..high).prop_map(|values| from_ranges(&values))
 }
 
+/// Designs near one, each of whose parameters is 0.6 to 1.5 times as large.
+pub fn near(design: &Whipple) -> impl Strategy<Value = Whipple> + use<> {
+    let mut values = [0.0; RANGES.len()];
+    design.write_to(&mut values).expect("room for every parameter");
+    RANGES
+        .map(|_| 0.6..1.5)
+        .prop_map(move |factors| Whipple::from_slice(&std::array::from_fn::<f64, 26, _>(|i| values[i] * factors[i])))
+        .prop_map(|design| design.expect("as many parameters"))
+        .prop_filter("parameters in their domains", |design| design.validate().is_ok())
+}
+
 /// The design of a number: of usual proportions, and the same on every run.
 pub fn numbered(number: u64) -> Whipple {
     // Splitmix64, by Steele, Lea & Flood (2014): its state advances by an odd constant, so every number has its own.

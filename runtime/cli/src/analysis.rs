@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-use carvallo::{Complex, CriticalSpeed, ModeValue, Modes, Stability, StableRange, SystemError, Verdict};
+use carvallo::{Complex, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, SystemError, Verdict};
 
 use crate::design::Design;
 use crate::failure::Failure;
@@ -33,7 +33,7 @@ pub struct Row<V> {
     pub values: V,
 }
 
-/// Castering, capsize, weave and weave at one speed.
+/// The eigenvalues at one speed, in the order of their modes.
 pub type ModeRow = Row<[ModeValue; 4]>;
 
 /// The eigenvalues at one speed, sorted by real part, and where real parts are equal up to rounding, by the size of the
@@ -72,6 +72,11 @@ impl Analysis {
     /// The stable ranges; none for other than two coordinates, for which they are not computed.
     pub fn stable_ranges(&self) -> &[StableRange] {
         self.stability.as_ref().map_or(&[], |stability| &stability.stable_ranges)
+    }
+
+    /// The modes that columns are for, each as often as it has eigenvalues at some speed; none without names of modes.
+    pub fn mode_columns(&self) -> Vec<Mode> {
+        self.modes.as_ref().map(Modes::all).unwrap_or_default()
     }
 
     /// The eigenvalues at each of the speeds.

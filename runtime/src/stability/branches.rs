@@ -124,6 +124,10 @@ impl Key {
 }
 
 impl Order {
+    pub(super) fn pairs(self) -> usize {
+        self.pairs
+    }
+
     /// Four eigenvalues, given as the roots of two factors, in this order.
     ///
     /// Within rounding of a speed at which two eigenvalues meet there may be more or fewer pairs than belong to the

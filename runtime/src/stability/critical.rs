@@ -25,7 +25,10 @@ pub struct CriticalSpeed {
     pub change: Change,
 }
 
-/// What happens at a critical speed.
+/// What happens at a critical speed, told from the eigenvalues there and from nothing else.
+///
+/// [`Modes`](crate::Modes) name the eigenvalue by it: at a weave speed the pair is the mode weave, at a capsize speed the
+/// eigenvalue that is zero is the mode capsize.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CriticalKind {
     /// A conjugate pair of eigenvalues is on the imaginary axis. A real pair +-s, at which the Hurwitz determinant is zero
@@ -48,7 +51,8 @@ impl fmt::Display for CriticalKind {
     }
 }
 
-/// What changes at a critical speed as the speed grows.
+/// What changes at a critical speed as the speed grows: of the eigenvalue or pair, not of the motion, which may be unstable
+/// before and after by another one ([`Stability::verdicts_around`](crate::Stability::verdicts_around)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Change {
     /// The eigenvalue or pair leaves the right half-plane.

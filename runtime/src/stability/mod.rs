@@ -6,6 +6,7 @@ mod careful;
 mod critical;
 mod fast;
 mod modes;
+mod naming;
 mod ranges;
 mod verdict;
 
@@ -106,6 +107,12 @@ impl Stability {
         require_speed(speed)?;
         Ok(self.verdicts.at(speed))
     }
+
+    /// Whether the motion is stable just below and just above one of the critical speeds: the same, unless it is one at which
+    /// that changes. An eigenvalue may change sides while another one keeps the motion unstable.
+    pub fn verdicts_around(&self, critical: &CriticalSpeed) -> [Verdict; 2] {
+        self.verdicts.around(critical.speed)
+    }
 }
 
 #[cfg(test)]
@@ -186,6 +193,8 @@ mod tests {
         assert_eq!(frequencies, [1.0, 2.0]);
         assert_eq!(stability.stable_ranges, [StableRange { from: 1.0, to: None }]);
         assert_eq!(stability.verdict(1.0), Ok(Verdict::Marginal));
+        let around = stability.verdicts_around(&stability.critical_speeds[0]);
+        assert_eq!(around, [Verdict::Unstable, Verdict::Stable]);
     }
 
     /// A free coordinate has an eigenvalue that is zero at all speeds: the motion is marginal at best.

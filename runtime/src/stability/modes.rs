@@ -1,15 +1,18 @@
 //! Which mode each eigenvalue belongs to.
 
 use core::fmt;
+use core::ops::Range;
 
 use nalgebra::Complex;
 
 use super::along_speed::Characteristic;
 use super::branches::{Stretch, stretches};
+use super::naming::{self, Course, Names};
+use super::{CriticalKind, CriticalSpeed, Stability};
 use crate::number::Scalar;
 use crate::system::{Coefficients, SystemError, require_speed};
 
-/// A mode of the uncontrolled bicycle.
+/// A mode of the uncontrolled bicycle, or what an eigenvalue is where that has none of the names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Mode {
     /// The front frame swings into line: one eigenvalue.
@@ -18,15 +21,21 @@ pub enum Mode {
     Capsize,
     /// Oscillation of lean and steer: two eigenvalues.
     Weave,
+    /// A real eigenvalue without a name.
+    Real,
+    /// One of a pair of eigenvalues without a name.
+    Oscillatory,
 }
 
-/// Reads `castering`, `capsize`, `weave`.
+/// Reads `castering`, `capsize`, `weave`, `real`, `oscillatory`.
 impl fmt::Display for Mode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Castering => "castering",
             Self::Capsize => "capsize",
             Self::Weave => "weave",
+            Self::Real => "real",
+            Self::Oscillatory => "oscillatory",
         })
     }
 }
@@ -40,22 +49,32 @@ pub struct ModeValue {
     pub value: Complex<f64>,
 }
 
-/// The modes of a model with two coordinates, followed along speed.
+/// The modes of a bicycle, a model whose two coordinates are lean and steer, followed along speed.
 ///
-/// Modes are named at the lowest speeds, just above zero, and keep to their eigenvalues from there:
+/// Eigenvalues are continuous in the speed. They lose themselves at double-root speeds only: two real eigenvalues that
+/// meet become a pair, or a pair becomes two real ones, and which is which on the other side is nothing that the equations
+/// tell. Between double-root speeds real eigenvalues keep their order and pairs stay pairs; two pairs may pass each other,
+/// at different real or imaginary parts. So a name holds from one double-root speed to the next, and is given by these
+/// rules:
 ///
-/// - of four real eigenvalues the lowest is castering, the next one capsize, the upper two are weave;
-/// - of two real ones and a pair the lower real one is castering, the other one capsize, and the pair is weave;
-/// - of two pairs the one with the lower real part is castering and capsize, the other one weave.
+/// 1. *Crossing.* A pair on the imaginary axis is weave and an eigenvalue that is zero is capsize, from the double-root
+///    speed before to the one after: that is what weave and capsize speeds are
+///    ([`CriticalKind`](super::CriticalKind)). This rule has no exception, so that kinds and modes cannot contradict.
+/// 2. *One pair.* At the highest speeds with one pair and two real eigenvalues the pair is weave. Of the two real ones
+///    that which is zero at a capsize speed is capsize, or else the slower one, of the smaller size toward the upper end
+///    of these speeds, and the other one is castering.
+/// 3. *Continuity.* From there names pass down, and up, through double roots. Either order of the names of two that meet
+///    is continuous; the lower real eigenvalue corresponds to the half of the pair with the negative imaginary part, or
+///    the higher one where only that agrees with rule 1. So castering and capsize may be one pair, which bears two names.
+/// 4. *Where continuity would contradict rule 1* at the next lower speeds with one pair or on the way there, those are
+///    named by rule 2, anew. On the way, an eigenvalue bears a name that continues both sides. If there is none it has no
+///    name, and is called [`Real`](Mode::Real) or [`Oscillatory`](Mode::Oscillatory); so is each that has a name which
+///    rule 1 gives to another one. Where there is one pair at no speed, all that do not cross are.
 ///
-/// Eigenvalues are continuous in the speed. Up to a double-root speed real ones keep their order and pairs stay pairs, so
-/// that the names stay, too; two pairs may pass each other, at different real or imaginary parts. At a double-root speed
-/// each name passes to the eigenvalue that continues its own. The two that meet are equal there, so that either order of
-/// their names is continuous: of two real ones that merge the lower one passes its name to the half of the pair with the
-/// negative imaginary part, which passes it to the lower one when the pair splits; real ones that only touch keep their
-/// order. So no line jumps, and no eigenvalue is named twice while another one has no name.
-///
-/// A pair may carry two names: castering and capsize, for one, oscillate as one pair at low speeds of many bicycles.
+/// Most bicycles need no more than the first three. The fourth is for machines whose weave, once stable, splits into two
+/// real eigenvalues of which one goes on as capsize.
+/// None of the rules knows forward from backward: a bicycle that runs backwards has the negatives of its eigenvalues, and
+/// the same names.
 ///
 /// ```
 /// use carvallo::{Coefficients, Mode, Modes};
@@ -81,33 +100,24 @@ pub struct Modes {
     coefficients: Coefficients<f64, 2>,
     gravity: f64,
     /// Ascending, the first one from zero; with each the names that belong to the places of its order.
-    stretches: Vec<(Stretch, [Mode; 4])>,
+    stretches: Vec<(Stretch, Names)>,
 }
 
 impl Modes {
     /// Follows the modes along speed, at a gravitational field strength in N/kg.
     ///
     /// # Errors
-    /// As [`Stability::new`](crate::Stability::new), and if there are no eigenvalues in the range of `f64` at a speed next
-    /// to a double-root speed.
+    /// As [`Stability::new`], and if there are no eigenvalues in the range of `f64` at a speed next to a double-root speed.
     pub fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
-        let characteristic = Characteristic::new(coefficients, gravity)?;
+        let stretches = stretches(&Characteristic::new(coefficients, gravity)?)?;
+        let critical_speeds = Stability::new(coefficients, gravity)?.critical_speeds;
         let mut modes = Self { coefficients: coefficients.finite()?, gravity, stretches: Vec::new() };
-        for stretch in stretches(&characteristic)? {
-            let above = modes.ordered(stretch.near_lower_end(), &stretch)?;
-            let names = match modes.stretches.last() {
-                None => names_at_rest(above),
-                Some((last, names)) => {
-                    let below = modes.ordered(last.near_upper_end(), last)?;
-                    pass_on(*names, below, above)
-                }
-            };
-            modes.stretches.push((stretch, names));
-        }
+        let courses = modes.courses(&stretches, &critical_speeds)?;
+        modes.stretches = stretches.into_iter().zip(naming::names(&courses)).collect();
         Ok(modes)
     }
 
-    /// The eigenvalues at a speed in m/s: castering, capsize, weave, weave.
+    /// The four eigenvalues at a speed in m/s with their modes, in the order of [`Mode`].
     ///
     /// They are those of [`System::quartic_eigenvalues`](crate::System::quartic_eigenvalues), each of them once.
     ///
@@ -123,25 +133,63 @@ impl Modes {
         Ok(values)
     }
 
+    /// The modes that there are at one speed or another, ascending: each as often as it has eigenvalues at most. Castering,
+    /// capsize, and weave twice are always among them.
+    pub fn all(&self) -> Vec<Mode> {
+        let usual = [Mode::Castering, Mode::Capsize, Mode::Weave, Mode::Weave];
+        let everywhere = || self.stretches.iter().map(|(_, names)| names).chain([&usual]);
+        let most = |mode: Mode| everywhere().map(|names| names.iter().filter(|&&name| name == mode).count()).max();
+        let modes = [Mode::Castering, Mode::Capsize, Mode::Weave, Mode::Real, Mode::Oscillatory];
+        modes.into_iter().flat_map(|mode| core::iter::repeat_n(mode, most(mode).unwrap_or(0))).collect()
+    }
+
     fn ordered(&self, speed: f64, stretch: &Stretch) -> Result<[Complex<f64>; 4], SystemError> {
         let factored = self.coefficients.at(speed, self.gravity)?.factored_eigenvalues()?;
         Ok(stretch.order.arrange(factored))
     }
-}
 
-/// The names in the lowest stretch, by place. Real eigenvalues are in order already; so is a single pair.
-fn names_at_rest(ordered: [Complex<f64>; 4]) -> [Mode; 4] {
-    use Mode::{Capsize, Castering, Weave};
-    let two_pairs = ordered[0].im != 0.0;
-    if two_pairs && ordered[2].re < ordered[0].re {
-        [Weave, Weave, Castering, Capsize]
-    } else {
-        [Castering, Capsize, Weave, Weave]
+    fn courses(&self, stretches: &[Stretch], critical_speeds: &[CriticalSpeed]) -> Result<Vec<Course>, SystemError> {
+        let mut courses = Vec::with_capacity(stretches.len());
+        for (i, stretch) in stretches.iter().enumerate() {
+            let (pairs, near) = (stretch.order.pairs(), self.ordered(stretch.near_upper_end(), stretch)?);
+            let (at_end, onward) = match stretches.get(i + 1) {
+                Some(next) => (near, nearest(near, self.ordered(next.near_lower_end(), next)?)),
+                // Where the speeds have no end.
+                None => (self.ordered(FAR * stretch.to, stretch).unwrap_or(near), [0, 1, 2, 3]),
+            };
+            let mut crosses = [None; 4];
+            let is_in = |critical: &&CriticalSpeed| {
+                critical.speed >= stretch.from && stretches.get(i + 1).is_none_or(|next| critical.speed < next.from)
+            };
+            for critical in critical_speeds.iter().filter(is_in) {
+                let mode = match critical.kind {
+                    CriticalKind::Weave => Mode::Weave,
+                    CriticalKind::Capsize => Mode::Capsize,
+                    CriticalKind::DoubleRoot => continue,
+                };
+                for place in crossing(critical, self.ordered(critical.speed, stretch)?, pairs) {
+                    crosses[place] = Some(mode);
+                }
+            }
+            courses.push(Course { pairs, crosses, at_end, onward });
+        }
+        Ok(courses)
     }
 }
 
-/// The names of eigenvalues above a speed from those below it, so that the distances between them sum to the least.
-fn pass_on(names: [Mode; 4], below: [Complex<f64>; 4], above: [Complex<f64>; 4]) -> [Mode; 4] {
+/// The places of the eigenvalues that are on the imaginary axis at a critical speed: of a pair, or of a real one.
+fn crossing(critical: &CriticalSpeed, ordered: [Complex<f64>; 4], pairs: usize) -> Vec<usize> {
+    let distance = |&place: &usize| (ordered[place] - Complex::new(0.0, critical.eigenvalue.im)).norm();
+    let first_of_pairs = 4 - 2 * pairs;
+    let closest = |places: Range<usize>| places.min_by(|i, j| distance(i).total_cmp(&distance(j)));
+    match critical.kind {
+        CriticalKind::Weave => closest(first_of_pairs..4).into_iter().flat_map(|half| [half, half ^ 1]).collect(),
+        _ => closest(0..first_of_pairs).into_iter().collect(),
+    }
+}
+
+/// By place below a speed the place above it, so that the distances between them sum to the least.
+fn nearest(below: [Complex<f64>; 4], above: [Complex<f64>; 4]) -> [usize; 4] {
     let orders = (0..256).map(|code| [code / 64, code / 16 % 4, code / 4 % 4, code % 4]);
     let permutations = orders.filter(|order| (0..4).all(|place| order.contains(&place)));
     let mut best = (f64::INFINITY, [0, 1, 2, 3]);
@@ -153,12 +201,11 @@ fn pass_on(names: [Mode; 4], below: [Complex<f64>; 4], above: [Complex<f64>; 4])
             best = (distance, order);
         }
     }
-    let mut passed = names;
-    for (name, place) in names.into_iter().zip(best.1) {
-        passed[place] = name;
-    }
-    passed
+    best.1
 }
+
+/// How many times as high as the last double-root speed slow and fast modes are told apart.
+const FAR: f64 = 64.0;
 
 /// The difference of distances, relative to them, up to which they count as equal.
 const TIE: f64 = 1e-6;

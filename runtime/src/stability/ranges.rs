@@ -56,6 +56,13 @@ impl Verdicts {
         if stretch.speed == speed { stretch.at } else { stretch.above }
     }
 
+    /// The verdicts just below and just above a speed that is not negative; at rest the one above stands for both.
+    pub(super) fn around(&self, speed: f64) -> [Verdict; 2] {
+        let above = self.stretches.partition_point(|stretch| stretch.speed <= speed);
+        let below = self.stretches.partition_point(|stretch| stretch.speed < speed);
+        [below, above].map(|next| self.stretches[next.max(1) - 1].above)
+    }
+
     pub(super) fn stable_ranges(&self) -> Vec<StableRange> {
         let ends = self.stretches.iter().skip(1).map(|next| Some(next.speed)).chain([None]);
         let ranges = self.stretches.iter().zip(ends).filter(|(stretch, _)| stretch.above == Verdict::Stable);

@@ -13,6 +13,7 @@ mod determinism;
 mod eigenvalues;
 #[cfg(feature = "compiler")]
 mod enormous;
+mod events;
 mod fast_stability;
 #[cfg(feature = "compiler")]
 mod generation;

@@ -19,9 +19,11 @@ pi/10, atan(1/3), 18 deg.
 JSON for the Whipple model, in SI units, every number reading back to the same double:
   {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},
    \"critical_speeds\": [{\"kind\": \"weave\"|\"capsize\"|\"double_root\", \"speed\", \"eigenvalue\": {\"re\", \"im\"},
-     \"change\": \"stabilizes\"|\"destabilizes\"|\"merges\"|\"splits\"|\"touches\"}],
+     \"change\": \"stabilizes\"|\"destabilizes\"|\"merges\"|\"splits\"|\"touches\",
+     \"verdicts\": [BELOW, ABOVE]}],
    \"stable_ranges\": [[FROM, TO|null]],
-   \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\": \"castering\"|\"capsize\"|\"weave\"}]}]}
+   \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\": \"castering\"|\"capsize\"|\"weave\"
+     |\"real\"|\"oscillatory\"}]}]}
 Other models have \"name\" in the place of \"bicycle\", and those of \"M\", \"C0\", \"C1\", \"Kc\", \"K0\", \"K2\" that they have.
 Critical speeds and stable ranges are null for other than two coordinates. Unless the coordinates are lean and steer,
 eigenvalues have no \"mode\" and are sorted, and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\"; where

@@ -33,6 +33,8 @@ struct Event {
     speed: f64,
     eigenvalue: Parts,
     change: String,
+    /// Just below and just above the speed.
+    verdicts: [String; 2],
 }
 
 /// The eigenvalues at one speed, with the names of their modes or with a verdict.
@@ -84,6 +86,7 @@ fn events(stability: &Stability) -> Vec<Line<Event>> {
         speed: critical.speed,
         eigenvalue: critical.eigenvalue.into(),
         change: critical.change.to_string(),
+        verdicts: stability.verdicts_around(critical).map(|verdict| verdict.to_string()),
     };
     stability.critical_speeds.iter().map(event).map(Line).collect()
 }

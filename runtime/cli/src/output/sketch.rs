@@ -71,6 +71,7 @@ fn style(mode: Mode) -> Style {
         Mode::Castering => AnsiColor::Blue.on_default(),
         Mode::Capsize => AnsiColor::Yellow.on_default(),
         Mode::Weave => AnsiColor::Red.on_default(),
+        Mode::Real | Mode::Oscillatory => FAINT,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{Change, CriticalKind, CriticalSpeed, ModeValue, Stability, StableRange, Verdict};
+use carvallo::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, StableRange, Verdict};
 
 use super::{FAINT, GOOD, HEADING, equations, is_stable, sorted};
 use crate::analysis::{Analysis, ModeRow, Row, Rows};
@@ -49,16 +49,14 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
     let speeds: Vec<String> = stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
     let width = width(&speeds, 20);
     let marginal = marginal_from(stability);
-    for CriticalSpeed { kind, speed, eigenvalue, change, .. } in &stability.critical_speeds {
+    for critical in &stability.critical_speeds {
+        let CriticalSpeed { kind, speed, eigenvalue, .. } = critical;
         let (name, at) = match kind {
             CriticalKind::Weave => ("weave", format!("±{} i", fixed(eigenvalue.im.abs(), 4))),
             CriticalKind::Capsize => ("capsize", "0".to_owned()),
             CriticalKind::DoubleRoot => ("double root", fixed(eigenvalue.re, 4)),
         };
-        let change = match change {
-            Change::Stabilizes if marginal == Some(*speed) => "is unstable no longer",
-            change => self::change(*change),
-        };
+        let change = effect(stability, critical);
         let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
     }
     if stability.critical_speeds.is_empty() {
@@ -79,14 +77,17 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
     }
 }
 
-/// What changes at a critical speed.
-pub fn change(change: Change) -> &'static str {
-    match change {
-        Change::Stabilizes => "becomes stable",
-        Change::Destabilizes => "becomes unstable",
-        Change::Merges => "two real eigenvalues become an oscillation",
-        Change::Splits => "an oscillation becomes two real eigenvalues",
-        Change::Touches => "nothing changes for longer",
+/// What changes at a critical speed: of the mode, and of the motion, which another mode may keep unstable.
+pub fn effect(stability: &Stability, critical: &CriticalSpeed) -> &'static str {
+    match (critical.change, stability.verdicts_around(critical)) {
+        (Change::Stabilizes, [_, Verdict::Stable]) => "becomes stable",
+        (Change::Stabilizes, [_, Verdict::Marginal]) => "is unstable no longer",
+        (Change::Stabilizes, [_, Verdict::Unstable]) => "becomes stable, but another mode is unstable",
+        (Change::Destabilizes, [Verdict::Unstable, _]) => "becomes unstable, as another mode is already",
+        (Change::Destabilizes, _) => "becomes unstable",
+        (Change::Merges, _) => "two real eigenvalues become an oscillation",
+        (Change::Splits, _) => "an oscillation becomes two real eigenvalues",
+        (Change::Touches, _) => "nothing changes for longer",
     }
 }
 
@@ -99,25 +100,48 @@ fn marginal_from(stability: &Stability) -> Option<f64> {
 
 fn modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
     let speeds = speeds(rows);
-    let (mut casterings, mut capsizes, mut weaves) = (Vec::new(), Vec::new(), Vec::new());
-    for Row { values: [castering, capsize, weave @ ..], .. } in rows {
-        casterings.push(number(castering));
-        capsizes.push(number(capsize));
-        weaves.push(pair(weave));
-    }
-    let weaves = aligned(&weaves);
+    let of = |mode: Mode| rows.iter().map(move |row| with_mode(row, |other| other == mode));
+    let one = |values: Vec<ModeValue>| if values.is_empty() { ABSENT.to_owned() } else { joined(&values) };
+    let (casterings, capsizes): (Vec<_>, Vec<_>) =
+        (of(Mode::Castering).map(one).collect(), of(Mode::Capsize).map(one).collect());
+    let weaves = aligned(&of(Mode::Weave).map(|values| pair(&values)).collect::<Vec<_>>());
+    let is_nameless = |mode| matches!(mode, Mode::Real | Mode::Oscillatory);
+    let others: Vec<String> = rows.iter().map(|row| joined(&with_mode(row, is_nameless))).collect();
     let [v, first, second] = [width(&speeds, 9), width(&casterings, 18), width(&capsizes, 18)];
     let third = width(&weaves, 26);
+    // A column of its own only where there is one.
+    let has_others = others.iter().any(|other| !other.is_empty());
+    let fourth = if has_others { width(&others, 16) } else { 0 };
+    let others_title = if has_others { "without a name" } else { "" };
     let _ = writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s)");
-    let _ = writeln!(text, "{FAINT}{:>v$}{:>first$}{:>second$}     weave{FAINT:#}", "v (m/s)", "castering", "capsize");
+    let title = format!(
+        "{:>v$}{:>first$}{:>second$}     {:<width$}{others:>fourth$}",
+        "v (m/s)",
+        "castering",
+        "capsize",
+        "weave",
+        width = third - 5,
+        others = others_title
+    );
+    let _ = writeln!(text, "{FAINT}{}{FAINT:#}", title.trim_end());
     for (index, row) in rows.iter().enumerate() {
         let (style, mark) = match is_stable(analysis.stable_ranges(), row.speed) {
             true => (GOOD, "  stable"),
             false => (anstyle::Style::new(), ""),
         };
         let (speed, castering, capsize, weave) = (&speeds[index], &casterings[index], &capsizes[index], &weaves[index]);
-        let _ = writeln!(text, "{style}{speed:>v$}{castering:>first$}{capsize:>second$}{weave:>third$}{mark}{style:#}");
+        let line =
+            format!("{speed:>v$}{castering:>first$}{capsize:>second$}{weave:>third$}{:>fourth$}{mark}", others[index]);
+        let _ = writeln!(text, "{style}{}{style:#}", line.trim_end());
     }
+}
+
+/// What stands where no eigenvalue has the name of the column.
+const ABSENT: &str = "-";
+
+/// The values of a row whose modes are wanted.
+fn with_mode(row: &ModeRow, is_wanted: impl Fn(Mode) -> bool) -> Vec<ModeValue> {
+    row.values.iter().copied().filter(|value| is_wanted(value.mode)).collect()
 }
 
 /// The width of a column that keeps two spaces before or after its texts.
@@ -142,17 +166,24 @@ fn number(ModeValue { value, .. }: &ModeValue) -> String {
     format!("{}{sign}{}i", fixed(value.re, 4), fixed(value.im.abs(), 4))
 }
 
-/// Two eigenvalues: a complex pair as one, others side by side; with what stands between and after them.
-fn pair([first, second]: &[ModeValue; 2]) -> [String; 4] {
-    let (a, b) = (first.value, second.value);
-    let (second, between, after) = if a.im != 0.0 && a.re == b.re && a.im == -b.im {
-        (fixed(a.im.abs(), 6), " ± ", " i")
-    } else {
-        // Real, or each in a pair with another mode.
-        (number(second), ", ", "")
-    };
-    let first = if after.is_empty() { number(first) } else { fixed(a.re, 6) };
-    [first, between.to_owned(), second, after.to_owned()]
+/// Any eigenvalues side by side.
+fn joined(values: &[ModeValue]) -> String {
+    values.iter().map(number).collect::<Vec<_>>().join(", ")
+}
+
+/// The eigenvalues of weave: a complex pair as one, others side by side; with what stands between and after them.
+fn pair(values: &[ModeValue]) -> [String; 4] {
+    match values {
+        [ModeValue { value: a, .. }, ModeValue { value: b, .. }] if a.im != 0.0 && a.re == b.re && a.im == -b.im => {
+            [fixed(a.re, 6), " ± ".to_owned(), fixed(a.im.abs(), 6), " i".to_owned()]
+        }
+        [others @ .., last] => {
+            let between = if others.is_empty() { "  " } else { ", " };
+            // Real, or each in a pair with another mode.
+            [joined(others), between.to_owned(), number(last), String::new()]
+        }
+        [] => [String::new(), "  ".to_owned(), ABSENT.to_owned(), String::new()],
+    }
 }
 
 /// The pairs with their parts below each other.

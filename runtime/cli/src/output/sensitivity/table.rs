@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use carvallo::CriticalKind;
 
-use super::super::table::{change, heading, width};
+use super::super::table::{effect, heading, width};
 use super::super::{FAINT, HEADING};
 use super::deviations;
 use crate::number::{fixed, shortest, unit};
@@ -34,8 +34,8 @@ fn critical_speeds(changes: &Changes, text: &mut String) {
     for (critical, value) in all.zip(&values) {
         let reason = critical.derivatives.as_ref().err();
         let reason = reason.map(|reason| format!("; not ranked: {reason}")).unwrap_or_default();
-        let (kind, change) = (critical.speed.kind.to_string(), change(critical.speed.change));
-        let _ = writeln!(text, "  {kind:<13}{value:<column$}{FAINT}{change}{reason}{FAINT:#}");
+        let (kind, effect) = (critical.speed.kind.to_string(), effect(&changes.stability, &critical.speed));
+        let _ = writeln!(text, "  {kind:<13}{value:<column$}{FAINT}{effect}{reason}{FAINT:#}");
     }
     for (kind, meaning) in [(CriticalKind::Weave, "weave"), (CriticalKind::Capsize, "capsize")] {
         if none(kind) {
