@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use anstyle::Style;
 use clap::builder::{PathBufValueParser, TypedValueParser as _, ValueParser, ValueParserFactory};
 use clap::{Args, ValueEnum};
 
@@ -12,7 +11,7 @@ use crate::failure::{Failure, Place, Problem};
 use crate::input::{self, Request};
 use crate::plot::{self, Scene};
 use crate::speeds;
-use crate::terminal::{WARNING, note};
+use crate::terminal::{WARNING, note, wrote};
 
 /// Which design is meant.
 #[derive(Args, Clone, Debug, Default)]
@@ -114,7 +113,7 @@ impl Picture {
 
     /// # Errors
     /// If the picture would replace the file that the parameters are read from.
-    pub fn spares(&self, design: &DesignOptions) -> Result<(), Failure> {
+    pub fn check(&self, design: &DesignOptions) -> Result<(), Failure> {
         if design.request().reads(&self.0) {
             Err(self.problem("the parameters are read from this file"))
         } else {
@@ -124,8 +123,7 @@ impl Picture {
 
     /// That it cannot be drawn as it was asked for.
     pub fn problem(&self, message: impl Into<String>) -> Failure {
-        let place = Place::Option(format!("--plot {}", self.0.display()));
-        Failure::at(place, message)
+        Failure::at(Place::Option(format!("--plot {}", self.0.display())), message)
     }
 
     /// Writes a drawing, and tells so.
@@ -134,7 +132,7 @@ impl Picture {
     /// If the file cannot be written.
     pub fn write(&self, scene: &Scene) -> Result<(), Failure> {
         plot::save(scene, &self.0)?;
-        note(Style::new(), "wrote", &self.0.display().to_string());
+        wrote(&self.0);
         Ok(())
     }
 }

@@ -1,6 +1,7 @@
 //! What the program says: data on the standard output, and everything about it on the standard error.
 
 use std::io::{BufWriter, ErrorKind, Write};
+use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
 
@@ -40,4 +41,9 @@ fn written(result: std::io::Result<()>) -> Result<(), Failure> {
 /// Prints a line to the standard error. Where even that is closed, nothing more can be told.
 pub fn note(style: Style, what: &str, text: &str) {
     let _ = writeln!(anstream::stderr(), "{style}{what}{style:#}: {text}");
+}
+
+/// Tells that a file was written.
+pub fn wrote(path: &Path) {
+    note(Style::new(), "wrote", &path.display().to_string());
 }

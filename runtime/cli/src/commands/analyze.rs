@@ -52,9 +52,9 @@ pub struct Options {
     plot: Option<Picture>,
 }
 
-pub fn run(options: Options) -> Result<(), Failure> {
+pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
-        picture.spares(&options.design)?;
+        picture.check(&options.design)?;
         if options.speeds.as_ref().is_some_and(|Speeds(speeds)| speeds.iter().all(|speed| *speed == speeds[0])) {
             return Err(picture.problem("a picture needs a range of speeds, such as --speeds 0:10:0.1"));
         }
@@ -70,8 +70,8 @@ pub fn run(options: Options) -> Result<(), Failure> {
             note(WARNING, "note", &format!("{nothing}: --speeds is ignored"));
         }
     }
-    let given = options.speeds.map(|Speeds(speeds)| speeds);
-    let speeds_or = |default: fn() -> Vec<f64>| given.clone().unwrap_or_else(default);
+    let given = options.speeds.as_ref();
+    let speeds_or = |default: fn() -> Vec<f64>| given.map_or_else(default, |Speeds(speeds)| speeds.clone());
     let rows = analysis.rows(&speeds_or(if options.format == Format::Table { coarse_speeds } else { fine_speeds }))?;
     if let Some(picture) = &options.plot {
         picture.write(&plot_eigenvalues(&analysis, &speeds_or(fine_speeds))?)?;

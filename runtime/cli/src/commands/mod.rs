@@ -78,7 +78,7 @@ pub fn main() -> ExitCode {
 fn run(arguments: Arguments) -> Result<(), Failure> {
     match arguments.command {
         None => demo::run(),
-        Some(Command::Analyze(options)) => analyze::run(options),
+        Some(Command::Analyze(options)) => analyze::run(&options),
         Some(Command::Sensitivity(options)) => sensitivity::run(&options),
         Some(Command::Bicycles) => lists::bicycles(),
         Some(Command::Models) => lists::models(),

@@ -46,7 +46,7 @@ pub struct Options {
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
-        picture.spares(&options.design)?;
+        picture.check(&options.design)?;
     }
     let changes = Changes::new(options.design.load()?)?;
     if let Some(picture) = &options.plot {

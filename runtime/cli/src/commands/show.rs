@@ -26,7 +26,7 @@ pub struct Options {
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
-        picture.spares(&options.design)?;
+        picture.check(&options.design)?;
     }
     let design = options.design.load()?;
     if let Some(picture) = &options.plot {

@@ -27,9 +27,8 @@ use self::progress::Progress;
 use self::source::Batches;
 use self::table::{Designs, Results};
 use crate::failure::Failure;
-use crate::input;
-use crate::plot;
-use crate::terminal::{WARNING, note};
+use crate::terminal::{WARNING, note, wrote};
+use crate::{input, plot};
 
 /// Computes all designs and writes their results in order. Of the designs only a batch is in memory.
 ///
@@ -44,7 +43,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let mut destination = Destination::open(options, &plan)?;
     let done = destination.designs();
     let mut batches = Batches::new(&plan.source)?;
-    let mut progress = Progress::new(batches.total, destination.is_stdout());
+    let mut progress = Progress::new(batches.total(), destination.is_stdout());
     let mut first = 0;
     loop {
         // Designs whose results are written are computed again only for a map.
@@ -84,11 +83,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         note(WARNING, "note", &format!("{errors} of {first} designs have no results; the column `error` says why"));
     }
     if let Some(path) = &options.output {
-        note(Style::new(), "wrote", &path.display().to_string());
+        wrote(path);
     }
     if let (Some(path), Some(map)) = (&options.map, map) {
         plot::save(&map.draw(&design, &plan), path)?;
-        note(Style::new(), "wrote", &path.display().to_string());
+        wrote(path);
     }
     Ok(())
 }

@@ -38,11 +38,10 @@ impl Source {
 }
 
 /// The designs, one batch after the other.
-pub struct Batches<'a> {
-    source: &'a Source,
-    records: Option<(&'a File, Records)>,
-    /// How many there are, where that is known.
-    pub total: Option<u64>,
+pub enum Batches<'a> {
+    Generated(&'a Generator),
+    /// Those of a file come in its order.
+    File(&'a File, Box<Records>),
 }
 
 impl<'a> Batches<'a> {
@@ -50,26 +49,35 @@ impl<'a> Batches<'a> {
     /// If a file cannot be read.
     pub fn new(source: &'a Source) -> Result<Self, Failure> {
         Ok(match source {
-            Source::Generated(generator) => Self { source, records: None, total: generator.total() },
-            Source::File(file) => Self { source, records: Some((file, file.records()?)), total: None },
+            Source::Generated(generator) => Self::Generated(generator),
+            Source::File(file) => Self::File(file, Box::new(file.records()?)),
         })
     }
 
-    /// At most so many designs from one on, in chunks; those of a file come in its order.
+    /// How many designs there are, where that is known.
+    pub fn total(&self) -> Option<u64> {
+        match self {
+            Self::Generated(generator) => generator.total(),
+            Self::File(..) => None,
+        }
+    }
+
+    /// At most so many designs from one on, in chunks.
     ///
     /// # Errors
     /// If a file cannot be read.
     pub fn next(&mut self, first: u64, most: usize) -> Result<Vec<Designs>, Failure> {
-        let chunks = (0..most).step_by(CHUNK);
-        match (&mut self.records, self.source) {
-            (Some((file, records)), _) => chunks.map(|start| file.designs(records, CHUNK.min(most - start))).collect(),
-            (None, Source::Generated(generator)) => {
-                let left = self.total.unwrap_or(0).saturating_sub(first).min(most as u64) as usize;
+        match self {
+            Self::Generated(generator) => {
+                let left = generator.total().unwrap_or(0).saturating_sub(first).min(most as u64) as usize;
                 let chunks: Vec<usize> = (0..left).step_by(CHUNK).collect();
                 let designs = |&start: &usize| generator.designs(first + start as u64, CHUNK.min(left - start));
                 Ok(chunks.par_iter().map(designs).collect())
             }
-            (None, Source::File(_)) => Ok(Vec::new()),
+            Self::File(file, records) => {
+                let chunks = (0..most).step_by(CHUNK);
+                chunks.map(|start| file.designs(records, CHUNK.min(most - start))).collect()
+            }
         }
     }
 }
