@@ -21,6 +21,7 @@ mod equations;
 pub mod files;
 pub mod formula;
 pub mod kinematics;
+mod matrix_name;
 mod mechanics;
 pub mod model;
 mod nearest;

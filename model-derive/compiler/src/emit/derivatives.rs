@@ -7,9 +7,9 @@ use super::evaluator::{self, Body};
 use super::names::Names;
 use super::{derive, docs};
 use crate::derivatives::{Derivatives, Partial, entry_names};
+use crate::matrix_name::MatrixName;
 use crate::model::Model;
 use crate::program::Counts;
-use crate::syntax::MatrixName;
 
 /// The struct and the function, and then which value is which derivative; nothing for a model that does not ask for
 /// derivatives.

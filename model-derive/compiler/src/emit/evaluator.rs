@@ -5,12 +5,13 @@ use std::collections::HashMap;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
+use super::fields::{field_docs, field_name};
 use super::names::Names;
 use super::{derive, docs, number};
 use crate::derivatives::entry_names;
+use crate::matrix_name::MatrixName;
 use crate::model::{Model, Origin, Requirement};
 use crate::program::{Counts, Instruction, Program, Value};
-use crate::syntax::MatrixName;
 
 pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStream {
     let Names { runtime, model: name, matrices, scalar, .. } = names;
@@ -20,7 +21,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
     let fields = fields(model);
     let field_docs = model.matrices.iter().map(|(matrix, _)| {
         let proved = if model.symmetric.contains(matrix) { " Symmetric, proved." } else { "" };
-        docs(&format!("{}{proved}", matrix.docs()))
+        docs(&format!("{}{proved}", field_docs(*matrix)))
     });
     let struct_docs = docs(&format!(
         "The coefficient matrices of [`{name}`], each {n} x {n} and row by row, in SI units.\n\n\
@@ -126,7 +127,7 @@ pub fn fields(model: &Model) -> Vec<Ident> {
 /// The field of a matrix, at the span of its declaration.
 fn field(matrix: MatrixName, model: &Model) -> Ident {
     let declared = model.references.matrices.iter().find(|(name, _)| *name == matrix);
-    Ident::new(matrix.field(), declared.map_or(Span::call_site(), |(_, span)| *span))
+    Ident::new(field_name(matrix), declared.map_or(Span::call_site(), |(_, span)| *span))
 }
 
 fn matrices_body(model: &Model, names: &Names, program: &Program) -> TokenStream {

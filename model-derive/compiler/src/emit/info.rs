@@ -7,9 +7,9 @@ use super::evaluator::entries;
 use super::names::Names;
 use super::number;
 use super::structure::constant;
+use crate::matrix_name::MatrixName;
 use crate::model::{Bound, Domain, Model};
 use crate::program::Program;
-use crate::syntax::MatrixName;
 
 pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenStream {
     let Names { runtime, model: model_name, .. } = names;

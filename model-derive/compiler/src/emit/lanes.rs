@@ -4,10 +4,11 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::evaluator::entries;
+use super::fields::field_name;
 use super::names::Names;
+use crate::matrix_name::MatrixName;
 use crate::model::Model;
 use crate::program::Program;
-use crate::syntax::MatrixName;
 
 pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStream {
     let Names { runtime, model: name, matrices: all, scalar, .. } = names;
@@ -24,7 +25,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
         .into_iter()
         .map(|(_, places)| {
             let place = places[0];
-            let field = format_ident!("{}", declared[place / (n * n)].field());
+            let field = format_ident!("{}", field_name(declared[place / (n * n)]));
             let [row, column] = [place / n % n, place % n].map(Literal::usize_unsuffixed);
             quote!(#matrices.#field[#row][#column])
         })

@@ -2,6 +2,7 @@
 
 mod derivatives;
 mod evaluator;
+mod fields;
 mod info;
 mod kinematics;
 mod lanes;

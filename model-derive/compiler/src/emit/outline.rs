@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
+use crate::matrix_name::MatrixName;
 use crate::model::Model;
-use crate::syntax::MatrixName;
 
 /// The model without what would be a second mistake in its code: fields and constants of the same name.
 pub fn sound(mut model: Model) -> Model {

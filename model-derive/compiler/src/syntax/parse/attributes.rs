@@ -4,12 +4,12 @@ use proc_macro2::Ident;
 use syn::Token;
 use syn::parse::ParseStream;
 
-use super::expression::{Expression, expression};
-use super::items::list;
-use super::parts::{Inertia, Vector};
-use super::tokens::{expected, semicolon};
+use super::expressions::parse_expression;
+use super::tokens::{expected, parse_colon, parse_semicolon};
+use super::vectors::{parse_inertia, parse_vector};
 use crate::nearest::nearest;
-use crate::report::{Region, error};
+use crate::report::error;
+use crate::syntax::tree::{Expression, Inertia, Vector};
 
 /// What stands behind the word of an attribute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,17 +42,14 @@ pub struct Attributes {
 impl Attributes {
     /// `: mass mB, at (xB, 0, zB);`
     pub fn after_colon(input: ParseStream<'_>, owner: &Ident, known: &[(&str, Shape)]) -> syn::Result<Self> {
-        if !input.peek(Token![:]) || input.peek(Token![::]) {
-            return Err(expected(input, &format!("`:` and what `{owner}` has: {}", words(known))));
-        }
-        input.parse::<Token![:]>()?;
+        parse_colon(input, &format!("`:` and what `{owner}` has: {}", list_words(known)))?;
         Self::read(input, owner, known)
     }
 
     /// `, through (0, 0, 0), along (1, 0, 0);`
     pub fn after_comma(input: ParseStream<'_>, owner: &Ident, known: &[(&str, Shape)]) -> syn::Result<Self> {
         if input.parse::<Option<Token![,]>>()?.is_none() {
-            return Err(expected(input, &format!("`,` and where the joint is: {}", words(known))));
+            return Err(expected(input, &format!("`,` and where the joint is: {}", list_words(known))));
         }
         Self::read(input, owner, known)
     }
@@ -60,7 +57,7 @@ impl Attributes {
     fn read(input: ParseStream<'_>, owner: &Ident, known: &[(&str, Shape)]) -> syn::Result<Self> {
         let mut given: Vec<(Ident, Attribute)> = Vec::new();
         loop {
-            let what = format!("one of {}", words(known));
+            let what = format!("one of {}", list_words(known));
             let word: Ident = if input.peek(syn::Ident) { input.parse()? } else { return Err(expected(input, &what)) };
             let text = word.to_string();
             let Some((_, shape)) = known.iter().find(|(known, _)| *known == text) else {
@@ -73,13 +70,13 @@ impl Attributes {
             }
             let attribute = match shape {
                 Shape::Word => Attribute::Word,
-                Shape::Formula => Attribute::Formula(expression(input)?),
-                Shape::Vector => Attribute::Vector(Box::new(vector(input, &word)?)),
-                Shape::Inertia => Attribute::Inertia(inertia(input)?),
+                Shape::Formula => Attribute::Formula(parse_expression(input)?),
+                Shape::Vector => Attribute::Vector(Box::new(parse_vector(input, &word)?)),
+                Shape::Inertia => Attribute::Inertia(parse_inertia(input)?),
             };
             given.push((word, attribute));
             if input.parse::<Option<Token![,]>>()?.is_none() {
-                semicolon(input, "`,` or `;`", &format!("what `{owner}` has"))?;
+                parse_semicolon(input, "`,` or `;`", &format!("what `{owner}` has"))?;
                 return Ok(Self { owner: owner.clone(), given });
             }
         }
@@ -134,64 +131,8 @@ impl Attributes {
     }
 }
 
-fn words(known: &[(&str, Shape)]) -> String {
+/// The words of attributes, for a message.
+fn list_words(known: &[(&str, Shape)]) -> String {
     let words: Vec<String> = known.iter().map(|(word, _)| format!("`{word}`")).collect();
     words.join(", ")
-}
-
-/// `(x, y, z)`
-fn vector(input: ParseStream<'_>, word: &Ident) -> syn::Result<Vector> {
-    if !input.peek(syn::token::Paren) {
-        return Err(expected(input, &format!("`(x, y, z)` after `{word}`")));
-    }
-    let content;
-    let parentheses = syn::parenthesized!(content in input);
-    let region = Region::from(parentheses.span.open()).to(parentheses.span.close().into());
-    let mut components = Vec::new();
-    while !content.is_empty() {
-        components.push(expression(&content)?);
-        if !content.is_empty() && content.parse::<Option<Token![,]>>()?.is_none() {
-            return Err(expected(&content, "`,` or `)`"));
-        }
-    }
-    let message = format!("{} components of `{word}`: expected three, `(x, y, z)`", components.len());
-    let components = components.try_into().map_err(|_| error(region, message))?;
-    Ok(Vector { components, region })
-}
-
-fn inertia(input: ParseStream<'_>) -> syn::Result<Inertia> {
-    if !input.peek(syn::token::Bracket) {
-        let value = expression(input)?;
-        return match &value.kind {
-            super::Kind::Number(number) if number.is_zero() => Ok(Inertia::None),
-            _ => {
-                let message =
-                    "an inertia of one moment: expected `[Ixx, Iyy, Izz]`, `[[…], […], […]]`, or `0` for a point mass";
-                Err(error(value.region, message))
-            }
-        };
-    }
-    let is_full = {
-        let fork = input.fork();
-        let content;
-        syn::bracketed!(content in fork);
-        content.peek(syn::token::Bracket)
-    };
-    if !is_full {
-        let (region, moments) = list(input, "the principal moments", expression)?;
-        let found = moments.len();
-        let message = format!("{found} moments of inertia: expected three, `[Ixx, Iyy, Izz]`");
-        let moments = moments.try_into().map_err(|_| error(region, message))?;
-        return Ok(Inertia::Principal(Box::new(moments)));
-    }
-    let (region, rows) = list(input, "the rows", |input| list(input, "a row `[…]`", expression))?;
-    let rows: Option<Vec<[Expression; 3]>> = rows.into_iter().map(|(_, row)| row.try_into().ok()).collect();
-    match rows.and_then(|rows| <[[Expression; 3]; 3]>::try_from(rows).ok()) {
-        Some(rows) => Ok(Inertia::Full(Box::new(rows))),
-        None => {
-            let message = "an inertia matrix of another shape: expected 3 rows of 3 entries, `[[Ixx, Ixy, Ixz], [Ixy, Iyy, \
-                           Iyz], [Ixz, Iyz, Izz]]`";
-            Err(error(region, message))
-        }
-    }
 }

@@ -1,32 +1,25 @@
 //! Units as people write them: `m`, `kg*m^2`, `N/(m/s)`, `1`.
 
-use proc_macro2::{Ident, Literal};
+use proc_macro2::Literal;
 use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
-use super::tokens::{expected, signed_integer};
+use super::tokens::{expected, parse_signed_integer};
 use crate::report::Region;
+use crate::syntax::tree::Unit;
 
-/// A product of powers of named units.
-#[derive(Clone, Debug)]
-pub struct Unit {
-    /// As it was written, without spaces.
-    pub text: String,
-    /// The names, each with its exponent; none for a pure number.
-    pub factors: Vec<(Ident, i32)>,
-    pub region: Region,
-}
-
+/// What is said to be expected where no unit stands.
 const WHAT: &str = "a unit such as `m`, `kg*m^2`, `N/kg`, or `1` for a pure number";
 
 /// Parses a unit up to the first token that cannot continue one.
-pub fn unit(input: ParseStream<'_>) -> syn::Result<Unit> {
-    product(input, true)
+pub fn parse_unit(input: ParseStream<'_>) -> syn::Result<Unit> {
+    parse_product(input, true)
 }
 
-fn product(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
-    let mut unit = factor(input, parentheses)?;
+/// Units with `*` and `/` between them.
+fn parse_product(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
+    let mut unit = parse_factor(input, parentheses)?;
     loop {
         let sign = if input.parse::<Option<Token![*]>>()?.is_some() {
             '*'
@@ -35,7 +28,7 @@ fn product(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
         } else {
             return Ok(unit);
         };
-        let next = factor(input, parentheses)?;
+        let next = parse_factor(input, parentheses)?;
         unit.text.push(sign);
         unit.text.push_str(&next.text);
         unit.region = unit.region.to(next.region);
@@ -44,18 +37,18 @@ fn product(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
 }
 
 /// A unit behind a value, if there is one, `1/s` among them; a name before `=` begins the next statement.
-pub fn unit_after_value(input: ParseStream<'_>) -> syn::Result<Option<Unit>> {
+pub fn parse_unit_after_value(input: ParseStream<'_>) -> syn::Result<Option<Unit>> {
     let named = input.peek(syn::Ident) && !input.peek2(Token![=]);
     let inverse = input.peek(syn::LitInt) && input.peek2(Token![/]);
-    if named || inverse { unit(input).map(Some) } else { Ok(None) }
+    if named || inverse { parse_unit(input).map(Some) } else { Ok(None) }
 }
 
 /// One name with its exponent, or a product in parentheses, which need not nest.
-fn factor(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
+fn parse_factor(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
     if parentheses && input.peek(syn::token::Paren) {
         let content;
         let parentheses = syn::parenthesized!(content in input);
-        let inner = product(&content, false)?;
+        let inner = parse_product(&content, false)?;
         if !content.is_empty() {
             return Err(expected(&content, "`*`, `/` or `)`"));
         }
@@ -78,6 +71,6 @@ fn factor(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit> {
     if input.parse::<Option<Token![^]>>()?.is_none() {
         return Ok(Unit { text: name.to_string(), factors: vec![(name, 1)], region });
     }
-    let (power, end) = signed_integer(input)?;
+    let (power, end) = parse_signed_integer(input)?;
     Ok(Unit { text: format!("{name}^{power}"), factors: vec![(name, power)], region: region.to(end) })
 }

@@ -3,18 +3,17 @@
 use proc_macro2::{Ident, Span, TokenStream};
 
 use super::expression::Expression;
-use super::parts::Mechanism;
+use super::mechanism::Mechanism;
 use super::unit::Unit;
 use crate::kinematics::Kinematics;
+use crate::matrix_name::MatrixName;
 use crate::report::Region;
-
-/// Documentation lines, joined.
-pub type Doc = String;
 
 /// A whole `model!` declaration.
 #[derive(Debug)]
 pub struct Declaration {
-    pub docs: Doc,
+    /// Documentation lines, joined.
+    pub docs: String,
     pub visibility: TokenStream,
     pub name: Ident,
     /// Where the model comes from.
@@ -41,7 +40,8 @@ pub struct Declaration {
 /// `lam "λ": rad, in (-pi/2, pi/2);`
 #[derive(Debug)]
 pub struct Parameter {
-    pub docs: Doc,
+    /// Documentation lines, joined.
+    pub docs: String,
     pub name: Ident,
     pub symbol: Option<String>,
     /// Nothing if it could not be read.
@@ -121,7 +121,8 @@ pub struct Assertion {
 /// `set benchmark "source" { w = 1.02; }`
 #[derive(Debug)]
 pub struct ParameterSet {
-    pub docs: Doc,
+    /// Documentation lines, joined.
+    pub docs: String,
     pub name: Ident,
     pub source: Option<String>,
     pub values: Vec<SetValue>,
@@ -157,7 +158,8 @@ pub struct Printed {
 /// `phi "lean": rad;`
 #[derive(Debug)]
 pub struct Coordinate {
-    pub docs: Doc,
+    /// Documentation lines, joined.
+    pub docs: String,
     pub name: Ident,
     pub label: Option<String>,
     /// Nothing if it could not be read.
@@ -176,61 +178,4 @@ pub struct Matrix {
     pub rows: Vec<(Region, Vec<Expression>)>,
     /// The brackets and all between.
     pub region: Region,
-}
-
-/// The six coefficient matrices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum MatrixName {
-    M,
-    C0,
-    C1,
-    Kc,
-    K0,
-    K2,
-}
-
-impl MatrixName {
-    /// All of them, in the order of the equation of motion.
-    pub const ALL: [Self; 6] = [Self::M, Self::C0, Self::C1, Self::Kc, Self::K0, Self::K2];
-
-    /// As it is written in a declaration.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::M => "M",
-            Self::C0 => "C0",
-            Self::C1 => "C1",
-            Self::Kc => "Kc",
-            Self::K0 => "K0",
-            Self::K2 => "K2",
-        }
-    }
-
-    /// The matrix called `name`.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|matrix| matrix.name() == name)
-    }
-
-    /// The field that holds it in generated code.
-    pub fn field(self) -> &'static str {
-        match self {
-            Self::M => "m",
-            Self::C0 => "c0",
-            Self::C1 => "c1",
-            Self::Kc => "kc",
-            Self::K0 => "k0",
-            Self::K2 => "k2",
-        }
-    }
-
-    /// What it is, with its place in the equation of motion.
-    pub fn docs(self) -> &'static str {
-        match self {
-            Self::M => "Mass matrix M, the coefficient of q''.",
-            Self::C0 => "Damping C0, a coefficient of q'.",
-            Self::C1 => "Damping C1, a coefficient of v q'.",
-            Self::Kc => "Stiffness Kc, a coefficient of q.",
-            Self::K0 => "Stiffness K0, a coefficient of g q.",
-            Self::K2 => "Stiffness K2, a coefficient of v^2 q.",
-        }
-    }
 }

@@ -5,75 +5,29 @@ use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
 
-use super::tokens::{expected, operator, signed_integer};
-use super::unit::{Unit, unit};
+use super::rust_syntax::{describe_expected, reject_rust_syntax, starts_rust_statement};
+use super::tokens::{expected, operator_at, parse_signed_integer};
+use super::units::parse_unit;
 use crate::formula::Decimal;
 use crate::report::{Region, error};
-
-/// A formula with the stretch of source that it comes from.
-#[derive(Clone, Debug)]
-pub struct Expression {
-    pub kind: Kind,
-    pub region: Region,
-}
-
-impl Expression {
-    /// Calls `visit` with every name that is used as a value.
-    pub fn names(&self, visit: &mut impl FnMut(&Ident)) {
-        match &self.kind {
-            Kind::Number(_) | Kind::Quantity(..) => {}
-            Kind::Name(name) => visit(name),
-            Kind::Sum(terms) => terms.iter().for_each(|term| term.value.names(visit)),
-            Kind::Product(factors) => factors.iter().for_each(|factor| factor.value.names(visit)),
-            Kind::Power(inner, _) | Kind::Call(_, inner) => inner.names(visit),
-        }
-    }
-}
-
-/// What a formula is. Sums and products are flat, so that long ones do not nest deeply.
-#[derive(Clone, Debug)]
-pub enum Kind {
-    Number(Decimal),
-    /// `0.3 [m]`.
-    Quantity(Decimal, Unit),
-    Name(Ident),
-    Sum(Vec<Term>),
-    Product(Vec<Factor>),
-    Power(Box<Expression>, i32),
-    Call(Ident, Box<Expression>),
-}
-
-/// One term of a sum; `operator` is the sign before it, where one is written.
-#[derive(Clone, Debug)]
-pub struct Term {
-    pub negative: bool,
-    pub operator: Option<Span>,
-    pub value: Expression,
-}
-
-/// One factor of a product.
-#[derive(Clone, Debug)]
-pub struct Factor {
-    pub inverse: bool,
-    pub value: Expression,
-}
+use crate::syntax::tree::{Expression, Factor, Kind, Term};
 
 /// Deeper nesting than this is a mistake, and would exhaust the stack.
 const MAX_DEPTH: usize = 128;
 
 /// Parses a formula up to the first token that cannot continue one.
-pub fn expression(input: ParseStream<'_>) -> syn::Result<Expression> {
-    let value = sum(input, 0)?;
-    reject_other_syntax(input)?;
+pub fn parse_expression(input: ParseStream<'_>) -> syn::Result<Expression> {
+    let value = parse_sum(input, 0)?;
+    reject_rust_syntax(input)?;
     Ok(value)
 }
 
 /// The formula that a text writes; for constants of the compiler's own.
 pub fn constant(text: &str) -> syn::Result<Expression> {
-    expression.parse_str(text)
+    parse_expression.parse_str(text)
 }
 
-fn sum(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+fn parse_sum(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     if depth > MAX_DEPTH {
         return Err(input.error(format!("nested too deeply: expected at most {MAX_DEPTH} levels")));
     }
@@ -81,36 +35,36 @@ fn sum(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     let mut operator = None;
     let mut negative = false;
     loop {
-        let value = product(input, depth)?;
+        let value = parse_product(input, depth)?;
         terms.push(Term { negative, operator, value });
-        let Some((sign @ ('+' | '-'), span)) = next_operator(input) else { break };
+        let Some((sign @ ('+' | '-'), span)) = peek_operator(input) else { break };
         input.parse::<TokenTree>()?;
         negative = sign == '-';
         operator = Some(span);
     }
-    Ok(if terms.len() == 1 { terms.remove(0).value } else { sum_of(terms) })
+    Ok(if terms.len() == 1 { terms.remove(0).value } else { build_sum(terms) })
 }
 
 /// A mark that could be an operator of formulas, unless it is part of another operator such as `+=` or `->`.
-fn next_operator(input: ParseStream<'_>) -> Option<(char, Span)> {
+fn peek_operator(input: ParseStream<'_>) -> Option<(char, Span)> {
     let (punct, _) = input.cursor().punct()?;
-    let (text, _) = operator(input.cursor());
+    let (text, _) = operator_at(input.cursor());
     (text.len() == 1).then(|| (punct.as_char(), punct.span()))
 }
 
-fn sum_of(terms: Vec<Term>) -> Expression {
+fn build_sum(terms: Vec<Term>) -> Expression {
     let first = terms[0].operator.map_or(terms[0].value.region, Region::from);
     let region = first.to(terms[terms.len() - 1].value.region);
     Expression { kind: Kind::Sum(terms), region }
 }
 
-fn product(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+fn parse_product(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     let mut factors = Vec::new();
     let mut inverse = false;
     loop {
-        let value = signed(input, depth)?;
+        let value = parse_signed(input, depth)?;
         factors.push(Factor { inverse, value });
-        let Some((sign @ ('*' | '/'), span)) = next_operator(input) else { break };
+        let Some((sign @ ('*' | '/'), span)) = peek_operator(input) else { break };
         input.parse::<TokenTree>()?;
         if let Some((second, _)) = input.cursor().punct().filter(|(second, _)| sign == '*' && second.as_char() == '*') {
             return Err(error(Region::from(span).to(second.span().into()), "found `**`: expected `^` for a power"));
@@ -125,36 +79,36 @@ fn product(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
 }
 
 /// A power with any number of minus signs before it: `-x^2` is `-(x^2)`.
-fn signed(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+fn parse_signed(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     let mut first = None;
     let mut negative = false;
     while let Some(minus) = input.parse::<Option<Token![-]>>()? {
         first.get_or_insert(minus.span);
         negative = !negative;
     }
-    let value = power(input, depth)?;
+    let value = parse_power(input, depth)?;
     Ok(match first {
         None => value,
         Some(_) if !negative => value,
-        Some(span) => sum_of(vec![Term { negative, operator: Some(span), value }]),
+        Some(span) => build_sum(vec![Term { negative, operator: Some(span), value }]),
     })
 }
 
-fn power(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
-    let base = primary(input, depth)?;
+fn parse_power(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    let base = parse_primary(input, depth)?;
     if input.parse::<Option<Token![^]>>()?.is_none() {
         return Ok(base);
     }
     let (exponent, end) = if input.peek(syn::token::Paren) {
         let content;
         let parentheses = syn::parenthesized!(content in input);
-        let (exponent, _) = signed_integer(&content)?;
+        let (exponent, _) = parse_signed_integer(&content)?;
         if !content.is_empty() {
             return Err(expected(&content, "`)`: an exponent is one whole number"));
         }
         (exponent, Region::from(parentheses.span.close()))
     } else {
-        signed_integer(input)?
+        parse_signed_integer(input)?
     };
     if input.peek(Token![^]) {
         return Err(expected(input, "parentheses: a power of a power is ambiguous"));
@@ -163,16 +117,16 @@ fn power(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     Ok(Expression { kind: Kind::Power(Box::new(base), exponent), region })
 }
 
-fn primary(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+fn parse_primary(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     // A fragment of an outer `macro_rules!` comes wrapped in a group without delimiters, and stays one value.
-    if let Some((inside, span)) = invisible_group(input)? {
-        let value = (|inner: ParseStream<'_>| expression_to_end(inner, depth + 1)).parse2(inside)?;
+    if let Some((inside, span)) = take_invisible_group(input)? {
+        let value = (|inner: ParseStream<'_>| parse_to_end(inner, depth + 1)).parse2(inside)?;
         return Ok(Expression { region: span.into(), ..value });
     }
     if input.peek(syn::token::Paren) {
         let content;
         let parentheses = syn::parenthesized!(content in input);
-        let value = expression_to_end(&content, depth + 1)?;
+        let value = parse_to_end(&content, depth + 1)?;
         let region = Region::from(parentheses.span.open()).to(parentheses.span.close().into());
         return Ok(Expression { region, ..value });
     }
@@ -189,35 +143,18 @@ fn primary(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
             }
             let content;
             let brackets = syn::bracketed!(content in input);
-            let unit = unit(&content)?;
+            let unit = parse_unit(&content)?;
             if !content.is_empty() {
                 return Err(expected(&content, "`*`, `/` or `]`"));
             }
             Ok(Expression { kind: Kind::Quantity(number, unit), region: region.to(brackets.span.close().into()) })
         }
-        Some((TokenTree::Ident(_), _)) => name_or_call(input, depth),
-        _ => Err(expected(input, what_instead(input))),
+        Some((TokenTree::Ident(_), _)) => parse_name_or_call(input, depth),
+        _ => Err(expected(input, describe_expected(input))),
     }
 }
 
-/// What to say where a value should be and none is.
-fn what_instead(input: ParseStream<'_>) -> &'static str {
-    if input.peek(Token![.]) && input.peek2(syn::LitInt) {
-        "a digit before the point of a number, as in `0.5`"
-    } else if input.peek(Token![&]) {
-        "a formula, without references"
-    } else if input.peek(Token![|]) {
-        "a formula, without closures"
-    } else if input.peek(Token![!]) {
-        "a formula, without logic"
-    } else if input.peek(syn::token::Brace) {
-        "a formula, grouped by parentheses"
-    } else {
-        "a formula"
-    }
-}
-
-fn invisible_group(input: ParseStream<'_>) -> syn::Result<Option<(TokenStream, Span)>> {
+fn take_invisible_group(input: ParseStream<'_>) -> syn::Result<Option<(TokenStream, Span)>> {
     input.step(|cursor| {
         Ok(match cursor.group(Delimiter::None) {
             Some((inside, span, after)) => (Some((inside.token_stream(), span.join())), after),
@@ -226,9 +163,9 @@ fn invisible_group(input: ParseStream<'_>) -> syn::Result<Option<(TokenStream, S
     })
 }
 
-fn expression_to_end(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
-    let value = sum(input, depth)?;
-    reject_other_syntax(input)?;
+fn parse_to_end(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+    let value = parse_sum(input, depth)?;
+    reject_rust_syntax(input)?;
     if input.is_empty() {
         Ok(value)
     } else {
@@ -236,10 +173,10 @@ fn expression_to_end(input: ParseStream<'_>, depth: usize) -> syn::Result<Expres
     }
 }
 
-fn name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
+fn parse_name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> {
     let ident = input.call(Ident::parse_any)?;
     let text = ident.to_string();
-    if starts_statement(&text) {
+    if starts_rust_statement(&text) {
         return Err(error(&ident, format!("`{text}` is not supported in formulas: expected a formula")));
     }
     if !input.peek(syn::token::Paren) {
@@ -252,49 +189,10 @@ fn name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression>
     let content;
     let parentheses = syn::parenthesized!(content in input);
     let region = Region::from(&ident).to(parentheses.span.close().into());
-    let argument = sum(&content, depth + 1)?;
-    reject_other_syntax(&content)?;
+    let argument = parse_sum(&content, depth + 1)?;
+    reject_rust_syntax(&content)?;
     if !content.is_empty() {
         return Err(expected(&content, &format!("`)`: `{text}` takes one argument")));
     }
     Ok(Expression { kind: Kind::Call(ident, Box::new(argument)), region })
-}
-
-/// Words that more than an operator would follow; other words of Rust are names that the check refuses.
-fn starts_statement(word: &str) -> bool {
-    const WORDS: [&str; 12] =
-        ["if", "match", "while", "for", "loop", "unsafe", "async", "move", "return", "break", "continue", "let"];
-    WORDS.contains(&word)
-}
-
-/// Rust that may follow a value, but has no meaning in a formula.
-fn reject_other_syntax(input: ParseStream<'_>) -> syn::Result<()> {
-    let what = if input.peek(Token![..]) {
-        "ranges are"
-    } else if input.peek(Token![.]) {
-        "method calls and fields are"
-    } else if input.peek(Token![::]) {
-        "paths are"
-    } else if input.peek(Token![?]) {
-        "`?` is"
-    } else if input.peek(Token![!]) && !input.peek(Token![!=]) {
-        "macros are"
-    } else if input.peek(Token![as]) {
-        "casts are"
-    } else if input.peek(Token![%]) {
-        "`%` is"
-    } else if input.peek(syn::token::Bracket) {
-        "indexing is"
-    } else if input.peek(Token![&]) || input.peek(Token![|]) {
-        "logic is"
-    } else {
-        return Ok(());
-    };
-    let region = match input.cursor().token_tree() {
-        Some((TokenTree::Punct(_), _)) => operator(input.cursor()).1,
-        Some((token, _)) => token.span().into(),
-        None => input.span().into(),
-    };
-    let instead = if what.starts_with("paths") { "a name alone, such as `pi`" } else { "an operator (`+ - * / ^`)" };
-    Err(error(region, format!("{what} not supported in formulas: expected {instead}")))
 }

@@ -1,0 +1,45 @@
+//! Matrices, written row by row.
+
+use proc_macro2::Span;
+use syn::Token;
+use syn::parse::ParseStream;
+
+use super::expressions::parse_expression;
+use super::tokens::{expected, parse_list, parse_semicolon};
+use crate::matrix_name::MatrixName;
+use crate::report::{Region, error};
+use crate::syntax::tree::{Declaration, Matrix};
+
+/// `symmetric M = …;`, behind its first word.
+pub fn parse_symmetric(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
+    let what = "a matrix after `symmetric`: `M`, `C0`, `C1`, `Kc`, `K0` or `K2`";
+    if !input.peek(syn::Ident) {
+        return Err(expected(input, what));
+    }
+    let name: syn::Ident = input.parse()?;
+    let Some(matrix_name) = MatrixName::from_name(&name.to_string()) else {
+        return Err(error(&name, format!("found `{name}`: expected {what}")));
+    };
+    model.matrices.push(parse_matrix(input, matrix_name, name.span(), true)?);
+    parse_semicolon(input, "`;`", "the matrix")
+}
+
+/// `M = …`, behind its name.
+pub fn parse_matrix(input: ParseStream<'_>, name: MatrixName, span: Span, symmetric: bool) -> syn::Result<Matrix> {
+    if input.parse::<Option<Token![=]>>()?.is_none() {
+        return Err(expected(input, "`=` and the rows of the matrix"));
+    }
+    let (region, rows) = parse_rows(input, parse_expression)?;
+    Ok(Matrix { name, symmetric, span, rows, region })
+}
+
+/// The rows of a matrix, each with its region.
+pub type Rows<T> = Vec<(Region, Vec<T>)>;
+
+/// `[[…], […]]`, with where it stands.
+pub fn parse_rows<T>(
+    input: ParseStream<'_>,
+    entry: impl Fn(ParseStream<'_>) -> syn::Result<T>,
+) -> syn::Result<(Region, Rows<T>)> {
+    parse_list(input, "the rows `[[…], […]]`", |input| parse_list(input, "a row `[…]`", &entry))
+}

@@ -1,0 +1,116 @@
+//! The parts of a mechanism, each behind its first word: bodies, wheels, joints and forces.
+
+use proc_macro2::Ident;
+use syn::Token;
+use syn::parse::ParseStream;
+
+use super::attributes::{Attributes, Shape};
+use super::names::{parse_name, parse_used};
+use super::tokens::{expected, parse_colon, parse_semicolon, parse_text, parse_word};
+use crate::report::error;
+use crate::syntax::tree::{Body, Force, Free, Freedom, Joint, JointKind, Wheel};
+
+/// `body B "rear frame": mass mB, at (xB, 0, zB), inertia [[…], […], […]];`
+pub fn parse_body(input: ParseStream<'_>) -> syn::Result<Body> {
+    const KNOWN: [(&str, Shape); 4] =
+        [("mass", Shape::Formula), ("massless", Shape::Word), ("at", Shape::Vector), ("inertia", Shape::Inertia)];
+    let name = parse_name(input, "the name of a body")?;
+    let label = parse_text(input)?;
+    let mut found = Attributes::after_colon(input, &name, &KNOWN)?;
+    if found.word("massless") {
+        return match found.first() {
+            Some(other) => Err(error(other, format!("`{name}` is `massless`: expected no `{other}`"))),
+            None => Ok(Body { name, label, mass: None }),
+        };
+    }
+    let mass = found.formula("mass", "`mass` and its formula, or `massless`")?;
+    let centre = found.vector("at", "`at (x, y, z)`, its centre of mass")?;
+    let inertia = found
+        .inertia("inertia", "`inertia` and, about the centre of mass, `[[…], […], […]]`, `[Ixx, Iyy, Izz]` or `0`")?;
+    Ok(Body { name, label, mass: Some((mass, centre, inertia)) })
+}
+
+/// `wheel R "rear wheel" on B: mass mR, at (0, 0, -rR), radius rR, axial IRyy, radial IRxx;`
+pub fn parse_wheel(input: ParseStream<'_>) -> syn::Result<Wheel> {
+    const KNOWN: [(&str, Shape); 6] = [
+        ("mass", Shape::Formula),
+        ("at", Shape::Vector),
+        ("radius", Shape::Formula),
+        ("tyre", Shape::Formula),
+        ("axial", Shape::Formula),
+        ("radial", Shape::Formula),
+    ];
+    let name = parse_name(input, "the name of a wheel")?;
+    let label = parse_text(input)?;
+    let carrier = match input.cursor().ident().filter(|(word, _)| word == "on") {
+        Some(_) => {
+            input.parse::<Ident>()?;
+            Some(parse_used(input, "the name of the body that carries the wheel")?)
+        }
+        None => None,
+    };
+    let mut found = Attributes::after_colon(input, &name, &KNOWN)?;
+    Ok(Wheel {
+        mass: found.formula("mass", "`mass` and its formula, which may be 0")?,
+        centre: found.vector("at", "`at (x, y, z)`, its centre")?,
+        radius: found.formula("radius", "`radius` and the distance from the centre to the ground")?,
+        axial: found.formula("axial", "`axial` and its moment of inertia about the axle")?,
+        radial: found.formula("radial", "`radial` and its moment of inertia about a diameter")?,
+        tyre: found.optional("tyre"),
+        name,
+        label,
+        carrier,
+    })
+}
+
+/// `revolute delta: B to H, through (w + c, 0, 0), along (sin(lam), 0, cos(lam)), spring k, damper d;`
+pub fn parse_joint(input: ParseStream<'_>, kind: JointKind) -> syn::Result<Joint> {
+    const REVOLUTE: [(&str, Shape); 4] =
+        [("through", Shape::Vector), ("along", Shape::Vector), ("spring", Shape::Formula), ("damper", Shape::Formula)];
+    let name = parse_name(input, "the name of the joint's coordinate")?;
+    parse_colon(input, "`:` and the two bodies that it joins, as in `B to H`")?;
+    let parent = parse_used(input, "the name of a body, or `ground`")?;
+    parse_word(input, "to", "`to` and the body that moves")?;
+    let child = parse_used(input, "the name of the body that moves")?;
+    let known = if kind == JointKind::Revolute { &REVOLUTE[..] } else { &REVOLUTE[1..] };
+    let mut found = Attributes::after_comma(input, &name, known)?;
+    let through = match kind {
+        JointKind::Revolute => Some(found.vector("through", "`through (x, y, z)`, a point of its axis")?),
+        JointKind::Prismatic => None,
+    };
+    let along = found.vector("along", "`along (x, y, z)`, the direction of its axis")?;
+    let [spring, damper] = ["spring", "damper"].map(|word| found.optional(word));
+    Ok(Joint { kind, name, parent, child, through, along, spring, damper })
+}
+
+/// `free B: lean phi, yaw psi;`
+pub fn parse_free(input: ParseStream<'_>) -> syn::Result<Free> {
+    let body = parse_used(input, "the name of a body or a wheel")?;
+    let mut names = Vec::new();
+    if input.peek(Token![:]) {
+        input.parse::<Token![:]>()?;
+        loop {
+            let what = "a freedom: `lateral`, `vertical`, `yaw`, `lean` or `pitch`";
+            let word: Ident = if input.peek(syn::Ident) { input.parse()? } else { return Err(expected(input, what)) };
+            let Some(freedom) = Freedom::from_word(&word.to_string()) else {
+                return Err(error(&word, format!("found `{word}`: expected {what}")));
+            };
+            names.push((freedom, parse_name(input, "the name of the coordinate")?));
+            if input.parse::<Option<Token![,]>>()?.is_none() {
+                break;
+            }
+        }
+    }
+    parse_semicolon(input, if names.is_empty() { "`:` or `;`" } else { "`,` or `;`" }, "the free body")?;
+    Ok(Free { body, names })
+}
+
+/// `force T "steer torque" on delta;`
+pub fn parse_force(input: ParseStream<'_>) -> syn::Result<Force> {
+    let name = parse_name(input, "the name of a force or torque")?;
+    let label = parse_text(input)?;
+    parse_word(input, "on", "`on` and the joint that it acts on")?;
+    let on = parse_used(input, "the coordinate of a joint")?;
+    parse_semicolon(input, "`;`", "the force")?;
+    Ok(Force { name, label, on })
+}

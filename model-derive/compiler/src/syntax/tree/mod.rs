@@ -1,0 +1,15 @@
+//! What a declaration says, as it is written and with where it stands: nothing here is resolved or checked.
+
+mod declaration;
+mod display;
+mod expression;
+mod mechanism;
+mod unit;
+
+pub use self::declaration::{
+    Assertion, Bound, Coordinate, Declaration, Definition, Direction, Matrix, Parameter, ParameterSet, Printed,
+    Published, Relation, Requirement, SetValue, Value,
+};
+pub use self::expression::{Expression, Factor, Kind, Term};
+pub use self::mechanism::{Body, Force, Free, Freedom, Inertia, Joint, JointKind, Mechanism, Vector, Wheel};
+pub use self::unit::Unit;
