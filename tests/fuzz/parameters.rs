@@ -45,7 +45,6 @@ fn judge(design: &Design) {
     }
     let values = design.values();
     assert!(design.model.equations(&values).is_ok());
-    let warnings = input::warnings(info, &values);
-    let notes = warnings.iter().chain(&design.notes);
+    let notes = design.warnings.iter().chain(&design.notes);
     assert!(notes.clone().all(|text| !text.contains("NaN") && !text.contains("inf ")), "{notes:?}");
 }

@@ -19,8 +19,10 @@ pub struct Design {
     pub parameters: Vec<Given>,
     /// What the model makes of them.
     pub equations: Box<dyn Equations>,
-    /// What was read but not used.
+    /// What was read but not used, or taken because it was not given.
     pub notes: Vec<String>,
+    /// What the parameters of a real machine would hardly be.
+    pub warnings: Vec<String>,
 }
 
 /// One parameter that was given.

@@ -71,6 +71,16 @@ pub enum Place {
 
 impl std::error::Error for Problem {}
 
+impl Place {
+    /// The file that it is in, or the place itself.
+    pub fn file(&self) -> &str {
+        match self {
+            Self::Nowhere => "",
+            Self::Option(label) | Self::Line(label, _) | Self::File(label) => label,
+        }
+    }
+}
+
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.place {

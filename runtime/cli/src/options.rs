@@ -53,7 +53,7 @@ impl DesignOptions {
         for text in &design.notes {
             note(WARNING, "note", text);
         }
-        for text in input::warnings(design.info(), &design.values()) {
+        for text in &design.warnings {
             note(WARNING, "warning", &format!("{}: {text}", design.name));
         }
         Ok(design)

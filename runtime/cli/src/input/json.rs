@@ -12,20 +12,21 @@ const RESULTS: [&str; 5] =
 /// Reads an object that holds an object `parameters`, or the parameters themselves.
 pub fn read(file: File) -> Document {
     let mut document = Document::default();
-    let strict = ParseOptions {
-        allow_comments: false,
+    // What Python prints and people add is read; what is missing is not guessed.
+    let options = ParseOptions {
+        allow_comments: true,
         allow_loose_object_property_names: false,
-        allow_trailing_commas: false,
+        allow_trailing_commas: true,
         allow_missing_commas: false,
-        allow_single_quoted_strings: false,
+        allow_single_quoted_strings: true,
         allow_hexadecimal_numbers: false,
-        allow_unary_plus_numbers: false,
-        allow_bare_decimal_point_numbers: false,
+        allow_unary_plus_numbers: true,
+        allow_bare_decimal_point_numbers: true,
         // Python writes NaN and Infinity; they are read so that the message can name the parameter.
         allow_non_finite_numbers: true,
         allow_extended_string_escapes: false,
     };
-    let object = match parse_to_ast(file.text, &CollectOptions::default(), &strict).map(|parsed| parsed.value) {
+    let object = match parse_to_ast(file.text, &CollectOptions::default(), &options).map(|parsed| parsed.value) {
         Ok(Some(Value::Object(object))) => object,
         // An empty file has no parameters, whatever its format.
         Ok(None) => return document,

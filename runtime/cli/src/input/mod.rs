@@ -1,11 +1,14 @@
 //! Parameters of a model: shipped ones by name, and files in any of the formats that people have.
 
 mod document;
+mod entries;
 mod json;
 mod lines;
 mod names;
+mod neutral;
 mod parameters;
 mod plausible;
+mod scope;
 mod shipped;
 mod toml;
 mod value;
@@ -18,7 +21,6 @@ use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
 use crate::model::{Shipped, WHIPPLE};
 
-pub use self::plausible::warnings;
 pub use self::shipped::DEFAULT_BICYCLE;
 pub use self::value::{evaluated, measured};
 
@@ -129,13 +131,15 @@ fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
         Some("toml") => toml::read(file),
         Some("json") => json::read(file),
         Some("yml" | "yaml") => lines::read(file, ':'),
+        Some("py" | "m") => lines::read(file, '='),
         _ => by_content(file),
     })
 }
 
 /// Other endings tell nothing: the first line that is neither empty nor a comment does.
 fn by_content(file: File) -> Document {
-    let mut lines = file.text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let is_comment = |line: &&str| line.is_empty() || line.starts_with(['#', '%']);
+    let mut lines = file.text.lines().map(str::trim).filter(|line| !is_comment(line));
     let first = lines.next().unwrap_or_default();
     if first.starts_with('{') {
         json::read(file)

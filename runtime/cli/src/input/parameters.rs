@@ -5,14 +5,16 @@ use std::collections::HashMap;
 use carvallo::ModelInfo;
 
 use super::document::{Document, Entry};
-use super::names;
+use super::entries::{Entries, Missing, Remarks, unknown};
+use super::scope::Scope;
 use super::shipped::{DEFAULT_BICYCLE, default_name};
-use super::value::validate;
-use crate::design::Design;
+use super::value::{self, validate};
+use super::{neutral, plausible};
+use crate::design::{Design, Given};
 use crate::failure::{Place, Problem};
-use crate::model::Shipped;
+use crate::model::{Shipped, WHIPPLE};
 use crate::nearest::nearest;
-use crate::quantity::no_names;
+use crate::number::shortest;
 
 /// Judges a file together with the values of the command line, which replace those of the file.
 ///
@@ -25,44 +27,93 @@ pub fn resolve(
     overrides: Vec<Entry>,
 ) -> Result<Design, Vec<Problem>> {
     let info = model.info;
-    let mut problems = document.problems;
-    let unreadable = !problems.is_empty();
-    let is_empty = document.entries.is_empty();
-    let mut notes = Vec::new();
-    let mut given = collect(document.entries, info, &mut problems, &mut notes);
-    for (position, entry) in collect(overrides, info, &mut problems, &mut notes) {
-        given.insert(position, entry);
+    let file = || Place::File(label.to_owned());
+    let is_unreadable = !document.problems.is_empty();
+    let mut remarks = Remarks::new(document.problems);
+    let entries = Entries::new(&document.entries, info, &mut remarks.problems);
+    let scope = Scope::new(&document.entries, HashMap::new(), info);
+    entries.check(&scope, info, &mut remarks);
+    let settings = Entries::new(&overrides, info, &mut remarks.problems);
+    let setting_scope = Scope::new(&overrides, values_of(&document.entries, info), info);
+    settings.check(&setting_scope, info, &mut remarks);
+    for entry in &settings.unknown {
+        let known = info.parameters.iter().map(|parameter| parameter.name);
+        remarks.problems.push(unknown(entry, info, nearest(&entry.name, known)));
     }
 
+    let mut zero_radii = Vec::new();
     let mut missing = Vec::new();
     let mut parameters = Vec::new();
     for (position, parameter) in info.parameters.iter().enumerate() {
-        match given.get(&position).map(|entry| validate(entry, parameter, &no_names)) {
-            Some(Ok(given)) => parameters.push(given),
-            Some(Err(mut found)) => problems.append(&mut found),
-            None => missing.push(format!("`{}`", parameter.name)),
-        }
-    }
-    // What cannot be read may hold what seems to be missing.
-    if !missing.is_empty() && !unreadable {
-        let message = match is_empty {
-            true => format!("it has no parameters{}", start(model)),
-            false => format!("missing: {} (of {} parameters)", missing.join(", "), info.parameters.len()),
+        let (entry, scope) = match (settings.given.get(&position), entries.given.get(&position)) {
+            (Some(entry), _) => (entry, &setting_scope),
+            (None, Some(entry)) => (entry, &scope),
+            (None, None) => {
+                missing.push(position);
+                parameters.push(constant(neutral::default(position, info).unwrap_or(0.0)));
+                continue;
+            }
         };
-        problems.push(Problem { place: Place::File(label.to_owned()), message });
-    }
-    if !problems.is_empty() {
-        problems.sort_by(|a, b| a.place.cmp(&b.place));
-        // A parser that recovers may meet the same mistake again.
-        problems.dedup();
-        return Err(problems);
+        let names = |name: &str| scope.value(name);
+        parameters.push(validate(entry, parameter, &names).unwrap_or_else(|mut problems| {
+            let is_zero = value::number(entry, parameter, &names) == Ok(0.0);
+            match &problems[..] {
+                [problem] if is_zero && parameter.name.starts_with('r') => zero_radii.push((position, problem.clone())),
+                _ => remarks.problems.append(&mut problems),
+            }
+            constant(0.0)
+        }));
     }
 
-    let fail = |message: String| vec![Problem { place: Place::File(label.to_owned()), message }];
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
-    let equations = model.equations(&values).map_err(fail)?;
+    let (defaults, required): (Vec<usize>, Vec<usize>) =
+        missing.iter().partition(|position| neutral::default(**position, info).is_some());
+    let is_for_whipple = document.model.as_ref().is_none_or(|name| WHIPPLE.is_called(name));
+    let is_narrow = is_for_whipple && !required.is_empty() && neutral::is_whipple_without(model, &required, &values);
+    let is_serious = !required.is_empty() && !is_narrow;
+    let names = missing.iter().map(|position| info.parameters[*position].name).collect();
+    entries.check_unknown(&scope, info, &Missing { names, is_serious }, &mut remarks);
+    // What cannot be read may hold what seems to be missing.
+    if is_serious && !is_unreadable {
+        let message = match document.entries.is_empty() {
+            true => format!("it has no parameters{}", start(model)),
+            false => format!("missing: {} (of {} parameters)", neutral::names(&missing, info), info.parameters.len()),
+        };
+        remarks.problems.push(Problem { place: file(), message });
+    } else if is_narrow {
+        let (names, name) = (neutral::names(&required, info), info.name);
+        let (are, they) = if required.len() == 1 { ("is", "it is") } else { ("are", "they are") };
+        let same = format!("with which {name} is the model {}", WHIPPLE.info.name);
+        remarks.notes.push(format!("{label}: {names} {are} not given: {they} 0, {same}"));
+    }
+    remarks.notes.extend(neutral::note(label, &defaults, info));
+    if !remarks.problems.is_empty() {
+        remarks.problems.extend(zero_radii.into_iter().map(|(_, problem)| problem));
+        remarks.problems.sort_by(|a, b| a.place.cmp(&b.place));
+        // A parser that recovers may meet the same mistake again.
+        remarks.problems.dedup();
+        return Err(remarks.problems);
+    }
+
+    remarks.notes.extend(neutral::replace_radii(label, model, &mut parameters, zero_radii)?);
+    let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
+    let equations = model.equations(&values).map_err(|message: String| vec![Problem { place: file(), message }])?;
     let name = document.name.unwrap_or_else(|| label.to_owned());
-    Ok(Design { name, kind: document.kind, source: document.source, model, parameters, equations, notes })
+    let notes = remarks.all_notes();
+    let mut warnings = remarks.warnings;
+    warnings.extend(plausible::warnings(info, &values));
+    let (kind, source) = (document.kind, document.source);
+    Ok(Design { name, kind, source, model, parameters, equations, notes, warnings })
+}
+
+/// The values of everything in a file that has one.
+fn values_of(entries: &[Entry], info: &'static ModelInfo) -> HashMap<String, f64> {
+    let scope = Scope::new(entries, HashMap::new(), info);
+    entries.iter().filter_map(|entry| Some((scope.key(&entry.name), scope.value(&entry.name)?.ok()?))).collect()
+}
+
+fn constant(value: f64) -> Given {
+    Given { written: shortest(value), value, deviation: None }
 }
 
 /// How to get a file to start from, if there is one for the model.
@@ -73,32 +124,4 @@ fn start(model: &Shipped) -> String {
         Some(_) => format!("--model {}", model.info.name),
     };
     format!("; `carvallo show {arguments}` prints a file to start from")
-}
-
-/// The entries by the position of their parameter; what has no such position is a problem or a note.
-fn collect(
-    entries: Vec<Entry>,
-    info: &ModelInfo,
-    problems: &mut Vec<Problem>,
-    notes: &mut Vec<String>,
-) -> HashMap<usize, Entry> {
-    let mut given: HashMap<usize, Entry> = HashMap::new();
-    for entry in entries {
-        if let Some(position) = info.position(&entry.name) {
-            if let Some(first) = given.get(&position) {
-                let message = format!("`{}` is given twice; first at {}", entry.name, first.place);
-                problems.push(Problem { place: entry.place, message });
-            } else {
-                given.insert(position, entry);
-            }
-        } else if let Some(reason) = names::ignored(&entry.name, info) {
-            notes.push(format!("{}: `{}` is ignored: {reason}", entry.place, entry.name));
-        } else {
-            let known = info.parameters.iter().map(|parameter| parameter.name);
-            let hint = nearest(&entry.name, known).map(|name| format!("; did you mean `{name}`?"));
-            let message = format!("`{}` is not a parameter of {}{}", entry.name, info.name, hint.unwrap_or_default());
-            problems.push(Problem { place: entry.place, message });
-        }
-    }
-    given
 }

@@ -1,5 +1,7 @@
 //! Whether the parameters can be those of a real bicycle.
 
+use std::f64::consts::FRAC_PI_4;
+
 use carvallo::ModelInfo;
 
 use crate::number::{fixed, shortest};
@@ -7,16 +9,19 @@ use crate::number::{fixed, shortest};
 /// Measured inertias may miss a bound by the rounding of their last digit without meaning anything.
 const TOLERANCE: f64 = 1e-9;
 
-/// What deserves a warning: a centre of mass below the ground, and in any body a moment of inertia that exceeds the sum
+/// What deserves a warning: a steer axis that is tilted by 45 degrees or more, as by a head angle in the place of the tilt;
+/// a centre of mass below the ground; and in any body a moment of inertia that exceeds the sum
 /// of the other two, or is negative. Bodies with a product of inertia are judged by their principal moments.
 pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
     let value = |name: &str| info.position(name).and_then(|position| values.get(position)).copied();
     let frame = |body: &str| {
         let [xx, yy, zz, xz] = ["xx", "yy", "zz", "xz"].map(|axes| value(&format!("I{body}{axes}")));
-        let (xx, zz) = (xx?, zz?);
+        let (xx, yy, zz) = (xx?, yy?, zz?);
         let radius = ((xx - zz) / 2.0).hypot(xz?);
         let mean = (xx + zz) / 2.0;
-        Some([mean - radius, mean + radius, yy?])
+        let is_left_out = yy == 0.0 && info.position(&format!("I{body}yy")).is_some_and(|at| !info.parameters[at].used);
+        // Where nothing depends on it, nobody measures it: it is then taken for what it must be at least.
+        Some([mean - radius, mean + radius, if is_left_out { 2.0 * radius } else { yy }])
     };
     let wheel = |body: &str| {
         let radial = value(&format!("I{body}xx"))?;
@@ -28,17 +33,21 @@ pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
         ("front frame H", frame("H")),
         ("front wheel F", wheel("F")),
     ];
-    let inertias = bodies.into_iter().filter_map(|(body, moments)| judge(body, moments?));
+    let inertias = bodies.into_iter().filter_map(|(body, moments)| check_moments(body, moments?));
+    let tilt = value("lam").filter(|tilt| tilt.abs() >= FRAC_PI_4).map(|tilt| {
+        let [tilt, head] = [tilt.to_degrees(), 90.0 - tilt.to_degrees()].map(|angle| fixed(angle, 1));
+        format!("`lam` is {tilt} deg: it is the tilt of the steer axis, 90 deg minus the head angle, which would be {head} deg")
+    });
     let below = ["zB", "zH"].into_iter().filter_map(|name| match value(name) {
         Some(depth) if depth > 0.0 => {
             Some(format!("`{name}` is {} m, below the ground: z points down", shortest(depth)))
         }
         _ => None,
     });
-    inertias.chain(below).collect()
+    inertias.chain(below).chain(tilt).collect()
 }
 
-fn judge(body: &str, mut moments: [f64; 3]) -> Option<String> {
+fn check_moments(body: &str, mut moments: [f64; 3]) -> Option<String> {
     moments.sort_by(f64::total_cmp);
     let [small, middle, large] = moments;
     let sum = small + middle;

@@ -51,6 +51,15 @@ pub fn validate(entry: &Entry, info: &ParameterInfo, names: &Lookup) -> Result<G
     }
 }
 
+/// The value of an entry alone, whether or not it lies in the domain of the parameter.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn number(entry: &Entry, info: &ParameterInfo, names: &Lookup) -> Result<f64, Problem> {
+    let problem = |(_, found)| Problem { place: entry.place.clone(), message: format!("`{}` is {found}", entry.name) };
+    read(&entry.value, info, names).map(|measured| measured.mean.value).map_err(problem)
+}
+
 /// The value of a number or an expression for a parameter, whether or not it lies in its domain.
 ///
 /// # Errors

@@ -2,7 +2,6 @@
 
 use super::{FAINT, quoted};
 use crate::design::Design;
-use crate::input::warnings;
 use crate::number::unit;
 
 pub fn parameters(design: &Design) -> String {
@@ -16,7 +15,7 @@ pub fn parameters(design: &Design) -> String {
             line(format!("{key} = {}", quoted(value)));
         }
     }
-    for warning in warnings(info, &design.values()) {
+    for warning in &design.warnings {
         line(format!("{FAINT}# warning: {warning}{FAINT:#}"));
     }
     line("\n[parameters]".to_owned());

@@ -11,6 +11,7 @@ mod numbers;
 mod pictures;
 mod process;
 mod sensitivity;
+mod shapes;
 mod show;
 mod sweep;
 

@@ -31,19 +31,15 @@ pub fn check_options(options: &[&str], message: &str) {
 
 #[test]
 fn an_unknown_parameter_with_the_one_that_was_meant() {
-    check(
-        "typo",
-        "rF = 0.35",
-        "rF = 0.35\nIBx = 9.2",
-        "bike.toml:34: `IBx` is not a parameter of Whipple; did you mean `IBxx`?",
-    );
-    check(
-        "case",
-        "rF = 0.35",
-        "rF = 0.35\nMF = 3",
-        "bike.toml:34: `MF` is not a parameter of Whipple; did you mean `mF`?",
-    );
-    check("none", "rF = 0.35", "rF = 0.35\nqqq = 3", "bike.toml:34: `qqq` is not a parameter of Whipple");
+    let missing = |name: &str| format!("bike.toml: missing: `{name}` (of 26 parameters)");
+    let typo = "bike.toml:20: `IBx` is not a parameter of Whipple; did you mean `IBxx`?";
+    check("typo", "IBxx = 9.2", "IBx = 9.2", &format!("2 problems\n{typo}\n{}", missing("IBxx")));
+    let case = "bike.toml:34: `MF` is not a parameter of Whipple; did you mean `mF`?";
+    check("case", "mF = 3", "MF = 3", &format!("2 problems\n{case}\n{}", missing("mF")));
+    let none = "bike.toml:33: `qqq` is not a parameter of Whipple";
+    check("none", "rF = 0.35", "qqq = 0.35", &format!("2 problems\n{none}\n{}", missing("rF")));
+    check_options(&["--set", "MF=3"], "--set MF=3: `MF` is not a parameter of Whipple; did you mean `mF`?");
+    check_options(&["--set", "qqq=3"], "--set qqq=3: `qqq` is not a parameter of Whipple");
 }
 
 #[test]

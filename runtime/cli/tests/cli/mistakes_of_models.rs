@@ -70,7 +70,8 @@ fn parameters_of_another_model() {
     check_file("a.toml", change("k = 0.5\n", ""), "a.toml: missing: `k` (of 6 parameters)");
     let unit = "`mN` is no unit for it: `k` is in N m/rad";
     check_file("a.toml", change("k = 0.5", "k = \"5 mN\""), &format!("a.toml:6: `k` is `5 mN`; {unit}"));
-    check_file("a.toml", change("k = 0.5", "k = 0.5\nIRzz = 1"), "a.toml:7: `IRzz` is not a parameter of TwoPipes");
+    let both = "2 problems\na.toml:6: `IRzz` is not a parameter of TwoPipes\na.toml: missing: `k` (of 6 parameters)";
+    check_file("a.toml", change("k = 0.5", "IRzz = 1"), both);
     let start = "it has no parameters; `carvallo show --model TwoPipes` prints a file to start from";
     check_file("a.toml", "model = \"TwoPipes\"", &format!("a.toml: {start}"));
     check_options(&["--model", "TwoPipes", "--set", "rR=1"], "--set rR=1: `rR` is not a parameter of TwoPipes");
