@@ -125,8 +125,8 @@ fn filled(text: &str) -> String {
 /// Whether a line is a whole element of an array or a literal, and a short one.
 fn is_short(line: &str) -> bool {
     let element = line.trim();
-    // A field that is computed is something to read by itself, and so is the arm of a `match`.
-    let computed = element.contains(": ") && element.contains('(');
+    // A field that a function computes is something to read by itself, and so is the arm of a `match`.
+    let computed = element.contains(": ") && element.contains("::");
     element.ends_with(',')
         && element.chars().count() <= SHORT
         && is_balanced(element)
@@ -138,4 +138,40 @@ fn is_short(line: &str) -> bool {
 
 fn indentation(line: &str) -> usize {
     line.len() - line.trim_start().len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_elements_fill_lines_and_others_stay() {
+        let short = (0..40).map(|index| format!("    t{index},\n")).collect::<String>();
+        let text = filled(&format!("[\n{short}]\n"));
+        assert_eq!(text.lines().count(), 2 + 2);
+        assert!(text.lines().all(|line| line.len() <= WIDTH), "{text}");
+        assert_eq!(
+            text.split_whitespace().collect::<String>(),
+            format!("[{short}]").split_whitespace().collect::<String>()
+        );
+        for kept in ["f(\n    a,\n    b,\n    c,\n)\n", "[\n    A => b,\n    C => d,\n    E => f,\n    G => h,\n]\n"] {
+            assert_eq!(filled(kept), kept);
+        }
+    }
+
+    #[test]
+    fn calls_that_fit_have_one_line_and_tuples_keep_their_commas() {
+        assert_eq!(joined("x(\n    f(\n        a,\n    ),\n    b,\n)\n"), "x(f(a), b)\n");
+        let tuple = "(\n    a,\n)\n";
+        assert_eq!(joined(tuple), tuple);
+        let long = format!("f(\n    {},\n)\n", "a".repeat(CALL_WIDTH));
+        assert_eq!(joined(&long), long);
+    }
+
+    #[test]
+    fn what_is_in_an_impl_stands_apart() {
+        let text = "impl A {\n    type B = C;\n    fn f() {\n        g();\n    }\n    fn h() {}\n}\n";
+        let apart = "impl A {\n    type B = C;\n\n    fn f() {\n        g();\n    }\n\n    fn h() {}\n}\n";
+        assert_eq!(spaced(text), apart);
+    }
 }

@@ -7,8 +7,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::door::enter;
+use super::engine::Engine;
 use super::failure::{Failure, Place, Undefined};
-use super::form::{Engine, Form};
+use super::form::Form;
 use super::prove::{Depth, Proof, prove};
 use super::sample::Sample;
 use super::vertex_elimination::Graph;

@@ -10,7 +10,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 
-use super::form::Engine;
+use super::engine::Engine;
 use super::lock::Lock;
 
 /// Why nothing came out of the door.

@@ -1,131 +1,17 @@
-//! Formulas inside the engine, and the algebra that the compiler asks of it.
-
-use std::sync::atomic::Ordering;
+//! Formulas inside the engine, and what the compiler asks of them.
 
 use symbolica::atom::{Atom, AtomCore, AtomView};
-use symbolica::domains::rational::Rational;
-use symbolica::transcendental::{TranscendentalFunctions, sec, tan};
+use symbolica::transcendental::{sec, tan};
 
-use super::atoms::{call_of, expanded_terms, operations, parameter, pi, symbol_at};
+use super::atoms::{call_of, expanded_terms, operations, parameter};
 use super::failure::Undefined;
-use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
-
-/// The engine, as long as its thread lives. Only the door makes one.
-///
-/// Symbols live as long as the process, and the engine sorts by their age. So all formulas use one sequence of neutral
-/// names, always made from its start: a user's `e`, `pi` or `I` cannot collide, and a model before changes nothing.
-#[derive(Debug)]
-pub struct Engine(());
 
 /// A formula in the parameters, in the engine's own form.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Form(pub(super) Atom);
 
-/// Symbols that are made at the start, so that only larger models make more, and those in their order.
-const READY: usize = 64;
-
-impl Engine {
-    pub(super) fn start() -> Self {
-        // The engine's log would mix with the messages of the build.
-        symbolica::GLOBAL_SETTINGS.initialize_tracing.store(false, Ordering::Relaxed);
-        (0..READY).for_each(|index| {
-            symbol_at(index);
-        });
-        Self(())
-    }
-
-    /// The number π, as a symbol: the engine's own would become a floating-point number on export.
-    pub(super) fn pi(&self) -> Form {
-        Form(pi())
-    }
-
-    /// The parameter at a position.
-    pub fn parameter(&self, index: usize) -> Form {
-        Form(parameter(index).to_atom())
-    }
-
-    /// The stand-in for the value of a definition, behind so many parameters.
-    pub fn definition(&self, parameters: usize, index: usize) -> Form {
-        Form(symbol_at(parameters + 1 + index).to_atom())
-    }
-
-    /// Stand-ins for the values of definitions, behind so many parameters.
-    pub(super) fn definitions(&self, parameters: usize, count: usize) -> Vec<Form> {
-        let all: Vec<Form> = (0..=parameters + count).map(|index| Form(symbol_at(index).to_atom())).collect();
-        all[parameters + 1..].to_vec()
-    }
-
-    /// A formula, with the given values of its definitions.
-    ///
-    /// # Errors
-    /// If it has no value for any parameters.
-    pub fn form(&self, formula: &Formula, definitions: &[Form]) -> Result<Form, Undefined> {
-        formula.fold(&Forms { engine: self, definitions })
-    }
-}
-
-/// Forms of the engine, with the given values of definitions.
-struct Forms<'a> {
-    engine: &'a Engine,
-    definitions: &'a [Form],
-}
-
-impl Algebra for Forms<'_> {
-    type Value = Form;
-    type Error = Undefined;
-
-    fn number(&self, number: &Decimal) -> Result<Form, Undefined> {
-        Ok(Form(decimal(number)))
-    }
-
-    fn pi(&self) -> Form {
-        self.engine.pi()
-    }
-
-    fn parameter(&self, index: usize) -> Form {
-        self.engine.parameter(index)
-    }
-
-    fn definition(&self, index: usize) -> Form {
-        self.definitions[index].clone()
-    }
-
-    fn sum(&self, terms: Vec<Term<Form>>) -> Result<Form, Undefined> {
-        let terms = terms.into_iter().map(|Term { negative, value: Form(term) }| if negative { -term } else { term });
-        Ok(Form(Atom::add_many(terms.collect::<Vec<_>>())))
-    }
-
-    fn product(&self, factors: Vec<Factor<Form>>) -> Result<Form, Undefined> {
-        let factors =
-            factors.into_iter().map(|Factor { inverse, value }| if inverse { value.power(-1) } else { Ok(value.0) });
-        Ok(Form(Atom::mul_many(factors.collect::<Result<Vec<_>, _>>()?)))
-    }
-
-    fn power(&self, base: Form, exponent: i32) -> Result<Form, Undefined> {
-        base.power(exponent).map(Form)
-    }
-
-    fn call(&self, function: Function, Form(argument): Form) -> Result<Form, Undefined> {
-        Ok(Form(match function {
-            Function::Sin => argument.sin(),
-            Function::Cos => argument.cos(),
-            Function::Tan => argument.tan(),
-            Function::Sqrt => {
-                if Rational::try_from(argument.as_view()).is_ok_and(|number| number.is_negative()) {
-                    return Err(Undefined::RootOfNegative);
-                }
-                argument.sqrt()
-            }
-        }))
-    }
-}
-
-fn decimal(number: &Decimal) -> Atom {
-    symbolica::parse!(&number.digits) * Atom::num(10).pow(i64::from(number.exponent))
-}
-
 impl Form {
-    fn power(&self, exponent: i32) -> Result<Atom, Undefined> {
+    pub(super) fn power(&self, exponent: i32) -> Result<Atom, Undefined> {
         // The engine would go on with infinity, or with an indeterminate number.
         if exponent <= 0 && self.is_zero() {
             return Err(Undefined::DivisionByZero);
@@ -206,6 +92,7 @@ const MAX_EXPANDED: f64 = 500.0;
 mod tests {
     use super::super::enter;
     use super::*;
+    use crate::formula::{Decimal, Factor, Formula, Function, Term};
 
     fn number(value: &str) -> Formula {
         Formula::Number(Decimal { digits: value.into(), exponent: 0 })

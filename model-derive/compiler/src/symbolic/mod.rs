@@ -1,15 +1,17 @@
 //! Equations to a [`Program`](crate::program::Program). This folder is the one door to Symbolica: nothing outside it
 //! names Symbolica.
 
-mod algebra;
 mod angles;
+mod arithmetic;
 mod atoms;
 mod derivatives;
 mod door;
+mod engine;
+mod export;
 mod failure;
 mod form;
 mod identity;
-mod import;
+mod instructions;
 mod lock;
 mod optimize;
 mod prove;
@@ -18,8 +20,9 @@ mod vertex_elimination;
 
 pub use derivatives::{Derived, Node, derive};
 pub use door::{EngineFailure, enter};
+pub use engine::Engine;
 pub use failure::{Failure, Place, Undefined};
-pub use form::{Engine, Form};
+pub use form::Form;
 pub use identity::Sign;
 pub use optimize::compile;
 pub use prove::{Depth, Proof, multiples, proofs};

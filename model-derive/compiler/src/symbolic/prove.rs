@@ -1,8 +1,9 @@
 //! Proofs of what a declaration claims.
 
 use super::door::{EngineFailure, enter};
+use super::engine::Engine;
 use super::failure::{Place, Undefined};
-use super::form::{Engine, Form};
+use super::form::Form;
 use super::identity::Sign;
 use super::sample::Sample;
 use crate::equations::Equations;

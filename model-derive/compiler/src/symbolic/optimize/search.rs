@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
+use super::super::engine::Engine;
 use super::super::failure::{Place, Undefined};
-use super::super::form::{Engine, Form};
+use super::super::form::Form;
 use super::shapes::{Shape, Shapes};
 use super::system::{Choices, System};
 use crate::equations::Equations;
@@ -88,14 +89,18 @@ impl Search<'_> {
         self.try_out(self.choices(&none, Some(Shape::Written)))?;
         let operations = Counts::of(&self.best.program).total();
         self.left = self.left.min(MAX_OPERATIONS / operations.max(1));
-        let fractions = self.fractions()?;
+        let fractions = self.find_fractions()?;
         let quotients: Vec<bool> =
             self.equations.definitions.iter().zip(&fractions).map(|(expr, inline)| *inline || divides(expr)).collect();
+        // All formulas alike first: from the best of these starts single changes go on, and none of them would lead from
+        // one such start to another.
         for inline in [&none, &used_once, &fractions, &quotients] {
             for shape in [Some(Shape::Written), None, Some(Shape::ByFunctions), Some(Shape::ByLinear)] {
                 self.try_out(self.choices(inline, shape))?;
             }
         }
+        // Each of the three changes formulas one by one and keeps what is cheaper, which can make more of the others
+        // worthwhile: so they go round until none finds anything.
         while !self.is_over() && (self.keep(&fractions)? | self.open()? | self.reshape()?) {}
         for orders in OTHER_ORDERS {
             self.compare(self.best.system.clone(), self.best.choices.clone(), orders);
@@ -143,7 +148,7 @@ impl Search<'_> {
 
     /// Which definitions divide by a sum, in themselves or through what they use, such as a centre of mass, and what they
     /// divide by: once all of it is inside of the formulas further on, the division may cancel out of them.
-    fn fractions(&self) -> Result<Vec<bool>, (Place, Undefined)> {
+    fn find_fractions(&self) -> Result<Vec<bool>, (Place, Undefined)> {
         let Equations { parameters, definitions, origins, .. } = self.equations;
         let names = self.engine.definitions(*parameters, definitions.len());
         let mut inline = vec![false; definitions.len()];

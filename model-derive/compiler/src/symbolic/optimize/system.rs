@@ -6,9 +6,10 @@ use std::collections::HashSet;
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::evaluate::OptimizationSettings;
 
+use super::super::engine::Engine;
 use super::super::failure::{Place, Undefined};
-use super::super::form::{Engine, Form};
-use super::super::import::append;
+use super::super::form::Form;
+use super::super::instructions::append;
 use super::shapes::{Shape, Shapes};
 use crate::equations::Equations;
 use crate::program::{Instruction, Program, Value, passes};
