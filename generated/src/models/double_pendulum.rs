@@ -328,14 +328,8 @@ impl<T: Number> Evaluator<T, 2> for DoublePendulum<T> {
     #[inline(always)]
     fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
         Self {
-            l1: parameter(0),
-            a1: parameter(1),
-            m1: parameter(2),
-            I1: parameter(3),
-            a2: parameter(4),
-            m2: parameter(5),
-            I2: parameter(6),
-            g: parameter(7),
+            l1: parameter(0), a1: parameter(1), m1: parameter(2), I1: parameter(3),
+            a2: parameter(4), m2: parameter(5), I2: parameter(6), g: parameter(7),
         }
     }
 

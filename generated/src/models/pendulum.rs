@@ -242,10 +242,7 @@ impl<T: Number> Evaluator<T, 1> for Pendulum<T> {
     #[inline(always)]
     fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
         Self {
-            m: parameter(0),
-            l: parameter(1),
-            c: parameter(2),
-            g: parameter(3),
+            m: parameter(0), l: parameter(1), c: parameter(2), g: parameter(3),
         }
     }
 

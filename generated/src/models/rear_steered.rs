@@ -245,9 +245,7 @@ impl<T: Scalar> RearSteered<T> {
         let t14 = -(self.w.like(1.0) / self.rF);
         RearSteeredKinematics {
             lateral: Rate {
-                speed: zero,
-                rates: [zero, zero],
-                coordinates: [zero, zero],
+                speed: zero, rates: [zero, zero], coordinates: [zero, zero],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
@@ -765,31 +763,12 @@ impl<T: Number> Evaluator<T, 2> for RearSteered<T> {
     #[inline(always)]
     fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
         Self {
-            w: parameter(0),
-            c: parameter(1),
-            lam: parameter(2),
-            g: parameter(3),
-            rR: parameter(4),
-            mR: parameter(5),
-            IRxx: parameter(6),
-            IRyy: parameter(7),
-            xB: parameter(8),
-            zB: parameter(9),
-            mB: parameter(10),
-            IBxx: parameter(11),
-            IByy: parameter(12),
-            IBzz: parameter(13),
-            IBxz: parameter(14),
-            xH: parameter(15),
-            zH: parameter(16),
-            mH: parameter(17),
-            IHxx: parameter(18),
-            IHyy: parameter(19),
-            IHzz: parameter(20),
-            IHxz: parameter(21),
-            rF: parameter(22),
-            mF: parameter(23),
-            IFxx: parameter(24),
+            w: parameter(0), c: parameter(1), lam: parameter(2), g: parameter(3), rR: parameter(4),
+            mR: parameter(5), IRxx: parameter(6), IRyy: parameter(7), xB: parameter(8),
+            zB: parameter(9), mB: parameter(10), IBxx: parameter(11), IByy: parameter(12),
+            IBzz: parameter(13), IBxz: parameter(14), xH: parameter(15), zH: parameter(16),
+            mH: parameter(17), IHxx: parameter(18), IHyy: parameter(19), IHzz: parameter(20),
+            IHxz: parameter(21), rF: parameter(22), mF: parameter(23), IFxx: parameter(24),
             IFyy: parameter(25),
         }
     }

@@ -106,9 +106,7 @@ impl<T: Scalar> RollingDisc<T> {
         let t4 = -(self.r.like(1.0) / self.r);
         RollingDiscKinematics {
             lateral: Rate {
-                speed: zero,
-                rates: [zero, zero],
-                coordinates: [zero, self.r.like(1.0)],
+                speed: zero, rates: [zero, zero], coordinates: [zero, self.r.like(1.0)],
                 heading: zero,
             },
             wheel_D: Rate {
@@ -322,11 +320,7 @@ impl<T: Number> Evaluator<T, 2> for RollingDisc<T> {
     #[inline(always)]
     fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
         Self {
-            r: parameter(0),
-            m: parameter(1),
-            Ia: parameter(2),
-            It: parameter(3),
-            g: parameter(4),
+            r: parameter(0), m: parameter(1), Ia: parameter(2), It: parameter(3), g: parameter(4),
         }
     }
 

@@ -194,10 +194,7 @@ impl<T: Scalar> Skateboard<T> {
         let t33 = -spin_RL_by_gamma;
         SkateboardKinematics {
             lateral: Rate {
-                speed: zero,
-                rates: [t26],
-                coordinates: [t27],
-                heading: self.L.like(1.0),
+                speed: zero, rates: [t26], coordinates: [t27], heading: self.L.like(1.0),
             },
             yaw: Rate {
                 speed: zero, rates: [zero], coordinates: [t17], heading: zero,
@@ -484,21 +481,10 @@ impl<T: Number> Evaluator<T, 1> for Skateboard<T> {
     #[inline(always)]
     fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
         Self {
-            L: parameter(0),
-            b: parameter(1),
-            r: parameter(2),
-            lamF: parameter(3),
-            lamR: parameter(4),
-            kF: parameter(5),
-            kR: parameter(6),
-            m: parameter(7),
-            x: parameter(8),
-            h: parameter(9),
-            Ixx: parameter(10),
-            Iyy: parameter(11),
-            Izz: parameter(12),
-            Ixz: parameter(13),
-            g: parameter(14),
+            L: parameter(0), b: parameter(1), r: parameter(2), lamF: parameter(3),
+            lamR: parameter(4), kF: parameter(5), kR: parameter(6), m: parameter(7),
+            x: parameter(8), h: parameter(9), Ixx: parameter(10), Iyy: parameter(11),
+            Izz: parameter(12), Ixz: parameter(13), g: parameter(14),
         }
     }
 

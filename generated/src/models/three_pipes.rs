@@ -372,11 +372,7 @@ impl<T: Number> Evaluator<T, 3> for ThreePipes<T> {
     #[inline(always)]
     fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
         Self {
-            l: parameter(0),
-            m: parameter(1),
-            f: parameter(2),
-            k: parameter(3),
-            c: parameter(4),
+            l: parameter(0), m: parameter(1), f: parameter(2), k: parameter(3), c: parameter(4),
             g: parameter(5),
         }
     }

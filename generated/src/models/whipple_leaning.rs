@@ -301,9 +301,7 @@ impl<T: Scalar> WhippleLeaning<T> {
         let t13 = -(self.w.like(1.0) / self.rF);
         WhippleLeaningKinematics {
             lateral: Rate {
-                speed: zero,
-                rates: [zero, zero, zero],
-                coordinates: [zero, zero, zero],
+                speed: zero, rates: [zero, zero, zero], coordinates: [zero, zero, zero],
                 heading: self.w.like(1.0),
             },
             yaw: Rate {
@@ -977,42 +975,15 @@ impl<T: Number> Evaluator<T, 3> for WhippleLeaning<T> {
     #[inline(always)]
     fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
         Self {
-            w: parameter(0),
-            c: parameter(1),
-            lam: parameter(2),
-            g: parameter(3),
-            rR: parameter(4),
-            mR: parameter(5),
-            IRxx: parameter(6),
-            IRyy: parameter(7),
-            xB: parameter(8),
-            zB: parameter(9),
-            mB: parameter(10),
-            IBxx: parameter(11),
-            IByy: parameter(12),
-            IBzz: parameter(13),
-            IBxz: parameter(14),
-            xH: parameter(15),
-            zH: parameter(16),
-            mH: parameter(17),
-            IHxx: parameter(18),
-            IHyy: parameter(19),
-            IHzz: parameter(20),
-            IHxz: parameter(21),
-            rF: parameter(22),
-            mF: parameter(23),
-            IFxx: parameter(24),
-            IFyy: parameter(25),
-            zP: parameter(26),
-            mU: parameter(27),
-            xU: parameter(28),
-            zU: parameter(29),
-            IUxx: parameter(30),
-            IUyy: parameter(31),
-            IUzz: parameter(32),
-            IUxz: parameter(33),
-            kU: parameter(34),
-            dU: parameter(35),
+            w: parameter(0), c: parameter(1), lam: parameter(2), g: parameter(3), rR: parameter(4),
+            mR: parameter(5), IRxx: parameter(6), IRyy: parameter(7), xB: parameter(8),
+            zB: parameter(9), mB: parameter(10), IBxx: parameter(11), IByy: parameter(12),
+            IBzz: parameter(13), IBxz: parameter(14), xH: parameter(15), zH: parameter(16),
+            mH: parameter(17), IHxx: parameter(18), IHyy: parameter(19), IHzz: parameter(20),
+            IHxz: parameter(21), rF: parameter(22), mF: parameter(23), IFxx: parameter(24),
+            IFyy: parameter(25), zP: parameter(26), mU: parameter(27), xU: parameter(28),
+            zU: parameter(29), IUxx: parameter(30), IUyy: parameter(31), IUzz: parameter(32),
+            IUxz: parameter(33), kU: parameter(34), dU: parameter(35),
         }
     }
 
