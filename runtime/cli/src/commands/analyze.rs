@@ -77,7 +77,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         picture.write(&plot_eigenvalues(&analysis, &speeds_or(fine_speeds))?)?;
     }
     match options.format {
-        Format::Table => print(&output::table(&analysis, &rows)),
+        Format::Table => print(&output::render_table(&analysis, &rows)),
         Format::Json => write(|output| output::write_json(&analysis, &rows, output)),
         Format::Csv => write(|output| output::write_csv(&analysis, &rows, output)),
     }

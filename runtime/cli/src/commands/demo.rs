@@ -14,9 +14,9 @@ use crate::{output, plot};
 pub fn run() -> Result<(), Failure> {
     let analysis = Analysis::new(DesignOptions::default().load()?)?;
     let rows = analysis.rows(&coarse_speeds())?;
-    let mut text = output::table(&analysis, &rows);
+    let mut text = output::render_table(&analysis, &rows);
     text.push('\n');
-    text.push_str(&output::sketch(&analysis, 10.0)?);
+    text.push_str(&output::draw_sketch(&analysis, 10.0)?);
     let path = picture_directory().map(|directory| directory.join(format!("{DEFAULT_BICYCLE}.svg")));
     // Nobody asked for the picture, so that what keeps it from being written is no failure.
     match path

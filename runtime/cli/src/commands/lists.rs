@@ -14,9 +14,9 @@ pub fn bicycles() -> Result<(), Failure> {
         let request = Request { parameters: Some(bicycle.name.to_owned()), ..Request::default() };
         input::load(&request).and_then(Analysis::new)
     });
-    print(&output::list(&analyses.collect::<Result<Vec<_>, _>>()?))
+    print(&output::render_bicycles(&analyses.collect::<Result<Vec<_>, _>>()?))
 }
 
 pub fn models() -> Result<(), Failure> {
-    print(&output::models(MODELS))
+    print(&output::render_models(MODELS))
 }

@@ -57,7 +57,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         picture.write(&plot::tornado(&changes).ok_or_else(nothing)?)?;
     }
     match options.format {
-        Format::Table => print(&output::sensitivity::table(&changes)),
+        Format::Table => print(&output::sensitivity::render_table(&changes)),
         Format::Json => write(|output| output::sensitivity::write_json(&changes, output)),
         Format::Csv => write(|output| output::sensitivity::write_csv(&changes, output)),
     }

@@ -33,5 +33,5 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         let no_view = || Failure::Run(format!("the model {} has no side view", design.info().name));
         picture.write(&plot::side_view(&design).ok_or_else(no_view)?)?;
     }
-    print(&output::parameters(&design))
+    print(&output::render_parameters(&design))
 }

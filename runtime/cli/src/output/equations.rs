@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use carvallo::{CoordinateInfo, MatrixName, ModelInfo};
 
 use super::HEADING;
-use super::table::{LINE, width};
+use super::columns::{LINE, width};
 use crate::design::Design;
 use crate::number::{fixed, shortest};
 
@@ -25,7 +25,7 @@ pub fn matrices(design: &Design) -> Vec<Matrix> {
 
 /// The equations with their matrices, for people. Writing to a string cannot fail, so that the results of `write!` are
 /// dropped.
-pub fn equations(design: &Design, text: &mut String) {
+pub fn write_equations(design: &Design, text: &mut String) {
     let info = design.info();
     let coordinates: Vec<String> = info.coordinates.iter().map(coordinate).collect();
     let gravity = design.gravity().map(|gravity| format!(" and g = {} N/kg", shortest(gravity))).unwrap_or_default();

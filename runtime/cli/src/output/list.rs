@@ -7,7 +7,7 @@ use carvallo::{CriticalKind, StableRange};
 use super::{FAINT, GOOD, HEADING};
 use crate::analysis::Analysis;
 
-pub fn list(analyses: &[Analysis]) -> String {
+pub fn render_bicycles(analyses: &[Analysis]) -> String {
     let mut text = format!(
         "{HEADING}{:<17}{:<17}{:<17}{:<21}kind{HEADING:#}\n",
         "bicycle", "weave (m/s)", "capsize (m/s)", "stable (m/s)"

@@ -6,7 +6,7 @@ use super::equations::coordinate;
 use super::{FAINT, HEADING};
 use crate::model::Shipped;
 
-pub fn models(models: &[Shipped]) -> String {
+pub fn render_models(models: &[Shipped]) -> String {
     let name = models.iter().map(|model| model.info.name.len()).max().unwrap_or(0) + 2;
     let mut text = format!("{HEADING}{:<name$}{:<13}{:<12}sets{HEADING:#}\n", "model", "coordinates", "parameters");
     for model in models {

@@ -1,10 +1,10 @@
 //! A design as a file: what `show` prints can be edited and analyzed.
 
-use super::{FAINT, quoted};
+use super::FAINT;
 use crate::design::Design;
 use crate::number::unit;
 
-pub fn parameters(design: &Design) -> String {
+pub fn render_parameters(design: &Design) -> String {
     let info = design.info();
     let mut text = String::new();
     let mut line = |line: String| text.extend([line.as_str(), "\n"]);
@@ -50,4 +50,18 @@ fn number(written: &str) -> String {
         value.is_float() || value.as_integer().is_some_and(|integer| integer.radix() == 10)
     });
     if plain { written.to_owned() } else { quoted(written) }
+}
+
+/// A string in quotes, as TOML reads it.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from('"');
+    for char in text.chars() {
+        match char {
+            '"' | '\\' => quoted.extend(['\\', char]),
+            char if char.is_control() => quoted.push_str(&format!("\\u{:04x}", u32::from(char))),
+            char => quoted.push(char),
+        }
+    }
+    quoted.push('"');
+    quoted
 }

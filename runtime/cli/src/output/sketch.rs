@@ -24,7 +24,7 @@ struct Cell {
 ///
 /// # Errors
 /// If the eigenvalues cannot be computed at some speed.
-pub fn sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
+pub fn draw_sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
     let speeds: Vec<f64> = (0..2 * COLUMNS).map(|dot| high * dot as f64 / (2 * COLUMNS - 1) as f64).collect();
     let Rows::Modes(rows) = analysis.rows(&speeds)? else { return Ok(String::new()) };
     let extent = crate::plot::extent(rows.iter().flat_map(|row| row.values.iter().map(|mode| mode.value)));

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use anstyle::Style;
 use carvallo::{Complex, Verdict};
 
-use super::table::{LINE, speeds, width};
+use super::columns::{LINE, speeds, width};
 use super::{FAINT, GOOD, HEADING};
 use crate::analysis::{Analysis, Eigenvalues, ROUNDING, Row, largest};
 use crate::number::fixed;
@@ -17,7 +17,7 @@ struct Entry {
 }
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped.
-pub fn eigenvalues(analysis: &Analysis, rows: &[Row<Eigenvalues>], text: &mut String) {
+pub fn write_eigenvalues(analysis: &Analysis, rows: &[Row<Eigenvalues>], text: &mut String) {
     let moves = analysis.design.model.depends_on_speed();
     let _ = match moves {
         true => writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s)"),

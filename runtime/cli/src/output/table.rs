@@ -4,31 +4,29 @@ use std::fmt::Write as _;
 
 use carvallo::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, StableRange, Verdict};
 
+use super::columns::{speeds, width};
 use super::{FAINT, GOOD, HEADING, equations, is_stable, sorted};
-use crate::analysis::{Analysis, ModeRow, Row, Rows};
+use crate::analysis::{Analysis, ModeRow, Rows};
 use crate::design::Design;
 use crate::number::{fixed, shortest};
 
-/// How wide a line may become where that can be helped.
-pub const LINE: usize = 124;
-
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
-pub fn table(analysis: &Analysis, rows: &Rows) -> String {
+pub fn render_table(analysis: &Analysis, rows: &Rows) -> String {
     let mut text = String::new();
-    heading(&analysis.design, &mut text);
-    equations::equations(&analysis.design, &mut text);
+    write_heading(&analysis.design, &mut text);
+    equations::write_equations(&analysis.design, &mut text);
     if analysis.design.model.depends_on_speed() {
-        critical_speeds(analysis, &mut text);
+        write_critical_speeds(analysis, &mut text);
     }
     match rows {
-        Rows::Modes(rows) => modes(analysis, rows, &mut text),
-        Rows::Sorted(rows) => sorted::eigenvalues(analysis, rows, &mut text),
+        Rows::Modes(rows) => write_modes(analysis, rows, &mut text),
+        Rows::Sorted(rows) => sorted::write_eigenvalues(analysis, rows, &mut text),
     }
     text
 }
 
 /// What it is, and where its parameters come from.
-pub fn heading(design: &Design, text: &mut String) {
+pub fn write_heading(design: &Design, text: &mut String) {
     let kind = design.kind.as_ref().map(|kind| format!(": {kind}")).unwrap_or_default();
     let _ = writeln!(text, "{HEADING}{}{HEADING:#}{kind}", design.title());
     if let Some(source) = &design.source {
@@ -36,7 +34,7 @@ pub fn heading(design: &Design, text: &mut String) {
     }
 }
 
-fn critical_speeds(analysis: &Analysis, text: &mut String) {
+fn write_critical_speeds(analysis: &Analysis, text: &mut String) {
     let Some(stability) = &analysis.stability else {
         let n = analysis.design.info().coordinates.len();
         let _ = writeln!(
@@ -56,7 +54,7 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
             CriticalKind::Capsize => ("capsize", "0".to_owned()),
             CriticalKind::DoubleRoot => ("double root", fixed(eigenvalue.re, 4)),
         };
-        let change = effect(stability, critical);
+        let change = describe_effect(stability, critical);
         let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
     }
     if stability.critical_speeds.is_empty() {
@@ -78,7 +76,7 @@ fn critical_speeds(analysis: &Analysis, text: &mut String) {
 }
 
 /// What changes at a critical speed: of the mode, and of the motion, which another mode may keep unstable.
-pub fn effect(stability: &Stability, critical: &CriticalSpeed) -> &'static str {
+pub fn describe_effect(stability: &Stability, critical: &CriticalSpeed) -> &'static str {
     match (critical.change, stability.verdicts_around(critical)) {
         (Change::Stabilizes, [_, Verdict::Stable]) => "becomes stable",
         (Change::Stabilizes, [_, Verdict::Marginal]) => "is unstable no longer",
@@ -98,7 +96,7 @@ fn marginal_from(stability: &Stability) -> Option<f64> {
     (stability.verdict(2.0 * last) == Ok(Verdict::Marginal)).then_some(last)
 }
 
-fn modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
+fn write_modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
     let speeds = speeds(rows);
     let of = |mode: Mode| rows.iter().map(move |row| with_mode(row, |other| other == mode));
     let one = |values: Vec<ModeValue>| if values.is_empty() { ABSENT.to_owned() } else { joined(&values) };
@@ -142,20 +140,6 @@ const ABSENT: &str = "-";
 /// The values of a row whose modes are wanted.
 fn with_mode(row: &ModeRow, is_wanted: impl Fn(Mode) -> bool) -> Vec<ModeValue> {
     row.values.iter().copied().filter(|value| is_wanted(value.mode)).collect()
-}
-
-/// The width of a column that keeps two spaces before or after its texts.
-pub fn width<'a>(texts: impl IntoIterator<Item = &'a String>, least: usize) -> usize {
-    texts.into_iter().map(|text| text.chars().count() + 2).fold(least, usize::max)
-}
-
-/// Speeds with as many decimals as one of them has, unless that would make them long.
-pub fn speeds<V>(rows: &[Row<V>]) -> Vec<String> {
-    let decimals = rows.iter().map(|row| row.speed.to_string().split_once('.').map_or(0, |(_, tail)| tail.len()));
-    let decimals = decimals.max().unwrap_or(0);
-    let is_long = decimals > 6 || rows.iter().any(|row| row.speed >= 1e9);
-    let speeds = rows.iter().map(|row| row.speed);
-    speeds.map(|speed| if is_long { shortest(speed) } else { format!("{speed:.decimals$}") }).collect()
 }
 
 fn number(ModeValue { value, .. }: &ModeValue) -> String {

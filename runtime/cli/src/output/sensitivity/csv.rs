@@ -2,7 +2,7 @@
 
 use std::io::{Result, Write};
 
-use super::names;
+use super::name_critical_speeds;
 use crate::output::cells::{exact, write_rows};
 use crate::sensitivity::Changes;
 
@@ -13,7 +13,7 @@ use crate::sensitivity::Changes;
 /// If it cannot be written.
 pub fn write_csv(changes: &Changes, output: &mut dyn Write) -> Result<()> {
     let mut header = ["parameter", "unit", "value", "standard deviation", "1 %"].map(str::to_owned).to_vec();
-    for name in names(changes) {
+    for name in name_critical_speeds(changes) {
         header.extend([format!("{name} by 1 % (m/s)"), format!("{name} derivative (m/s per unit)")]);
     }
     let rows = (0..changes.steps.len()).map(|parameter| row(changes, parameter));

@@ -2,17 +2,17 @@
 
 use std::fmt::Write as _;
 
-use super::super::table::width;
-use super::super::{FAINT, HEADING, equations};
 use crate::model::Equations;
 use crate::number::shortest;
+use crate::output::columns::width;
+use crate::output::{FAINT, HEADING, equations};
 use crate::sensitivity::{Changes, Derivatives};
 
 /// So many of the parameters that contribute most are named.
 const NAMED: usize = 4;
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
-pub fn deviations(changes: &Changes, text: &mut String) {
+pub fn write_deviations(changes: &Changes, text: &mut String) {
     let Some(deviations) = &changes.deviations else { return };
     let (given, all) = (deviations.iter().filter(|&&deviation| deviation > 0.0).count(), deviations.len());
     let _ = writeln!(
@@ -31,7 +31,7 @@ pub fn deviations(changes: &Changes, text: &mut String) {
         let parts = contributions(changes, derivatives);
         let _ = writeln!(text, "  {kind:<10}{speed:<column$}m/s   {FAINT}{parts}{FAINT:#}");
     }
-    matrices(changes, text);
+    write_matrices(changes, text);
 }
 
 /// The parameters that contribute most to the variance, with their shares.
@@ -44,7 +44,7 @@ fn contributions(changes: &Changes, derivatives: &Derivatives) -> String {
     if parts.is_empty() { String::new() } else { format!("of the variance {}", parts.join(", ")) }
 }
 
-fn matrices(changes: &Changes, text: &mut String) {
+fn write_matrices(changes: &Changes, text: &mut String) {
     let found = changes.matrix_deviations.iter().flat_map(Equations::matrices);
     let matrices = equations::matrices(&changes.design);
     let rows: Vec<Vec<Vec<String>>> = matrices

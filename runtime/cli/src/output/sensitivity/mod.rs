@@ -9,12 +9,12 @@ use carvallo::CriticalKind;
 
 pub use self::csv::write_csv;
 pub use self::json::write_json;
-pub use self::table::table;
+pub use self::table::render_table;
 
 use crate::sensitivity::Changes;
 
 /// The name of each critical speed: its kind, with a number if there are more of the kind.
-fn names(changes: &Changes) -> Vec<String> {
+fn name_critical_speeds(changes: &Changes) -> Vec<String> {
     let kinds: Vec<CriticalKind> = changes.critical_speeds.iter().map(|critical| critical.speed.kind).collect();
     let name = |(index, kind): (usize, &CriticalKind)| {
         let count = |kinds: &[CriticalKind]| kinds.iter().filter(|other| *other == kind).count();

@@ -4,28 +4,29 @@ use std::fmt::Write as _;
 
 use carvallo::CriticalKind;
 
-use super::super::table::{effect, heading, width};
-use super::super::{FAINT, HEADING};
-use super::deviations;
+use super::deviations::write_deviations;
 use crate::number::{fixed, shortest, unit};
+use crate::output::columns::width;
+use crate::output::table::{describe_effect, write_heading};
+use crate::output::{FAINT, HEADING};
 use crate::sensitivity::{Changes, Step};
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
-pub fn table(changes: &Changes) -> String {
+pub fn render_table(changes: &Changes) -> String {
     let mut text = String::new();
-    heading(&changes.design, &mut text);
-    critical_speeds(changes, &mut text);
+    write_heading(&changes.design, &mut text);
+    write_critical_speeds(changes, &mut text);
     if !changes.ranked().is_empty() {
-        ranking(changes, &mut text);
+        write_ranking(changes, &mut text);
     }
     if changes.deviations.is_some() {
-        deviations::deviations(changes, &mut text);
+        write_deviations(changes, &mut text);
     }
     text
 }
 
 /// The weave and capsize speeds, and that there is none, or none that can be ranked by.
-fn critical_speeds(changes: &Changes, text: &mut String) {
+fn write_critical_speeds(changes: &Changes, text: &mut String) {
     let _ = writeln!(text, "\n{HEADING}Weave and capsize speeds{HEADING:#} (m/s)");
     let none = |kind: CriticalKind| !changes.critical_speeds.iter().any(|critical| critical.speed.kind == kind);
     let all = changes.critical_speeds.iter().filter(|critical| critical.speed.kind != CriticalKind::DoubleRoot);
@@ -34,7 +35,7 @@ fn critical_speeds(changes: &Changes, text: &mut String) {
     for (critical, value) in all.zip(&values) {
         let reason = critical.derivatives.as_ref().err();
         let reason = reason.map(|reason| format!("; not ranked: {reason}")).unwrap_or_default();
-        let (kind, effect) = (critical.speed.kind.to_string(), effect(&changes.stability, &critical.speed));
+        let (kind, effect) = (critical.speed.kind.to_string(), describe_effect(&changes.stability, &critical.speed));
         let _ = writeln!(text, "  {kind:<13}{value:<column$}{FAINT}{effect}{reason}{FAINT:#}");
     }
     for (kind, meaning) in [(CriticalKind::Weave, "weave"), (CriticalKind::Capsize, "capsize")] {
@@ -47,7 +48,7 @@ fn critical_speeds(changes: &Changes, text: &mut String) {
     }
 }
 
-fn ranking(changes: &Changes, text: &mut String) {
+fn write_ranking(changes: &Changes, text: &mut String) {
     let (info, ranked, order) = (changes.design.info(), changes.ranked(), changes.order());
     let _ = writeln!(
         text,

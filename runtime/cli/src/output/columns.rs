@@ -1,0 +1,21 @@
+//! Columns of tables for people.
+
+use crate::analysis::Row;
+use crate::number::shortest;
+
+/// How wide a line may become where that can be helped.
+pub const LINE: usize = 124;
+
+/// The width of a column that keeps two spaces before or after its texts.
+pub fn width<'a>(texts: impl IntoIterator<Item = &'a String>, least: usize) -> usize {
+    texts.into_iter().map(|text| text.chars().count() + 2).fold(least, usize::max)
+}
+
+/// Speeds with as many decimals as one of them has, unless that would make them long.
+pub fn speeds<V>(rows: &[Row<V>]) -> Vec<String> {
+    let decimals = rows.iter().map(|row| row.speed.to_string().split_once('.').map_or(0, |(_, tail)| tail.len()));
+    let decimals = decimals.max().unwrap_or(0);
+    let is_long = decimals > 6 || rows.iter().any(|row| row.speed >= 1e9);
+    let speeds = rows.iter().map(|row| row.speed);
+    speeds.map(|speed| if is_long { shortest(speed) } else { format!("{speed:.decimals$}") }).collect()
+}
