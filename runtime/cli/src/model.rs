@@ -1,11 +1,15 @@
 //! The models that ship with Carvallo, without their types: whatever its number of coordinates, any of them can be chosen
 //! by its name.
 
+mod matrices;
+
 use std::any::Any;
 use std::fmt::Debug;
 
 use carvallo::{Coefficients, Complex, Differentiable, Matrix, MatrixName, Model, ModelInfo, Sensitivity, SystemError};
 use carvallo_models::Whipple;
+
+pub use self::matrices::{MATRICES, names as entry_names};
 
 use crate::number::with_unit;
 
@@ -47,7 +51,7 @@ impl Shipped {
     /// # Errors
     /// If there is none: that, the one that was probably meant, and those that there are.
     pub fn called(name: &str) -> Result<&'static Self, String> {
-        if let Some(model) = MODELS.iter().find(|model| model.is_called(name)) {
+        if let Some(model) = MODELS.iter().chain(MATRICES).find(|model| model.is_called(name)) {
             return Ok(model);
         }
         let names: Vec<&str> = MODELS.iter().map(|model| model.info.name).collect();

@@ -13,8 +13,9 @@ const HELP: &str = "\
 DESIGN is a name that `carvallo bicycles` lists, or with --model a parameter set that `carvallo models` lists; the path
 of a file; or - for the standard input. A file that says `model = \"NAME\"` chooses its model by itself.
 Files: TOML as `carvallo show` writes it; YAML `name: value` and text `name = value+/-deviation` as
-BicycleParameters writes them; JSON, also as --format json writes it. Values may be expressions:
-pi/10, atan(1/3), 18 deg.
+BicycleParameters writes them, also as scripts of Python and MATLAB; JSON, also as --format json writes it, or with
+matrices instead of parameters. Values may be expressions, in other units, and have standard deviations: pi/10,
+atan(1/3), 18 deg, 102 cm, 1.02+/-0.01, 1.020(3). docs/files.md has every form.
 
 JSON for the Whipple model, in SI units, every number reading back to the same double:
   {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},

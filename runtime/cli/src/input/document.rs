@@ -26,7 +26,7 @@ pub struct Entry {
 }
 
 /// A value as it was written.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Written {
     /// A number or an expression, perhaps with a standard deviation.
     Text(String),

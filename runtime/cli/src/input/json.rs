@@ -1,9 +1,10 @@
 //! Parameter files in JSON: an object of values, alone or under `parameters`, as `--format json` writes it.
 
-use jsonc_parser::ast::{Object, ObjectProp, Value};
+use jsonc_parser::ast::{Array, Object, ObjectProp, Value};
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
 use super::document::{Document, Entry, File, Written};
+use super::matrices;
 
 /// What the output of an analysis, or of the sensitivity, holds besides the parameters.
 const RESULTS: [&str; 5] =
@@ -40,10 +41,18 @@ pub fn read(file: File) -> Document {
         }
     };
     let nested = object.get_object("parameters");
+    let matrices = object.get_object("matrices").filter(|_| nested.is_none());
+    for property in matrices.unwrap_or(&object).properties.iter().filter(|_| nested.is_none()) {
+        if let (Some(matrix), Value::Array(rows)) = (matrices::name(property.name.as_str()), &property.value) {
+            document.take_matrix(matrix, &file.line_at(property.range.start), rows_of(rows));
+        }
+    }
     for property in &object.properties {
         let name = property.name.as_str();
         match &property.value {
             Value::StringLit(text) if document.take_heading(name, &text.value) => {}
+            Value::Array(_) if nested.is_none() && matrices::name(name).is_some() => {}
+            Value::Object(_) if matrices.is_some() && name == "matrices" => {}
             _ if nested.is_some() && (name == "parameters" || RESULTS.contains(&name)) => {}
             _ if nested.is_some() => {
                 document
@@ -54,7 +63,17 @@ pub fn read(file: File) -> Document {
     }
     let properties = nested.map(|object| object.properties.as_slice()).unwrap_or_default();
     document.entries.extend(properties.iter().map(|property| entry(file, property)));
+    document.finish_matrices();
     document
+}
+
+/// The rows of a matrix.
+fn rows_of(rows: &Array) -> Option<Vec<Vec<Written>>> {
+    let row = |row: &Value| match row {
+        Value::Array(row) => Some(row.elements.iter().map(written).collect()),
+        _ => None,
+    };
+    rows.elements.iter().map(row).collect()
 }
 
 /// `"name": value`, or `"name": { "value": …, "std": … }`.

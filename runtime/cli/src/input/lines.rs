@@ -5,8 +5,8 @@
 
 use super::document::{Document, Entry, File};
 
-/// What scripts begin with and parameters do not depend on.
-const STATEMENTS: [&str; 6] = ["import", "from", "clear", "clc", "close", "format"];
+/// What lines of scripts begin with that parameters do not depend on.
+const STATEMENTS: [&str; 8] = ["import", "from", "class", "def", "clear", "clc", "close", "format"];
 
 /// Reads lines `name: value`, as in YAML, or `name = value+/-deviation`, as in text files and scripts.
 pub fn read(file: File, separator: char) -> Document {

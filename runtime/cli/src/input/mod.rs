@@ -4,6 +4,7 @@ mod document;
 mod entries;
 mod json;
 mod lines;
+mod matrices;
 mod names;
 mod neutral;
 mod parameters;

@@ -7,7 +7,7 @@ use carvallo::ModelInfo;
 
 use super::document::{Entry, Written};
 use super::names;
-use crate::quantity::{self, Context};
+use crate::quantity::{self, Context, Mistake, Reason};
 
 /// Values refer to others in chains of at most this length, so that no input can exhaust the stack.
 const MAX_DEPTH: usize = 16;
@@ -48,18 +48,23 @@ impl<'a> Scope<'a> {
             return Some(Err("values refer to others in too long a chain".to_owned()));
         }
         self.found.borrow_mut().insert(key.clone(), None);
-        let found = self.read(entry).ok_or_else(|| format!("`{name}` is no number"));
+        let found = self.read(entry);
         self.found.borrow_mut().insert(key, Some(found.clone()));
         Some(found)
     }
 
-    fn read(&self, entry: &Entry) -> Option<f64> {
-        let Written::Text(text) = &entry.value else { return None };
+    fn read(&self, entry: &Entry) -> Result<f64, String> {
+        let name = &entry.name;
+        let Written::Text(text) = &entry.value else { return Err(format!("`{name}` is no number")) };
         // What is no parameter may be an angle in degrees, or a pure number.
-        let position = names::position(&entry.name, self.info);
+        let position = names::position(name, self.info);
         let unit = position.map_or("rad", |position| self.info.parameters[position].unit);
         let lookup = |name: &str| self.value(name);
-        quantity::measured(text, Context { unit, names: &lookup }).ok().map(|measured| measured.mean.value)
+        match quantity::measured(text, Context { unit, names: &lookup }) {
+            Ok(measured) => Ok(measured.mean.value),
+            Err(Mistake { reason: Reason::Unit(unit), .. }) => Err(format!("`{unit}` is no unit for `{name}`")),
+            Err(Mistake { reason: Reason::Other(reason), .. }) => Err(reason),
+        }
     }
 
     /// Under what name an entry is kept.

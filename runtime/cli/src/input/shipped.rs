@@ -6,7 +6,7 @@ use carvallo_models::BICYCLES;
 use super::document::{Document, Entry, File};
 use super::toml;
 use crate::failure::Place;
-use crate::model::{MODELS, Shipped};
+use crate::model::{MODELS, Shipped, WHIPPLE};
 use crate::nearest::nearest;
 use crate::number::shortest;
 
@@ -29,12 +29,16 @@ pub fn default_name(model: &Shipped) -> Option<&'static str> {
 
 /// What ships for a model under a name.
 pub fn find(model: &Shipped, name: &str) -> Option<Document> {
-    if model.is_whipple() {
-        let bicycle = BICYCLES.iter().find(|bicycle| bicycle.name == name)?;
-        Some(toml::read(File { label: name, text: bicycle.toml }))
-    } else {
-        model.info.sets.iter().find(|set| set.name == name).map(|set| document(model, set))
+    if let Some(set) = model.info.sets.iter().find(|set| set.name == name && !model.is_whipple()) {
+        return Some(document(model, set));
     }
+    // A model with all parameters of the bicycles, and perhaps more, can have theirs.
+    let parameters = WHIPPLE.info.parameters.iter();
+    if parameters.map(|parameter| model.info.position(parameter.name)).any(|position| position.is_none()) {
+        return None;
+    }
+    let bicycle = BICYCLES.iter().find(|bicycle| bicycle.name == name)?;
+    Some(toml::read(File { label: name, text: bicycle.toml }))
 }
 
 fn document(model: &Shipped, set: &SetInfo) -> Document {

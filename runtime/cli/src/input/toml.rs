@@ -4,6 +4,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::document::{Document, Entry, File, Written};
+use super::matrices;
 
 /// Reads a file that holds a table `parameters`, or the parameters at its top.
 pub fn read(file: File) -> Document {
@@ -20,12 +21,22 @@ pub fn read(file: File) -> Document {
         match value.get_ref() {
             DeValue::String(text) if document.take_heading(name, text) => {}
             _ if name == "parameters" && nested.is_some() => {}
+            DeValue::Array(rows) if nested.is_none() && matrices::name(name).is_some() => {
+                let rows = rows.iter().map(|row| {
+                    let row = row.get_ref().as_array()?;
+                    Some(row.iter().map(|value| written(file, value)).collect())
+                });
+                if let Some(matrix) = matrices::name(name) {
+                    document.take_matrix(matrix, &file.line_at(key.span().start), rows.collect());
+                }
+            }
             _ if nested.is_some() => {
                 document.problem(file.line_at(key.span().start), format!("`{name}` stands outside of [parameters]"));
             }
             _ => document.entries.push(entry(file, key.span().start, name, value)),
         }
     }
+    document.finish_matrices();
     for (key, value) in nested.into_iter().flatten() {
         document.entries.push(entry(file, key.span().start, key.get_ref(), value));
     }

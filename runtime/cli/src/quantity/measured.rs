@@ -3,7 +3,7 @@
 use super::literal;
 use super::mistake::{Mistake, Reason};
 use super::range::is_plain;
-use super::{Context, Value, evaluate};
+use super::{Context, Value, evaluate, starts_a_unit};
 use crate::number::shortest;
 
 /// A value, and its standard deviation where one is written.
@@ -109,7 +109,10 @@ fn with_common(text: &str) -> Option<(&str, &str, &str)> {
         (depth == 0).then_some(at)
     })?;
     let (mean, deviation) = sign(&inside[..end])?;
-    Some((mean, deviation, &inside[end + 1..]))
+    let common = &inside[end + 1..];
+    // With anything else, a deviation is not computed as its mean is.
+    let unit = common[literal::exponent(common)..].trim_start();
+    (unit.is_empty() || starts_a_unit(unit)).then_some((mean, deviation, common))
 }
 
 /// The exponent behind parentheses belongs to the number in them; a unit, to the whole value.

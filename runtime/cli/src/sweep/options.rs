@@ -17,8 +17,8 @@ Designs:
                                      uniform between two values
   --random 'mB=85+-5' --samples 1000 normal, by its mean and standard deviation; also +/- and ±
                                      Beside --vary, each combination gets the same samples
-  --designs bikes.csv                a row for each design; columns are named like parameters, and `name` and `id` are
-                                     copied. Parameters without a column are those of DESIGN. In CSV, lines before the
+  --designs bikes.csv                a row for each design; columns are named like parameters; `name`, `id`, `index`
+                                     and `bike` are copied. Parameters without a column are those of DESIGN. In CSV, lines before the
                                      header that begin with # are comments; Parquet may be compressed with Snappy, gzip
                                      or LZ4, or not at all
 At most 1,000,000 values for each --vary, 10^12 designs, 100 speeds of --eigenvalues, and 1,000,000 designs in a map.

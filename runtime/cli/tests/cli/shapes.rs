@@ -131,9 +131,15 @@ fn attributes_of_python() {
     let attributes = format!("import math\n{attributes}I_Bzx = I_Bxz\nI_Hzx = I_Hxz\n");
     check("attributes", "robot.py", &attributes, "", ROBOT_RANGE);
     let owned: String = ROBOT.iter().map(|(name, value)| format!("self.{} = {value}\n", long(name))).collect();
-    check("owned", "robot.py", &owned.replace("radians", "np.radians"), "", ROBOT_RANGE);
+    let owned = format!("class Robot:\n    def __init__(self):\n{}", owned.replace("radians", "np.radians"));
+    check("owned", "robot.py", &owned, "", ROBOT_RANGE);
     let helped = attributes.replace("m_B = 78-5.7", "total = 78\nm_B = total - m_H");
     check("helped", "robot", &helped, "", ROBOT_RANGE);
+    let directory = Directory::new("shapes-circle");
+    let circle = attributes.replace("m_B = 78-5.7", "total = m_B\nm_B = total - m_H");
+    let run = directory.write("robot.py", circle).run(&["analyze", "robot.py"]);
+    let expected = "expected a number, or an expression such as `pi/10`";
+    run.fails(2, &format!("error: robot.py:13: `mB` is `total - m_H`; {expected}: `total` refers to itself\n"));
 }
 
 #[test]
@@ -228,4 +234,65 @@ fn a_head_angle_in_the_place_of_the_tilt_is_a_warning() {
     let warning = "warning: benchmark: `lam` is 70.0 deg: it is the tilt of the steer axis, 90 deg minus the head angle, \
                    which would be 20.0 deg\n";
     assert_eq!((run.code, run.stderr.as_str()), (Some(0), warning));
+}
+
+/// The benchmark by its matrices, from Meijaard et al. (2007), equations (3.5) to (3.8), with all digits.
+const MATRICES: &str = r#"
+    "M": [[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]],
+    "C1": [[0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]],
+    "K0": [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]],
+    "K2": [[0, 76.59734589573222], [0, 2.65431523794604]]"#;
+
+#[test]
+fn matrices_themselves() {
+    let range = |text: &str, file: &str, notes: &str| check("matrices", file, text, notes, BENCHMARK_RANGE);
+    range(&format!("{{{MATRICES}, \"g\": 9.81}}"), "matrices.json", "");
+    let gravity = "note: matrices.json: `g` is not given: it is 9.81 N/kg unless --gravity says otherwise\n";
+    range(&format!("{{\"name\": \"mine\", \"matrices\": {{{MATRICES}}}}}"), "matrices.json", gravity);
+    let toml: String = MATRICES.replace("]],", "]]\n").replace("\":", "\" =");
+    range(&format!("{toml}\ng = 9.81\n"), "matrices.toml", "");
+
+    let directory = Directory::new("shapes-matrices-all");
+    directory.write("matrices.json", format!("{{{MATRICES}, \"C_0\": [[0, 0], [0, 1]], \"g\": 9.81}}"));
+    let json = directory.run(&["analyze", "matrices.json", "--format", "json"]).json();
+    assert_eq!(json["matrices"]["C0"][1][1].as_f64(), Some(1.0));
+    directory.write("shown.toml", directory.run(&["show", "matrices.json"]).ok());
+    let mut again = directory.run(&["analyze", "shown.toml", "--format", "json"]).json();
+    again["name"] = json["name"].clone();
+    assert_eq!(again, json);
+    let message = "error: matrices.json:1: `M` must have two rows of two numbers\n";
+    for matrix in ["[1, 2]", "[[1, 2]]", "[[1, 2], [3]]", "[]"] {
+        let run = directory.write("matrices.json", format!("{{\"M\": {matrix}}}")).run(&["analyze", "matrices.json"]);
+        assert_eq!(run.code, Some(2));
+        assert!(run.stderr.contains(message.trim_start_matches("error: ")), "{}", run.stderr);
+    }
+    let text = "{\"M\": [[1, 0], [0, \"one\"]], \"K0\": [[1, 0], [0, 1]]}";
+    let run = directory.write("matrices.json", text).run(&["analyze", "matrices.json"]);
+    let expected = "expected a number, or an expression such as `pi/10`";
+    run.fails(2, &format!("error: matrices.json:1: `M_22` is `one`; {expected}: `one` is not known\n"));
+}
+
+/// Without spring and damper the wider model is that of the bicycles.
+#[test]
+fn bicycles_for_a_wider_model() {
+    let directory = Directory::new("shapes-wider");
+    let note = "note: pista: `k`, `d` are not given: they are 0, with which WhippleSprung is the model Whipple\n";
+    let run = directory.run(&["analyze", "pista", "--model", "WhippleSprung", "--format", "json"]);
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), note));
+    let ranges = |text: &str| {
+        let json: serde_json::Value = serde_json::from_str(text).unwrap();
+        let bound = |at: usize| json["stable_ranges"][0][at].as_f64().unwrap();
+        [bound(0), bound(1)]
+    };
+    let own = ranges(&directory.run(&["analyze", "pista", "--format", "json"]).stdout);
+    assert!(own.iter().zip(ranges(&run.stdout)).all(|(own, wide)| (own - wide).abs() < 1e-9));
+    let damped = directory.run(&["analyze", "pista", "--model", "WhippleSprung", "--set", "d=1", "--set", "k=0"]).ok();
+    assert!(damped.contains("WhippleSprung pista"), "{damped}");
+    // A file for this model must have what it says.
+    let text = BENCHMARK.replace("[parameters]", "model = \"WhippleSprung\"\n[parameters]\nd = 1");
+    let run = directory.write("bike.toml", text).run(&["analyze", "bike.toml"]);
+    run.fails(2, "error: bike.toml: missing: `k` (of 28 parameters)\n");
+    let run = directory.run(&["analyze", "pista", "--model", "WhippleLeaning"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.starts_with("error: pista: missing: "), "{}", run.stderr);
 }

@@ -1,4 +1,5 @@
-//! Designs from comma-separated values.
+//! Designs from comma-separated values; also from those that spreadsheets separate by semicolons or tabs where the comma is
+//! in numbers.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -13,13 +14,26 @@ use crate::failure::{Failure, Place};
 pub struct Records {
     path: PathBuf,
     reader: Reader<Lines<File>>,
+    separator: u8,
     record: ByteRecord,
     columns: usize,
 }
 
-fn open(path: &Path) -> Result<Reader<Lines<File>>, Failure> {
+fn open(path: &Path, separator: u8) -> Result<Reader<Lines<File>>, Failure> {
     let file = File::open(path).map_err(|error| cannot_read(path, error))?;
-    Ok(ReaderBuilder::new().flexible(true).trim(Trim::All).from_reader(Lines::new(file)))
+    let mut builder = ReaderBuilder::new();
+    builder.flexible(true).trim(Trim::All).delimiter(separator);
+    Ok(builder.from_reader(Lines::new(file, separator)))
+}
+
+/// What separates the fields: a comma, unless there is none in the header but another separator.
+fn separator(path: &Path) -> Result<u8, Failure> {
+    let mut reader = open(path, b',')?;
+    let header = reader.byte_headers().map_err(|error| fail(path, error))?;
+    Ok(match header.iter().collect::<Vec<_>>()[..] {
+        [only] => [b';', b'\t'].into_iter().find(|separator| only.contains(separator)).unwrap_or(b','),
+        _ => b',',
+    })
 }
 
 fn fail(path: &Path, error: csv::Error) -> Failure {
@@ -44,7 +58,7 @@ fn cannot_read(path: &Path, error: std::io::Error) -> Failure {
 /// # Errors
 /// If the file cannot be read.
 pub fn names(path: &Path) -> Result<Vec<String>, Failure> {
-    let mut reader = open(path)?;
+    let mut reader = open(path, separator(path)?)?;
     let header = reader.byte_headers().map_err(|error| fail(path, error))?;
     Ok(header.iter().map(|name| String::from_utf8_lossy(name).into_owned()).collect())
 }
@@ -55,7 +69,7 @@ pub fn names(path: &Path) -> Result<Vec<String>, Failure> {
 /// If the file cannot be read, or a line is wrong.
 pub fn check(path: &Path) -> Result<(), Failure> {
     let file = File::open(path).map_err(|error| cannot_read(path, error))?;
-    let mut lines = std::io::BufReader::with_capacity(1 << 16, Lines::new(file));
+    let mut lines = std::io::BufReader::with_capacity(1 << 16, Lines::new(file, separator(path)?));
     std::io::copy(&mut lines, &mut std::io::sink()).map_err(|error| cannot_read(path, error)).map(|_| ())
 }
 
@@ -63,9 +77,10 @@ impl Records {
     /// # Errors
     /// If the file cannot be read.
     pub fn open(path: &Path) -> Result<Self, Failure> {
-        let mut reader = open(path)?;
+        let separator = separator(path)?;
+        let mut reader = open(path, separator)?;
         let columns = reader.byte_headers().map_err(|error| fail(path, error))?.len();
-        Ok(Self { path: path.to_owned(), reader, record: ByteRecord::new(), columns })
+        Ok(Self { path: path.to_owned(), reader, separator, record: ByteRecord::new(), columns })
     }
 
     /// Adds the next row; whether there is one.
@@ -81,6 +96,8 @@ impl Records {
         } else if is_there {
             rows.add(self.record.iter().map(|field| match std::str::from_utf8(field) {
                 Ok("") => Cell::Empty,
+                // Where commas do not separate fields, they separate decimals.
+                Ok(text) if self.separator != b',' => Cell::TextWithCommas(text),
                 Ok(text) => Cell::Text(text),
                 Err(_) => Cell::NotText,
             }));

@@ -37,6 +37,7 @@ enum State {
 /// nobody closed the rest of the file would be one of them.
 pub struct Lines<R> {
     inner: R,
+    separator: u8,
     state: State,
     /// Its number, from 1 on.
     line: usize,
@@ -48,8 +49,8 @@ pub struct Lines<R> {
 }
 
 impl<R: Read> Lines<R> {
-    pub fn new(inner: R) -> Self {
-        Self { inner, state: State::Line, line: 1, length: 0, is_before: true, mark: b"\xef\xbb\xbf" }
+    pub fn new(inner: R, separator: u8) -> Self {
+        Self { inner, separator, state: State::Line, line: 1, length: 0, is_before: true, mark: b"\xef\xbb\xbf" }
     }
 
     fn fail<T>(&self, message: &'static str) -> Result<T> {
@@ -76,7 +77,7 @@ impl<R: Read> Lines<R> {
             (State::Line | State::Field, b'"') | (State::Quote, b'"') => State::Quoted,
             (State::Quoted, b'"') => State::Quote,
             (State::Quoted, _) => State::Quoted,
-            (_, b',') => State::Field,
+            (_, byte) if byte == self.separator => State::Field,
             _ => State::Plain,
         };
         let is_kept = before != State::Comment && self.state != State::Comment;

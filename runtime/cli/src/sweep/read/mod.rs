@@ -17,7 +17,7 @@ use super::table::{Designs, Format};
 use crate::failure::{Failure, Place, Problem};
 
 /// Columns that are no parameters; they are copied to the result.
-const COPIED: [&str; 2] = ["name", "id"];
+const COPIED: [&str; 5] = ["name", "id", "index", "bike", "bicycle"];
 
 /// A file of designs, of which the columns are known.
 pub struct File {
@@ -49,13 +49,19 @@ impl File {
         let mut problems = Vec::new();
         let mut problem = |message| problems.push(Problem { place: Place::File(label.clone()), message });
         let mut columns: Vec<Named> = Vec::new();
-        for name in names {
+        for (at, name) in names.into_iter().enumerate() {
+            // Tables of pandas begin with an index that has no name.
+            let name = if at == 0 && name.is_empty() { "index".to_owned() } else { name };
             if columns.iter().any(|other| other.name == name) {
                 problem(format!("there are two columns `{name}`"));
             }
             let position = match find(&name, info) {
                 Ok(position) => Some(position),
                 Err(_) if COPIED.contains(&name.as_str()) => None,
+                Err(_) if name.is_empty() => {
+                    problem(format!("column {} has no name", at + 1));
+                    None
+                }
                 Err(message) => {
                     problem(format!("column {message}"));
                     None

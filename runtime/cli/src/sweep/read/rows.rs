@@ -19,6 +19,8 @@ pub enum Cell<'a> {
     /// Wide enough for every integer of a file.
     Integer(i128),
     Text(&'a str),
+    /// Text in which decimals may stand after a comma.
+    TextWithCommas(&'a str),
     Empty,
     /// Bytes that are not UTF-8.
     NotText,
@@ -58,7 +60,7 @@ impl<'a> Rows<'a> {
                     }
                 }
                 Column::Texts(values) => values.push(match cell {
-                    Cell::Text(text) => Some(text.to_owned().into()),
+                    Cell::Text(text) | Cell::TextWithCommas(text) => Some(text.to_owned().into()),
                     Cell::Integer(integer) => Some(integer.to_string().into()),
                     Cell::Number(number) => Some(shortest(number).into()),
                     Cell::Empty => None,
@@ -94,6 +96,11 @@ fn number(cell: Cell, info: &ParameterInfo) -> Result<f64, String> {
                 Err(found) => found,
             },
         },
+        // With both signs it is not clear which of them separates thousands.
+        Cell::TextWithCommas(text) if text.contains(',') && !text.contains('.') => {
+            return number(Cell::Text(&text.replace(',', ".")), info);
+        }
+        Cell::TextWithCommas(text) => return number(Cell::Text(text), info),
         Cell::Empty => "empty; expected a number".to_owned(),
         Cell::NotText => "not UTF-8 text; expected a number".to_owned(),
     };

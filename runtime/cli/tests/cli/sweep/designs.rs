@@ -52,6 +52,34 @@ fn designs_come_from_rows_of_csv() {
     assert!(errors[2].starts_with("`mB` is empty; expected a number"), "{errors:?}");
 }
 
+/// The same designs as spreadsheets and pandas write them.
+#[test]
+fn tables_of_spreadsheets_and_of_pandas() {
+    let directory = Directory::new("sweep-spreadsheets");
+    let results = |text: &str| {
+        directory.write("bikes.csv", text);
+        let table = table(directory.run(&["sweep", "--designs", "bikes.csv"]));
+        (0..2)
+            .map(|row| ["w", "lam", "mB", "weave_1", "error"].map(|name| table.text(row, name).to_owned()))
+            .collect::<Vec<_>>()
+    };
+    let expected = results("name,w,lam,mB\n\"A, b\",1.02,pi/10,85\nc,1.1,0.3,80.5\n");
+    assert!(expected[0][3].starts_with("4.29238") && expected.iter().all(|row| row[4].is_empty()), "{expected:?}");
+    for text in [
+        "\u{feff}name;w;lam;mB\r\nA, b;1,02;pi/10;85\r\nc;1,1;0,3;80,5\r\n",
+        "name\tw\tlam\tmB\nA, b\t1,02\tpi/10\t85\nc\t1.1\t0.3\t80.5\n",
+        ",bike,w,lam,mB\n0,A,1.02,pi/10,85\n1,c,1.1,0.3,80.5\n",
+        "name;w;lam;mB\nA;1,02+/-0,01;pi/10;85 kg\nc;1,1;0,3;80,5(2)\n",
+    ] {
+        assert_eq!(results(text), expected, "{text}");
+    }
+    directory.write("bikes.csv", "name;w\na;1.234,5\n");
+    let table = table(directory.run(&["sweep", "--designs", "bikes.csv"]));
+    assert!(table.text(0, "error").starts_with("`w` is `1.234,5`; expected a number"), "{}", table.text(0, "error"));
+    directory.write("bikes.csv", "w,,mB\n1,2,3\n");
+    directory.run(&["sweep", "--designs", "bikes.csv"]).fails(2, "error: bikes.csv: column 2 has no name\n");
+}
+
 /// Only before the header: a name may begin with `#`.
 #[test]
 fn comments_stand_before_the_header() {

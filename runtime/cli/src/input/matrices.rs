@@ -1,0 +1,56 @@
+//! Files that give matrices instead of parameters: `"M": [[…, …], […, …]]`.
+
+use carvallo::MatrixName;
+
+use super::document::{Document, Entry, Written};
+use crate::failure::Place;
+use crate::model::{MATRICES, entry_names};
+
+/// A list as it was written, or what stands in the place of one.
+pub type Rows = Vec<Vec<Written>>;
+
+/// The matrix of a name: `C1` by `C1` and `C_1`.
+pub fn name(name: &str) -> Option<MatrixName> {
+    let short = name.replace('_', "");
+    MatrixName::ALL.into_iter().find(|matrix| matrix.to_string() == short)
+}
+
+impl Document {
+    /// Takes a matrix by its entries.
+    pub fn take_matrix(&mut self, matrix: MatrixName, place: &Place, rows: Option<Rows>) {
+        let entries: Option<Vec<Written>> = rows.and_then(|rows| {
+            let is_two = rows.len() == 2 && rows.iter().all(|row| row.len() == 2);
+            is_two.then(|| rows.into_iter().flatten().collect())
+        });
+        let Some(entries) = entries else {
+            return self.problem(place.clone(), format!("`{matrix}` must have two rows of two numbers"));
+        };
+        for (name, value) in entry_names(matrix).into_iter().zip(entries) {
+            self.entries.push(Entry { name: name.to_owned(), place: place.clone(), value, deviation: None });
+        }
+    }
+
+    /// Chooses the model for the matrices, if there are any: what is not given of them is zero.
+    pub fn finish_matrices(&mut self) {
+        let has = |matrix: MatrixName| {
+            let [first, ..] = entry_names(matrix);
+            self.entries.iter().any(|entry| entry.name == first)
+        };
+        let given = MatrixName::ALL.map(|matrix| (matrix, has(matrix)));
+        let is_any = given.iter().any(|(_, is_given)| *is_given);
+        if !is_any || self.model.is_some() {
+            return;
+        }
+        let holds = |model: &&crate::model::Shipped| {
+            given.iter().all(|(matrix, is_given)| !is_given || model.info.matrices.contains(matrix))
+        };
+        let Some(model) = MATRICES.into_iter().find(holds) else { return };
+        self.model = Some(model.info.name.to_owned());
+        let place = self.entries[0].place.clone();
+        let absent = given.iter().filter(|(matrix, is_given)| !is_given && model.info.matrices.contains(matrix));
+        for (matrix, _) in absent.filter(|(matrix, _)| *matrix != MatrixName::M) {
+            let zero = || vec![vec![Written::Text("0".to_owned()), Written::Text("0".to_owned())]; 2];
+            self.take_matrix(*matrix, &place, Some(zero()));
+        }
+    }
+}
