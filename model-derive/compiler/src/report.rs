@@ -51,12 +51,17 @@ impl Report {
         self.errors.is_empty()
     }
 
-    /// The end of the line: all errors as one, in the order in which they were found.
+    /// The end of the line: all errors as one, in the order of the source, whichever stage found them.
     ///
     /// # Errors
     /// If any error was noted.
     pub fn finish(self) -> Result<(), syn::Error> {
-        let combined = self.errors.into_iter().reduce(|mut all, next| {
+        let mut errors = self.errors;
+        errors.sort_by_key(|error| {
+            let start = error.span().start();
+            (start.line, start.column)
+        });
+        let combined = errors.into_iter().reduce(|mut all, next| {
             all.combine(next);
             all
         });
