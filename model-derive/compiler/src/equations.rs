@@ -3,8 +3,6 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use proc_macro2::Ident;
-
 use crate::formula::{Decimal, Factor, Formula, Function, Term};
 use crate::model::Model;
 use crate::program::{Instruction, Program, Value};
@@ -27,7 +25,7 @@ impl Equations {
     pub fn of_matrices(model: &Model) -> Self {
         Self::of_formulas(
             model.parameters.len(),
-            &model.definitions,
+            model.formulas_of_definitions(),
             model.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect(),
         )
     }
@@ -36,7 +34,7 @@ impl Equations {
     pub fn of_requirements(model: &Model) -> Self {
         Self::of_formulas(
             model.parameters.len(),
-            &model.definitions,
+            model.formulas_of_definitions(),
             model.requirements.iter().map(|requirement| requirement.value.clone()).collect(),
         )
     }
@@ -44,7 +42,7 @@ impl Equations {
     /// The rates and forces that follow from a mechanism.
     pub fn of_kinematics(model: &Model) -> Option<Self> {
         let outputs = model.kinematics.as_ref()?.formulas().cloned().collect();
-        Some(Self::of_formulas(model.parameters.len(), &model.definitions, outputs))
+        Some(Self::of_formulas(model.parameters.len(), model.formulas_of_definitions(), outputs))
     }
 
     /// What a program of a model computes, with a definition for each value that is used more than once or has a name,
@@ -91,13 +89,18 @@ impl Equations {
     }
 
     /// Any formulas, with the definitions that they depend on, and no others.
-    pub fn of_formulas(parameters: usize, definitions: &[(Ident, Formula)], outputs: Vec<Formula>) -> Self {
+    pub fn of_formulas<'a>(
+        parameters: usize,
+        definitions: impl IntoIterator<Item = &'a Formula>,
+        outputs: Vec<Formula>,
+    ) -> Self {
+        let definitions: Vec<&Formula> = definitions.into_iter().collect();
         let mut needed = vec![false; definitions.len()];
         outputs.iter().for_each(|output| mark(output, &mut needed));
         // Each definition uses only earlier ones, so one way back finds them all.
-        for (index, (_, expr)) in definitions.iter().enumerate().rev() {
+        for (index, definition) in definitions.iter().enumerate().rev() {
             if needed[index] {
-                mark(expr, &mut needed);
+                mark(definition, &mut needed);
             }
         }
         let origins: Vec<usize> = (0..needed.len()).filter(|index| needed[*index]).collect();
@@ -107,7 +110,7 @@ impl Equations {
         }
         Self {
             parameters,
-            definitions: origins.iter().map(|origin| definitions[*origin].1.renumbered(&new)).collect(),
+            definitions: origins.iter().map(|origin| definitions[*origin].renumbered(&new)).collect(),
             origins,
             outputs: outputs.iter().map(|output| output.renumbered(&new)).collect(),
         }

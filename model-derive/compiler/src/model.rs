@@ -1,13 +1,14 @@
-//! The checked model: every name resolved, every shape and domain right.
+//! The model: formulas in the parameters alone, which are what the declaration says of them.
 
 use proc_macro2::{Ident, Span, TokenStream};
 
+use crate::domain::Domain;
 use crate::formula::Formula;
 use crate::kinematics::Kinematics;
 use crate::report::Region;
 use crate::syntax::MatrixName;
 
-/// A model that passed all checks.
+/// A model that passed all checks, and whose claims are proved.
 #[derive(Debug)]
 pub struct Model {
     /// The name of the struct that is generated.
@@ -42,6 +43,13 @@ pub struct Model {
     pub derivatives: Option<Span>,
     /// The names in the declaration, for editors.
     pub references: References,
+}
+
+impl Model {
+    /// The formulas of the definitions, in their order.
+    pub fn formulas_of_definitions(&self) -> impl Iterator<Item = &Formula> {
+        self.definitions.iter().map(|(_, formula)| formula)
+    }
 }
 
 /// What editors need to know of the names in a declaration.
@@ -111,7 +119,7 @@ pub struct ParameterSet {
 }
 
 /// A condition on several parameters.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Requirement {
     /// The expression as it was written.
     pub text: String,
@@ -134,71 +142,4 @@ pub enum Origin {
     Matrices,
     /// A requirement of the declaration, which has no value without it.
     Requirements,
-}
-
-/// Finite values between two bounds, with or without zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Domain {
-    /// The lower end.
-    pub lower: Bound,
-    /// The upper end.
-    pub upper: Bound,
-    /// Whether zero is left out.
-    pub nonzero: bool,
-}
-
-/// One end of a domain.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Bound {
-    /// Any finite value.
-    Unbounded,
-    /// Without the bound itself.
-    Open(f64),
-    /// With the bound itself.
-    Closed(f64),
-}
-
-impl Domain {
-    /// Any finite value but zero.
-    pub const NONZERO: Self = Self { lower: Bound::Unbounded, upper: Bound::Unbounded, nonzero: true };
-    /// What a square root takes.
-    pub const NONNEGATIVE: Self = Self { lower: Bound::Closed(0.0), upper: Bound::Unbounded, nonzero: false };
-
-    /// Whether `value` is finite and inside.
-    pub fn contains(&self, value: f64) -> bool {
-        let above = match self.lower {
-            Bound::Unbounded => true,
-            Bound::Open(bound) => value > bound,
-            Bound::Closed(bound) => value >= bound,
-        };
-        let below = match self.upper {
-            Bound::Unbounded => true,
-            Bound::Open(bound) => value < bound,
-            Bound::Closed(bound) => value <= bound,
-        };
-        value.is_finite() && above && below && !(self.nonzero && value == 0.0)
-    }
-}
-
-/// Reads as the end of a sentence "expected …".
-impl std::fmt::Display for Domain {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let lower = match self.lower {
-            Bound::Unbounded => None,
-            Bound::Open(bound) => Some(format!("> {bound}")),
-            Bound::Closed(bound) => Some(format!(">= {bound}")),
-        };
-        let upper = match self.upper {
-            Bound::Unbounded => None,
-            Bound::Open(bound) => Some(format!("< {bound}")),
-            Bound::Closed(bound) => Some(format!("<= {bound}")),
-        };
-        match (lower, upper) {
-            (None, None) if self.nonzero => return f.write_str("not 0"),
-            (None, None) => return f.write_str("any finite value"),
-            (Some(one), None) | (None, Some(one)) => f.write_str(&one)?,
-            (Some(low), Some(high)) => write!(f, "{low} and {high}")?,
-        }
-        if self.nonzero { f.write_str(" and not 0") } else { Ok(()) }
-    }
 }

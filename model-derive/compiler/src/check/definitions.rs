@@ -2,55 +2,28 @@
 
 use proc_macro2::Ident;
 
-use super::names::Scope;
-use super::resolve;
-use crate::formula::Formula;
+use super::names::{Meaning, Scope};
 use crate::report::Report;
-use crate::syntax::{Declaration, Expression};
+use crate::syntax::Declaration;
 
-/// The definitions, resolved, and their order.
+/// An order of the definitions.
 #[derive(Debug)]
-pub struct Resolved {
-    /// By position in the declaration.
-    pub definitions: Vec<Formula>,
-    /// Positions in the declaration, each after those that it uses.
-    pub order: Vec<usize>,
+pub struct Order {
+    /// Positions in the declaration, each behind those that it uses.
+    pub declared: Vec<usize>,
     /// Whether some definition depends on itself, so that there is no such order.
-    pub cyclic: bool,
+    pub is_cyclic: bool,
 }
 
-impl Resolved {
-    /// The definitions with their names, in their order, and with references to them renumbered to match.
-    pub fn in_order(&self, declaration: &Declaration) -> Vec<(Ident, Formula)> {
-        let new = self.new_positions();
-        let entry = |old: &usize| (declaration.definitions[*old].name.clone(), self.definitions[*old].renumbered(&new));
-        self.order.iter().map(entry).collect()
-    }
-
-    /// The formulas of the definitions as they are written, in their order.
-    pub fn sources<'a>(&self, declaration: &'a Declaration) -> Vec<&'a Expression> {
-        self.order.iter().map(|old| &declaration.definitions[*old].value).collect()
-    }
-
+impl Order {
     /// For each position in the declaration the one in the order.
-    pub fn new_positions(&self) -> Vec<usize> {
-        let mut new = vec![0; self.definitions.len()];
-        for (position, old) in self.order.iter().enumerate() {
-            new[*old] = position;
+    pub fn positions(&self) -> Vec<usize> {
+        let mut positions = vec![0; self.declared.len()];
+        for (position, declared) in self.declared.iter().enumerate() {
+            positions[*declared] = position;
         }
-        new
+        positions
     }
-}
-
-/// The definitions that a formula uses itself.
-pub fn uses(expr: &Formula) -> Vec<usize> {
-    let mut found = Vec::new();
-    expr.walk(&mut |part| {
-        if let Formula::Definition(index) = part {
-            found.push(*index);
-        }
-    });
-    found
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -60,17 +33,25 @@ enum State {
     Done,
 }
 
-pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> Resolved {
-    let definitions: Vec<Formula> = declaration
+/// Puts the definitions in an order, as long as the scope numbers them as they are declared; cycles are reported.
+pub fn order(declaration: &Declaration, scope: &Scope, report: &mut Report) -> Order {
+    let uses: Vec<Vec<usize>> = declaration
         .definitions
         .iter()
-        .map(|definition| resolve::expression(&definition.value, scope, report))
+        .map(|definition| {
+            let mut uses = Vec::new();
+            definition.value.names(&mut |name| {
+                if let Some(Meaning::Definition(index)) = scope.get(name) {
+                    uses.push(index);
+                }
+            });
+            uses
+        })
         .collect();
-    let uses: Vec<Vec<usize>> = definitions.iter().map(uses).collect();
-    let mut state = vec![State::New; definitions.len()];
-    let mut order = Vec::new();
-    let mut cyclic = false;
-    for start in 0..definitions.len() {
+    let mut state = vec![State::New; uses.len()];
+    let mut declared = Vec::new();
+    let mut is_cyclic = false;
+    for start in 0..uses.len() {
         // Depth first with a stack of our own: a chain of thousands of definitions must not exhaust the thread's.
         let mut stack = vec![(start, 0)];
         while let Some((node, next)) = stack.pop() {
@@ -82,7 +63,7 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
             }
             let Some(&used) = uses[node].get(next) else {
                 state[node] = State::Done;
-                order.push(node);
+                declared.push(node);
                 continue;
             };
             stack.push((node, next + 1));
@@ -90,16 +71,19 @@ pub fn resolve(declaration: &Declaration, scope: &mut Scope, report: &mut Report
                 State::New => stack.push((used, 0)),
                 State::Done => {}
                 State::Open => {
-                    cyclic = true;
-                    let path = stack.iter().map(|(node, _)| *node).skip_while(|node| *node != used);
-                    let names: Vec<String> =
-                        path.chain([used]).map(|node| format!("`{}`", declaration.definitions[node].name)).collect();
-                    let message =
-                        format!("a definition in a cycle: {}; expected definitions that end", names.join(" uses "));
-                    report.error(&declaration.definitions[used].name, message);
+                    is_cyclic = true;
+                    let cycle = stack.iter().map(|(node, _)| *node).skip_while(|node| *node != used).chain([used]);
+                    report_cycle(cycle.map(|node| &declaration.definitions[node].name).collect(), report);
                 }
             }
         }
     }
-    Resolved { definitions, order, cyclic }
+    Order { declared, is_cyclic }
+}
+
+/// Reports a cycle of definitions, each using the next, which ends where it begins.
+fn report_cycle(cycle: Vec<&Ident>, report: &mut Report) {
+    let names: Vec<String> = cycle.iter().map(|name| format!("`{name}`")).collect();
+    let message = format!("a definition in a cycle: {}; expected definitions that end", names.join(" uses "));
+    report.error(cycle[0], message);
 }

@@ -1,24 +1,25 @@
 //! The values that parameters may take.
 
-use super::constants::Constant;
+use super::constants::evaluate_in;
 use super::units::Dimension;
-use crate::model;
+use crate::constant::Constant;
+use crate::domain::{Bound, Domain};
 use crate::report::{Region, Report};
-use crate::syntax::{Bound, Relation};
+use crate::syntax::{self, Relation};
 
 /// A domain with its bounds beyond double precision, so that `lam < pi/2` is decided exactly.
 #[derive(Clone, Debug, Default)]
-pub struct Domain {
+pub struct ExactDomain {
     lower: Option<(Constant, f64, bool)>,
     upper: Option<(Constant, f64, bool)>,
     nonzero: bool,
 }
 
-/// The domain that the bounds of a quantity of dimension `own` make.
-pub fn domain(bounds: &[Bound], own: Option<Dimension>, report: &mut Report) -> Domain {
-    let mut domain = Domain::default();
+/// Reads the domain that the bounds of a quantity of dimension `own` make.
+pub fn read_domain(bounds: &[syntax::Bound], own: Option<Dimension>, report: &mut Report) -> ExactDomain {
+    let mut domain = ExactDomain::default();
     for bound in bounds {
-        let constant = match Constant::in_unit(&bound.value, own) {
+        let constant = match evaluate_in(&bound.value, own) {
             Ok(constant) => constant,
             Err(error) => {
                 report.push(error);
@@ -60,12 +61,12 @@ pub fn domain(bounds: &[Bound], own: Option<Dimension>, report: &mut Report) -> 
             let other = if domain.nonzero { ", or other values than 0" } else { "" };
             report.error(region, format!("an empty domain: expected a lower bound below the upper one{other}"));
         }
-        return Domain::default();
+        return ExactDomain::default();
     }
     domain
 }
 
-impl Domain {
+impl ExactDomain {
     /// Whether a constant lies inside.
     pub fn contains(&self, value: &Constant) -> bool {
         let above = self.lower.as_ref().is_none_or(|(low, _, included)| value > low || *included && value == low);
@@ -74,12 +75,12 @@ impl Domain {
     }
 
     /// In the numbers of the generated code.
-    pub fn to_model(&self) -> model::Domain {
+    pub fn to_model(&self) -> Domain {
         let bound = |side: &Option<(Constant, f64, bool)>| match side {
-            None => model::Bound::Unbounded,
-            Some((_, value, true)) => model::Bound::Closed(*value),
-            Some((_, value, false)) => model::Bound::Open(*value),
+            None => Bound::Unbounded,
+            Some((_, value, true)) => Bound::Closed(*value),
+            Some((_, value, false)) => Bound::Open(*value),
         };
-        model::Domain { lower: bound(&self.lower), upper: bound(&self.upper), nonzero: self.nonzero }
+        Domain { lower: bound(&self.lower), upper: bound(&self.upper), nonzero: self.nonzero }
     }
 }

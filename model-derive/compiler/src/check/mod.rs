@@ -1,10 +1,8 @@
-//! The syntax tree to a [`Model`]: the last stage that reports the user's mistakes.
+//! The syntax tree to what it means: names, shapes, units and domains are right, and formulas are resolved.
 
-mod asserted;
 mod constants;
 mod definitions;
 mod domains;
-mod evidence;
 mod matrices;
 mod mechanism;
 mod names;
@@ -12,136 +10,138 @@ mod references;
 mod resolve;
 mod sets;
 mod units;
-mod unused;
 
-use self::evidence::Evidence;
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+
+pub use self::mechanism::{Assembly, Role, Tree};
+pub use self::sets::CheckedSet;
+use crate::domain::Domain;
 use crate::formula::Formula;
-use crate::model::{Coordinate, Domain, Matrices, Model, Origin, Parameter, Requirement};
-use crate::report::Report;
-use crate::syntax::{Declaration, MatrixName, Unit};
+use crate::model::{Matrices, Origin, References, Requirement};
+use crate::report::{Region, Report};
+use crate::syntax::Declaration;
 
-/// Checks a declaration. All mistakes are noted in the report; only if there are none is the result of use.
-pub fn check(mut declaration: Declaration, report: &mut Report) -> Model {
-    let unread = !report.is_empty();
-    if declaration.parameters.is_empty() && !unread {
+/// A declaration whose names are resolved. If mistakes are reported some of it may be missing or stand for nothing.
+#[derive(Debug)]
+pub struct Checked<'a> {
+    /// What was checked.
+    pub declaration: &'a Declaration,
+    /// Whether all its statements could be read.
+    pub is_complete: bool,
+    /// Names that are not reported as unused: refused ones, and those suggested for an unknown one, so probably meant.
+    pub excused: HashSet<String>,
+    /// For each parameter.
+    pub domains: Vec<Domain>,
+    /// The definitions in an order in which each uses only earlier ones, by their positions in the declaration.
+    pub order: Vec<usize>,
+    /// Their formulas, in that order, which is also that of positions in formulas.
+    pub definitions: Vec<Formula>,
+    /// The declared requirements.
+    pub requirements: Vec<Requirement>,
+    /// Both sides of each assertion of a formula.
+    pub assertions: Vec<[Formula; 2]>,
+    /// The rows of each matrix whose entries are asserted.
+    pub asserted: Vec<Vec<Vec<Formula>>>,
+    /// The matrices that are written, in the order of the equation of motion.
+    pub matrices: Matrices,
+    /// Where their entries stand, row by row.
+    pub entries: Vec<Region>,
+    /// The formulas in the mechanism, one by one.
+    pub attributes: Vec<Formula>,
+    /// The mechanism, if there is one, and nothing that its derivation depends on is a mistake.
+    pub assembly: Option<Assembly>,
+    /// The parameter sets.
+    pub sets: Vec<CheckedSet>,
+    /// The parameter that is the gravitational field strength.
+    pub gravity: Option<usize>,
+    /// The names in the declaration, for editors.
+    pub references: References,
+}
+
+impl Checked<'_> {
+    /// The name of the definition at a position of formulas.
+    pub fn definition(&self, index: usize) -> &Ident {
+        &self.declaration.definitions[self.order[index]].name
+    }
+}
+
+/// Checks a declaration. Mistakes are noted in the report.
+pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'a> {
+    let is_complete = report.is_empty();
+    if declaration.parameters.is_empty() && is_complete {
         report.error(&declaration.name, "no parameters: expected `parameters { … }` with at least one");
     }
-    let mut scope = names::Scope::new(&declaration, report);
-    let dimensions = units::Dimensions::new(&declaration, report);
-    mechanism::lower(&mut declaration, &mut scope, &dimensions, report);
-    asserted::expand(&mut declaration, report);
-    let resolved = definitions::resolve(&declaration, &mut scope, report);
-    let requirements: Vec<Requirement> = declaration
-        .requirements
-        .iter()
-        .map(|requirement| Requirement {
-            text: requirement.value.to_string(),
-            region: requirement.value.region,
-            value: resolve::expression(&requirement.value, &mut scope, report),
-            domain: domains::domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
-            origin: Origin::Declared,
-        })
-        .collect();
-    let assertions: Vec<[Formula; 2]> = declaration
-        .assertions
-        .iter()
-        .map(|assertion| [&assertion.left, &assertion.right].map(|side| resolve::expression(side, &mut scope, report)))
-        .collect();
-    let (matrices, entries) = matrices::matrices(&declaration, unread, &mut scope, report);
-    let kinematics = declaration
-        .kinematics
-        .as_ref()
-        .map(|kinematics| kinematics.map(|formula| resolve::expression(formula, &mut scope, report)));
-    let outputs: Vec<&Formula> = matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).collect();
-    let outputs: Vec<&Formula> = outputs.into_iter().chain(kinematics.iter().flat_map(|k| k.formulas())).collect();
-    let used = unused::parameters(&declaration, &resolved, &requirements, &outputs);
-    // Without a mass matrix or a row formulas are missing, and what they would use is no mistake.
-    let complete = matrices.iter().any(|(name, _)| *name == MatrixName::M)
-        && matrices.iter().all(|(_, rows)| !rows.is_empty() && rows.iter().all(|row| !row.is_empty()));
-    if !unread && complete {
-        unused::report(&declaration, &resolved, &requirements, &assertions, &outputs, &scope, report);
+    let mut scope = names::Scope::new(declaration, report);
+    let dimensions = units::Dimensions::new(declaration, report);
+    // Before mistakes elsewhere, beside which it would not be looked at.
+    let tree =
+        declaration.mechanism.as_ref().and_then(|mechanism| mechanism::find_tree(declaration, mechanism, report));
+
+    let order = definitions::order(declaration, &scope, report);
+    scope.number_definitions(&order.positions());
+    let formula = |definition: &usize| &declaration.definitions[*definition].value;
+    let definitions = order.declared.iter().map(formula).map(|f| resolve::resolve(f, &mut scope, report)).collect();
+    // Of definitions in a cycle the first mistake is the cycle.
+    let ordered = if order.is_cyclic { &[] } else { &order.declared[..] };
+    let defined = units::check(declaration, &dimensions, &scope, ordered, report);
+    let mut attributes = Vec::new();
+    let mut assembly = None;
+    if let Some(mechanism) = &declaration.mechanism {
+        units::check_mechanism(declaration, mechanism, &dimensions, &scope, &defined, report);
+        attributes = mechanism.formulas().map(|formula| resolve::resolve(formula, &mut scope, report)).collect();
+        assembly = mechanism::assemble(declaration, mechanism, tree, &attributes, report);
+        // Without coordinates it is not known what is determined by others.
+        assembly = assembly.filter(|_| report.is_empty() && !declaration.coordinates.is_empty());
     }
 
-    // Of definitions in a cycle the first mistake is the cycle.
-    let order = if resolved.cyclic { &[] } else { &resolved.order[..] };
-    let defined = units::check(&declaration, &dimensions, &scope, order, report);
-
-    let new = resolved.new_positions();
-    let assertions: Vec<[Formula; 2]> =
-        assertions.iter().map(|sides| sides.each_ref().map(|s| s.renumbered(&new))).collect();
-    let mut requirements: Vec<Requirement> = requirements
-        .into_iter()
-        .map(|requirement| Requirement { value: requirement.value.renumbered(&new), ..requirement })
-        .collect();
-    let matrices: Matrices = matrices
-        .into_iter()
-        .map(|(name, rows)| (name, rows.iter().map(|row| row.iter().map(|e| e.renumbered(&new)).collect()).collect()))
-        .collect();
-
-    let kinematics = kinematics.map(|kinematics| kinematics.map(|formula| formula.renumbered(&new)));
+    let mut resolve = |formula, report: &mut Report| resolve::resolve(formula, &mut scope, report);
+    let requirements = declaration.requirements.iter().map(|requirement| Requirement {
+        text: requirement.value.to_string(),
+        region: requirement.value.region,
+        value: resolve(&requirement.value, report),
+        domain: domains::read_domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
+        origin: Origin::Declared,
+    });
+    let requirements = requirements.collect();
+    let assertions = declaration.assertions.iter();
+    let assertions =
+        assertions.map(|assertion| [&assertion.left, &assertion.right].map(|side| resolve(side, report))).collect();
+    let asserted = declaration.asserted.iter().map(|matrix| {
+        let rows = matrix.rows.iter().map(|(_, row)| row.iter().map(|entry| resolve(entry, report)).collect());
+        rows.collect()
+    });
+    let asserted = asserted.collect();
+    let (matrices, entries) = matrices::resolve_matrices(declaration, is_complete, &mut scope, report);
 
     let own = declaration.parameters.iter().zip(&dimensions.parameters);
-    let domains: Vec<_> = own.map(|(parameter, own)| domains::domain(&parameter.bounds, *own, report)).collect();
+    let domains: Vec<_> = own.map(|(parameter, own)| domains::read_domain(&parameter.bounds, *own, report)).collect();
     let parameters = sets::Parameters { domains: &domains, dimensions: &dimensions.parameters };
-    let sets = sets::sets(&declaration, &parameters, report);
-    let gravity = gravity(&declaration, report);
-    let definitions = resolved.in_order(&declaration);
-    let symmetric = evidence::symmetric(&declaration);
-    let references = references::references(&declaration, &scope, &defined);
-    if report.is_empty() {
-        let domains: Vec<Domain> = domains.iter().map(|domain| domain.to_model()).collect();
-        let evidence = Evidence {
-            declaration: &declaration,
-            resolved: &resolved,
-            dimensions: &dimensions,
-            domains: &domains,
-            matrices: &matrices,
-            kinematics: kinematics.as_ref(),
-            entries: &entries,
-            assertions: &assertions,
-            sets: &sets,
-        };
-        requirements = evidence.check(requirements, &mut scope, report);
-    }
-    let parameters = declaration.parameters.into_iter().zip(domains).zip(used).enumerate();
-    let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {
-        symbol: parameter.symbol.unwrap_or_else(|| parameter.name.to_string()),
-        name: parameter.name,
-        docs: parameter.docs,
-        unit: unit_text(parameter.unit),
-        domain: domain.to_model(),
-        used: used || gravity == Some(index),
-    });
-    Model {
+    let sets = sets::read_sets(declaration, &parameters, report);
+    let gravity = find_gravity(declaration, report);
+    let references = references::find_references(declaration, &scope, &defined);
+    Checked {
+        declaration,
+        is_complete,
+        excused: scope.excused,
+        domains: domains.iter().map(|domain| domain.to_model()).collect(),
+        order: order.declared,
         definitions,
-        parameters: parameters.collect(),
-        name: declaration.name,
-        visibility: declaration.visibility,
-        docs: declaration.docs,
-        source: declaration.source.unwrap_or_default(),
-        gravity,
         requirements,
-        sets,
-        coordinates: declaration
-            .coordinates
-            .into_iter()
-            .map(|coordinate| Coordinate {
-                label: coordinate.label.unwrap_or_else(|| coordinate.name.to_string()),
-                name: coordinate.name.to_string(),
-                docs: coordinate.docs,
-                unit: unit_text(coordinate.unit),
-            })
-            .collect(),
+        assertions,
+        asserted,
         matrices,
         entries,
-        symmetric,
-        kinematics,
-        derivatives: declaration.derivatives,
+        attributes,
+        assembly,
+        sets,
+        gravity,
         references,
     }
 }
 
-fn gravity(declaration: &Declaration, report: &mut Report) -> Option<usize> {
+fn find_gravity(declaration: &Declaration, report: &mut Report) -> Option<usize> {
     let mut found = None;
     for (index, parameter) in declaration.parameters.iter().enumerate() {
         let Some(span) = parameter.gravity else { continue };
@@ -151,9 +151,4 @@ fn gravity(declaration: &Declaration, report: &mut Report) -> Option<usize> {
         found.get_or_insert(index);
     }
     found
-}
-
-/// The unit as it was written; with one that could not be read nothing is compiled.
-fn unit_text(unit: Option<Unit>) -> String {
-    unit.map_or("1".into(), |unit| unit.text)
 }

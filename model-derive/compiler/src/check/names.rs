@@ -13,7 +13,7 @@ use crate::syntax::{Declaration, reserved};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
     Parameter(usize),
-    /// A position in the declaration.
+    /// A position among the definitions: as they are declared, then in their order.
     Definition(usize),
     Coordinate,
     /// Its statement could not be read, or it cannot be a name: what is reported already.
@@ -68,9 +68,13 @@ impl Scope {
         }
     }
 
-    /// A name that the declaration does not have yet.
-    pub fn derived(&mut self, name: &Ident, definition: usize) {
-        self.names.insert(name.to_string(), Meaning::Definition(definition));
+    /// Gives each definition another position.
+    pub fn number_definitions(&mut self, positions: &[usize]) {
+        for meaning in self.names.values_mut() {
+            if let Meaning::Definition(position) = meaning {
+                *position = positions[*position];
+            }
+        }
     }
 
     pub fn get(&self, name: &Ident) -> Option<Meaning> {
@@ -89,4 +93,10 @@ impl Scope {
             None => String::new(),
         }
     }
+}
+
+/// What to say of a function that does not exist.
+pub fn unknown_function(name: &str, known: &[&'static str]) -> String {
+    let hint = nearest(name, known.iter().copied()).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+    format!("unknown function `{name}`: expected one of {}{hint}", known.join(", "))
 }

@@ -1,14 +1,16 @@
 //! Where names are used, so that editors lead from a use to its declaration.
 
+use std::collections::HashSet;
+
 use proc_macro2::Ident;
 
 use super::names::{Meaning, Scope};
 use super::units::Dimension;
 use crate::model::{References, Target};
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, Definition};
 
 /// All uses of parameters and definitions, in formulas and in parameter sets; `dimensions` are those of the definitions.
-pub fn references(declaration: &Declaration, scope: &Scope, dimensions: &[Option<Dimension>]) -> References {
+pub fn find_references(declaration: &Declaration, scope: &Scope, dimensions: &[Option<Dimension>]) -> References {
     let mut uses = Vec::new();
     let mut note = |name: &Ident| match scope.get(name) {
         Some(Meaning::Parameter(_)) => uses.push((Target::Parameter, name.clone())),
@@ -18,33 +20,33 @@ pub fn references(declaration: &Declaration, scope: &Scope, dimensions: &[Option
     if let Some(mechanism) = &declaration.mechanism {
         mechanism.formulas().for_each(|formula| formula.names(&mut note));
     }
-    let Declaration { definitions, requirements, assertions, matrices, sets, .. } = declaration;
-    let written = || definitions.iter().filter(|definition| !definition.derived);
-    let formulas = written().map(|definition| &definition.value);
+    let Declaration { definitions, requirements, assertions, asserted, matrices, sets, .. } = declaration;
+    let formulas = definitions.iter().map(|definition| &definition.value);
     let formulas = formulas.chain(requirements.iter().map(|requirement| &requirement.value));
-    // The entries of matrices are written elsewhere, if at all.
-    let asserted = assertions.iter().flat_map(|assertion| {
-        let left = Some(&assertion.left).filter(|_| assertion.entry.is_none());
-        left.into_iter().chain([&assertion.right])
-    });
-    // Those of a mechanism are written nowhere.
+    let sides = assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
+    // Matrices beside a mechanism are a mistake.
     let matrices = if declaration.mechanism.is_some() { &[] } else { &matrices[..] };
-    let entries = matrices.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
-    formulas.chain(asserted).chain(entries).for_each(|formula| formula.names(&mut note));
+    let entries = asserted.iter().chain(matrices).flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    formulas.chain(sides).chain(entries).for_each(|formula| formula.names(&mut note));
     for entry in sets.iter().flat_map(|set| &set.values) {
         // In a set a name is a parameter's.
         if matches!(scope.get(&entry.name), Some(Meaning::Parameter(_))) {
             note(&entry.name);
         }
     }
-    let definition = |index: usize| {
-        let unit = dimensions[index].map(|dimension| format!(", {}", dimension.place())).unwrap_or_default();
-        (definitions[index].name.clone(), format!("`{}`{unit}", definitions[index].value.to_string()))
-    };
     // A second definition of one name is a mistake, and reported.
-    let first = |index: &usize| scope.get(&definitions[*index].name) == Some(Meaning::Definition(*index));
+    let mut known = HashSet::new();
+    let first = definitions.iter().filter(|definition| known.insert(definition.name.to_string()));
+    let definition = |definition: &Definition| {
+        let dimension = match scope.get(&definition.name) {
+            Some(Meaning::Definition(position)) => dimensions[position],
+            _ => return None,
+        };
+        let unit = dimension.map(|dimension| format!(", {}", dimension.place())).unwrap_or_default();
+        Some((definition.name.clone(), format!("`{}`{unit}", definition.value)))
+    };
     References {
-        definitions: (0..written().count()).filter(first).map(definition).collect(),
+        definitions: first.filter_map(definition).collect(),
         uses,
         matrices: matrices.iter().map(|matrix| (matrix.name, matrix.span)).collect(),
     }

@@ -1,21 +1,20 @@
 //! Names in formulas to what they stand for.
 
 use super::constants;
-use super::names::{Meaning, Scope};
+use super::names::{Meaning, Scope, unknown_function};
 use super::units::Quantity;
 use crate::formula::{Factor, Formula, Function, Term};
-use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{self, Expression, Kind, reserved};
 
-/// Resolves a formula; definitions are numbered as they are declared.
-pub fn expression(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
+/// Resolves a formula. Mistakes are reported, and then some value stands in their place.
+pub fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
     constants::verify(expression, report);
-    resolve(expression, scope, report)
+    resolve_names(expression, scope, report)
 }
 
-fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
-    let mut inner = |value: &Expression| resolve(value, scope, report);
+fn resolve_names(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
+    let mut inner = |value: &Expression| resolve_names(value, scope, report);
     match &expression.kind {
         Kind::Number(number) => Formula::Number(number.clone()),
         Kind::Quantity(number, unit) => {
@@ -88,9 +87,3 @@ const SPEED: &str = "unknown name `v`: the speed is taken out of the matrices; e
                      C1, the coefficient of v, and in K2, the coefficient of v^2";
 
 const FORMULA_FUNCTIONS: [&str; 4] = ["sin", "cos", "tan", "sqrt"];
-
-/// What to say of a function that does not exist.
-pub fn unknown_function(name: &str, known: &[&'static str]) -> String {
-    let hint = nearest(name, known.iter().copied()).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-    format!("unknown function `{name}`: expected one of {}{hint}", known.join(", "))
-}

@@ -2,13 +2,11 @@
 
 use std::collections::HashMap;
 
-use proc_macro2::Ident;
-
-use super::constants::Constant;
-use super::domains::Domain;
+use super::constants::evaluate_in;
+use super::domains::ExactDomain;
 use super::units::Dimension;
-use crate::formula::Formula;
-use crate::model::{Origin, ParameterSet, Requirement};
+use crate::constant::Constant;
+use crate::model::ParameterSet;
 use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{self, Declaration};
@@ -16,11 +14,21 @@ use crate::syntax::{self, Declaration};
 /// What is declared of the parameters, by their position.
 #[derive(Debug)]
 pub struct Parameters<'a> {
-    pub domains: &'a [Domain],
+    pub domains: &'a [ExactDomain],
     pub dimensions: &'a [Option<Dimension>],
 }
 
-pub fn sets(declaration: &Declaration, parameters: &Parameters<'_>, report: &mut Report) -> Vec<ParameterSet> {
+/// A parameter set, with its values as they are written.
+#[derive(Debug)]
+pub struct CheckedSet {
+    /// With the nearest values in `f64`.
+    pub set: ParameterSet,
+    /// For each parameter.
+    pub exact: Vec<Constant>,
+}
+
+/// Reads the parameter sets.
+pub fn read_sets(declaration: &Declaration, parameters: &Parameters<'_>, report: &mut Report) -> Vec<CheckedSet> {
     let mut constants: Vec<String> = Vec::new();
     let mut sets = Vec::new();
     for set in &declaration.sets {
@@ -32,53 +40,29 @@ pub fn sets(declaration: &Declaration, parameters: &Parameters<'_>, report: &mut
             report.error(&set.name, message);
         }
         constants.push(constant);
-        sets.push(ParameterSet {
-            name: set.name.clone(),
-            docs: set.docs.clone(),
-            source: set.source.clone().unwrap_or_default(),
-            values: values(declaration, set, parameters, report),
-        });
+        for (position, matrix) in set.published.iter().enumerate() {
+            if set.published[..position].iter().any(|known| known.name == matrix.name) {
+                let name = matrix.name.name();
+                report.error(matrix.span, format!("`{name}` is published twice: expected one of each matrix"));
+            }
+        }
+        let (values, exact) = read_values(declaration, set, parameters, report).into_iter().unzip();
+        let (docs, source) = (set.docs.clone(), set.source.clone().unwrap_or_default());
+        sets.push(CheckedSet { set: ParameterSet { name: set.name.clone(), docs, source, values }, exact });
     }
     sets
 }
 
-/// Whether every set fulfils every requirement; only for a declaration without mistakes.
-pub fn check_requirements(
-    sets: &[ParameterSet],
-    definitions: &[(Ident, Formula)],
-    requirements: &[Requirement],
-    report: &mut Report,
-) {
-    for set in sets {
-        let mut values = Vec::with_capacity(definitions.len());
-        for (_, definition) in definitions {
-            values.push(definition.evaluate(&set.values, &values));
-        }
-        for requirement in requirements {
-            let value = requirement.value.evaluate(&set.values, &values);
-            if !requirement.domain.contains(value) {
-                let Requirement { text, domain, origin, .. } = requirement;
-                let why = match (origin, domain.nonzero) {
-                    (Origin::Declared, _) => "",
-                    (_, true) => ", and a formula divides by it",
-                    (_, false) => ", and a formula takes its root",
-                };
-                let message = format!("`{text}` is {value} in the set `{}`{why}: expected {domain}", set.name);
-                report.error(&set.name, message);
-            }
-        }
-    }
-}
-
 /// The values in declared order of the parameters.
-fn values(
+fn read_values(
     declaration: &Declaration,
     set: &syntax::ParameterSet,
     parameters: &Parameters<'_>,
     report: &mut Report,
-) -> Vec<f64> {
+) -> Vec<(f64, Constant)> {
     let Parameters { domains, dimensions } = parameters;
-    let mut given: HashMap<String, f64> = HashMap::new();
+    let mut given: HashMap<String, (f64, Constant)> = HashMap::new();
+    let zero = || (0.0, Constant::zero());
     let known = || declaration.parameters.iter().map(|p| p.name.to_string());
     for entry in &set.values {
         let name = entry.name.to_string();
@@ -91,23 +75,23 @@ fn values(
             report.error(&entry.name, message);
         }
         let Some(written) = &entry.value else {
-            given.entry(name).or_insert(0.0);
+            given.entry(name).or_insert_with(zero);
             continue;
         };
         let own = parameter.and_then(|index| dimensions[index]);
-        let value = Constant::in_unit(written, own).and_then(|constant| {
+        let value = evaluate_in(written, own).and_then(|constant| {
             let value = constant.to_f64().map_err(|message| crate::report::error(written.region(), message))?;
             match parameter {
                 Some(index) if !domains[index].contains(&constant) => Err(crate::report::error(
                     written.region(),
                     format!("`{name}` is {value} in the set `{}`: expected {}", set.name, domains[index].to_model()),
                 )),
-                _ => Ok(value),
+                _ => Ok((value, constant)),
             }
         });
         let value = value.unwrap_or_else(|error| {
             report.push(error);
-            0.0
+            zero()
         });
         if given.insert(name.clone(), value).is_some() {
             report.error(&entry.name, format!("`{name}` is given twice: expected one value for each parameter"));
@@ -123,5 +107,5 @@ fn values(
         );
         report.error(&set.name, message);
     }
-    known().map(|name| given.get(&name).copied().unwrap_or(0.0)).collect()
+    known().map(|name| given.remove(&name).unwrap_or_else(zero)).collect()
 }

@@ -7,8 +7,9 @@ use super::evaluator::entries;
 use super::names::Names;
 use super::number;
 use super::structure::constant;
+use crate::domain::{Bound, Domain};
 use crate::matrix_name::MatrixName;
-use crate::model::{Bound, Domain, Model};
+use crate::model::Model;
 use crate::program::Program;
 
 pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenStream {

@@ -35,7 +35,7 @@ type Matrices<V = Form> = Vec<(MatrixName, Vec<Vec<V>>)>;
 /// What is derived from a mechanism: formulas in the parameters, the definitions of the model, and behind these in those
 /// of the derivation.
 #[derive(Debug)]
-pub struct Derived {
+pub struct Derivation {
     /// Names and formulas; names may occur twice.
     pub definitions: Vec<(String, Formula)>,
     pub matrices: Matrices<Formula>,
@@ -46,7 +46,7 @@ pub struct Derived {
 }
 
 /// The rate of a joint, `v speed + rates · q' + v (coordinates · q + heading psi)`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Rate {
     pub joint: usize,
     pub speed: Formula,
@@ -89,8 +89,8 @@ pub enum Ground {
     Along(usize),
 }
 
-/// What is written in a declaration.
-pub struct Written {
+/// The formulas of a declaration.
+pub struct Declared {
     /// The number of parameters.
     pub parameters: usize,
     /// The definitions, each in those before it.
@@ -104,15 +104,15 @@ pub struct Written {
 /// # Errors
 /// If a formula that is written has no value, with attributes as the outputs; if the engine fails; and if the mechanism
 /// has faults.
-pub fn derive(mechanism: Mechanism<Formula>, written: Written) -> Result<Result<Derived, Vec<Fault>>, Failure> {
-    symbolic::enter(move |engine| derive_with(engine, &mechanism, &written))?
+pub fn derive(mechanism: Mechanism<Formula>, declared: Declared) -> Result<Result<Derivation, Vec<Fault>>, Failure> {
+    symbolic::enter(move |engine| derive_with(engine, &mechanism, &declared))?
 }
 
 fn derive_with(
     engine: &Engine,
     mechanism: &Mechanism<Formula>,
-    Written { parameters, definitions, attributes }: &Written,
-) -> Result<Result<Derived, Vec<Fault>>, Failure> {
+    Declared { parameters, definitions, attributes }: &Declared,
+) -> Result<Result<Derivation, Vec<Fault>>, Failure> {
     let parameters = *parameters;
     let names: Vec<Form> = (0..definitions.len()).map(|index| engine.definition(parameters, index)).collect();
     let form = |expr: &Formula, place: Place| {
@@ -127,16 +127,16 @@ fn derive_with(
     let mechanism = mechanism.map(|expr| {
         engine.form(expr, &names).map_err(|why| Failure::Engine(EngineFailure::Stopped(why.to_string())))
     })?;
-    Ok(derived(mechanism, &mut formulas).map(|found| found.export(formulas, parameters)))
+    Ok(linearize(mechanism, &mut formulas).map(|linearized| linearized.export(formulas, parameters)))
 }
 
-struct Found {
+struct Linearized {
     mechanism: Mechanism<Form>,
     motions: Motions,
     matrices: Matrices,
 }
 
-fn derived(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Result<Found, Vec<Fault>> {
+fn linearize(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Result<Linearized, Vec<Fault>> {
     let mut faults = Vec::new();
     for (index, joint) in mechanism.joints.iter_mut().enumerate() {
         let square = vectors::dot(&joint.axis, &joint.axis);
@@ -165,12 +165,12 @@ fn derived(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Resul
         return Err(faults);
     }
     let matrices = projection.matrices(formulas);
-    Ok(Found { mechanism, motions, matrices })
+    Ok(Linearized { mechanism, motions, matrices })
 }
 
-impl Found {
+impl Linearized {
     /// The formulas without the engine; of the definitions all that are used by others or by results.
-    fn export(self, formulas: Formulas<'_>, parameters: usize) -> Derived {
+    fn export(self, formulas: Formulas<'_>, parameters: usize) -> Derivation {
         let Self { mechanism, motions, matrices } = self;
         let expr = |form: &Form| form.expr(parameters);
         let all = |row: &[Form]| row.iter().map(expr).collect();
@@ -201,6 +201,6 @@ impl Found {
         let forces = forces.collect();
         let matrices = matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect();
         let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), expr(form))).collect();
-        Derived { definitions, matrices, rates, forces }
+        Derivation { definitions, matrices, rates, forces }
     }
 }

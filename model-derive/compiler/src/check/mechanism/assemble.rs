@@ -2,58 +2,62 @@
 
 use proc_macro2::Ident;
 
-use super::named::{direction, named};
+use super::coordinates::{axis_of, find_joints};
 use super::tree::{Role, Tree};
-use crate::check::names::Scope;
-use crate::check::resolve;
 use crate::formula::Formula;
 use crate::mechanics::{self, Motion, Root};
 use crate::report::Report;
-use crate::syntax::{Declaration, Freedom, Inertia, JointKind, Mechanism, Vector};
+use crate::syntax::{Declaration, Freedom, Inertia, JointKind, Mechanism};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The mechanism that the derivation takes, if there is a tree; formulas are resolved in any case, for their mistakes.
+/// A mechanism as the derivation takes it, and its tree in the declaration.
+#[derive(Debug)]
+pub struct Assembly {
+    pub mechanism: mechanics::Mechanism<Formula>,
+    pub tree: Tree,
+}
+
+/// Puts the parts of a mechanism in the order of its tree, if there is one; `attributes` are its formulas in their order.
+/// Mistakes are reported in any case.
 pub fn assemble(
     declaration: &Declaration,
     mechanism: &Mechanism,
-    tree: Option<&Tree>,
-    new: &[usize],
-    scope: &mut Scope,
+    tree: Option<Tree>,
+    attributes: &[Formula],
     report: &mut Report,
-) -> Option<mechanics::Mechanism<Formula>> {
-    let mut formulas = Formulas { new, scope, report };
-    let joints: Vec<_> = mechanism
-        .joints
-        .iter()
-        .map(|joint| Held {
-            point: joint.through.as_ref().map_or(origin(), |point| formulas.vector(point)),
-            axis: formulas.vector(&joint.along),
-            stiffness: joint.spring.as_ref().map(|spring| formulas.of(spring)),
-            damping: joint.damper.as_ref().map(|damper| formulas.of(damper)),
-        })
-        .collect();
+) -> Option<Assembly> {
+    // In the order of `Mechanism::formulas`.
+    let mut attributes = Attributes(attributes.iter().cloned());
     let masses: Vec<_> = mechanism
         .bodies
         .iter()
         .map(|body| {
-            let (mass, centre, inertia) = body.mass.as_ref()?;
-            Some((formulas.of(mass), formulas.vector(centre), formulas.inertia(inertia, &body.name)))
+            let (_, _, inertia) = body.mass.as_ref()?;
+            let (mass, centre) = (attributes.next(), attributes.vector());
+            Some((mass, centre, attributes.inertia(inertia, &body.name, report)))
         })
         .collect();
     let wheels: Vec<_> = mechanism
         .wheels
         .iter()
-        .map(|wheel| Rolling {
-            mass: formulas.of(&wheel.mass),
-            centre: formulas.vector(&wheel.centre),
-            radius: formulas.of(&wheel.radius),
-            tyre: wheel.tyre.as_ref().map(|tyre| formulas.of(tyre)),
-            axial: formulas.of(&wheel.axial),
-            radial: formulas.of(&wheel.radial),
+        .map(|wheel| {
+            let [mass, radius, axial, radial] = [(); 4].map(|()| attributes.next());
+            let centre = attributes.vector();
+            Rolling { mass, centre, radius, tyre: wheel.tyre.as_ref().map(|_| attributes.next()), axial, radial }
         })
         .collect();
-    let named = named(declaration, mechanism, tree.is_some(), report);
+    let joints: Vec<_> = mechanism
+        .joints
+        .iter()
+        .map(|joint| Held {
+            point: joint.through.as_ref().map_or(origin(), |_| attributes.vector()),
+            axis: attributes.vector(),
+            stiffness: joint.spring.as_ref().map(|_| attributes.next()),
+            damping: joint.damper.as_ref().map(|_| attributes.next()),
+        })
+        .collect();
+    let named = find_joints(declaration, mechanism, tree.is_some(), report);
     let tree = tree?;
 
     let parts = tree.joints.iter().map(|node| {
@@ -69,7 +73,7 @@ pub fn assemble(
         match node.role {
             Role::Forward => joint("forward".into(), Motion::Slides, Held::at_origin(0)),
             Role::Freedom(freedom) => {
-                let (motion, axis) = direction(freedom);
+                let (motion, axis) = axis_of(freedom);
                 joint(freedom_name(mechanism, freedom), motion, Held::at_origin(axis))
             }
             Role::Joint(index) => {
@@ -104,7 +108,7 @@ pub fn assemble(
     };
     let coordinates = declaration.coordinates.iter().map(|coordinate| find(&coordinate.name)).collect::<Option<_>>()?;
     let forces = mechanism.forces.iter().map(|force| find(&force.on)).collect::<Option<_>>()?;
-    Some(mechanics::Mechanism {
+    let mechanism = mechanics::Mechanism {
         joints,
         bodies,
         wheels: wheels
@@ -122,7 +126,8 @@ pub fn assemble(
         coordinates,
         forces,
         has_weight: declaration.parameters.iter().any(|parameter| parameter.gravity.is_some()),
-    })
+    };
+    Some(Assembly { mechanism, tree })
 }
 
 fn freedom_name(mechanism: &Mechanism, freedom: Freedom) -> String {
@@ -165,28 +170,24 @@ struct Rolling {
     radial: Formula,
 }
 
-struct Formulas<'a> {
-    /// For each definition of the declaration its place in the order of definitions.
-    new: &'a [usize],
-    scope: &'a mut Scope,
-    report: &'a mut Report,
-}
+/// The formulas of a mechanism, which are taken one by one in a fixed order.
+struct Attributes<I>(I);
 
-impl Formulas<'_> {
-    fn of(&mut self, formula: &crate::syntax::Expression) -> Formula {
-        resolve::expression(formula, self.scope, self.report).renumbered(self.new)
+impl<I: Iterator<Item = Formula>> Attributes<I> {
+    fn next(&mut self) -> Formula {
+        self.0.next().unwrap_or_else(|| unreachable!("one for each formula of the declaration"))
     }
 
-    fn vector(&mut self, vector: &Vector) -> [Formula; 3] {
-        vector.components.each_ref().map(|component| self.of(component))
+    fn vector(&mut self) -> [Formula; 3] {
+        [(); 3].map(|()| self.next())
     }
 
-    fn inertia(&mut self, inertia: &Inertia, body: &Ident) -> [[Formula; 3]; 3] {
+    fn inertia(&mut self, inertia: &Inertia, body: &Ident, report: &mut Report) -> [[Formula; 3]; 3] {
         match inertia {
             Inertia::None => diagonal(origin()),
-            Inertia::Principal(moments) => diagonal(moments.each_ref().map(|moment| self.of(moment))),
+            Inertia::Principal(_) => diagonal(self.vector()),
             Inertia::Full(written) => {
-                let rows = written.each_ref().map(|row| row.each_ref().map(|entry| self.of(entry)));
+                let rows = [(); 3].map(|()| self.vector());
                 for (row, column) in [(0, 1), (0, 2), (1, 2)] {
                     if rows[row][column] == rows[column][row] {
                         continue;
@@ -194,14 +195,12 @@ impl Formulas<'_> {
                     let name = |row: usize, column: usize| format!("{}{}", AXES[row], AXES[column]);
                     let (above, below) = (&written[row][column], &written[column][row]);
                     let message = format!(
-                        "the inertia of `{body}` is not symmetric: its entry {} is `{}`, and {} is `{}`; expected the same \
-                         formula",
+                        "the inertia of `{body}` is not symmetric: its entry {} is `{above}`, and {} is `{below}`; expected \
+                         the same formula",
                         name(row, column),
-                        above.to_string(),
                         name(column, row),
-                        below.to_string(),
                     );
-                    self.report.error(below.region, message);
+                    report.error(below.region, message);
                 }
                 rows
             }

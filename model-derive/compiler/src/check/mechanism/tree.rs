@@ -39,8 +39,8 @@ pub enum Role {
     Spin(usize),
 }
 
-/// The tree, unless there are mistakes in it, which are reported.
-pub fn tree(mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
+/// Grows the tree, unless there are mistakes in it, which are reported.
+pub fn grow(mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
     let names: Vec<&Ident> = mechanism
         .bodies
         .iter()
@@ -57,12 +57,12 @@ pub fn tree(mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
     if !mechanism.unread.is_empty() || !report.is_empty() {
         return None;
     }
-    attachments.grow(report)
+    attachments.grow_joints(report)
 }
 
 impl Attachments<'_> {
     /// Joints from the root outward.
-    fn grow(&self, report: &mut Report) -> Option<Tree> {
+    fn grow_joints(&self, report: &mut Report) -> Option<Tree> {
         let mechanism = self.mechanism;
         let mut tree = Tree::default();
         let mut moved_by: Vec<Option<Option<usize>>> = vec![None; self.bodies];

@@ -11,7 +11,7 @@ pub struct Analysis<'a> {
     pub declaration: &'a Declaration,
     pub scope: &'a Scope,
     pub dimensions: &'a Dimensions,
-    /// By position in the declaration; none for those not yet known.
+    /// By position among the definitions; none for those not yet known.
     pub definitions: Vec<Option<Dimension>>,
 }
 

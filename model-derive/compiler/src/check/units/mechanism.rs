@@ -19,10 +19,11 @@ pub fn check_mechanism(
     mechanism: &Mechanism,
     dimensions: &Dimensions,
     scope: &Scope,
-    definitions: Vec<Option<Dimension>>,
+    definitions: &[Option<Dimension>],
     report: &mut Report,
 ) {
-    let mut check = Check { analysis: Analysis { declaration, scope, dimensions, definitions }, report };
+    let mut check =
+        Check { analysis: Analysis { declaration, scope, dimensions, definitions: definitions.to_vec() }, report };
     for body in &mechanism.bodies {
         let Some((mass, centre, inertia)) = &body.mass else { continue };
         check.formula(mass, MASS, &format!("the mass of `{}`", body.name));

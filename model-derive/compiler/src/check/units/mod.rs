@@ -15,13 +15,13 @@ pub use dimension::Dimension;
 pub use mechanism::check_mechanism;
 
 use self::analysis::{Analysis, short};
-use super::constants::Constant;
+use super::constants::evaluate;
 use super::names::Scope;
 use crate::report::Report;
 use crate::syntax::{Coordinate, Declaration, Direction, Matrix, MatrixName, Requirement};
 
 /// Reports formulas whose units or mirrors do not fit, and returns the dimensions of the definitions, as far as they are
-/// known; `order` puts each definition after those that it uses.
+/// known, in their order; `order` has their positions in the declaration, each behind those that it uses.
 pub fn check(
     declaration: &Declaration,
     dimensions: &Dimensions,
@@ -32,20 +32,19 @@ pub fn check(
     gravity(declaration, dimensions, report);
     let definitions = vec![None; declaration.definitions.len()];
     let mut analysis = Analysis { declaration, scope, dimensions, definitions };
-    // What comes from a mechanism is in the units of that, which are checked there.
-    for index in order.iter().filter(|index| !declaration.definitions[**index].derived) {
-        analysis.definitions[*index] = analysis.dimension(&declaration.definitions[*index].value, report);
+    for (position, declared) in order.iter().enumerate() {
+        analysis.definitions[position] = analysis.dimension(&declaration.definitions[*declared].value, report);
     }
     for requirement in &declaration.requirements {
         check_requirement(&analysis, requirement, report);
     }
-    // Of entries of matrices it is known what they are in.
-    for assertion in declaration.assertions.iter().filter(|assertion| assertion.entry.is_none()) {
+    for assertion in &declaration.assertions {
         analysis.check_equal(assertion, report);
     }
     for matrix in &declaration.asserted {
         check_matrix(&analysis, matrix, report);
     }
+    // Beside a mechanism they are a mistake.
     for matrix in declaration.matrices.iter().filter(|_| declaration.mechanism.is_none()) {
         check_matrix(&analysis, matrix, report);
     }
@@ -67,7 +66,7 @@ fn check_requirement(analysis: &Analysis<'_>, requirement: &Requirement, report:
     let Requirement { value, bound } = requirement;
     let Some(dimension) = analysis.dimension(value, report) else { return };
     // The bound is read again, with its other mistakes reported, where the domain is made.
-    let Ok(number) = Constant::evaluate(&bound.value.number) else { return };
+    let Ok(number) = evaluate(&bound.value.number) else { return };
     let fits = match bound.value.unit.as_ref().map(Quantity::new) {
         None => number.is_zero() || dimension.is_number(),
         Some(Ok(unit)) => unit.dimension.same_unit(dimension),

@@ -40,7 +40,6 @@ pub fn parse_declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Re
         coordinates: Vec::new(),
         matrices: Vec::new(),
         mechanism: None,
-        kinematics: None,
         derivatives: None,
         unread: Vec::new(),
     };

@@ -152,7 +152,7 @@ fn parse_definition(input: ParseStream<'_>, model: &mut Declaration, report: &mu
         Ok(value)
     };
     match value() {
-        Ok(value) => model.definitions.push(Definition { name, value, derived: false }),
+        Ok(value) => model.definitions.push(Definition { name, value }),
         Err(error) => {
             model.unread.push(name);
             return Err(error);
@@ -181,6 +181,6 @@ fn parse_assertion(input: ParseStream<'_>, model: &mut Declaration) -> syn::Resu
     }
     let right = parse_expression(input)?;
     parse_semicolon(input, AFTER_FORMULA, "the assertion")?;
-    model.assertions.push(Assertion { left, right, entry: None });
+    model.assertions.push(Assertion { left, right });
     Ok(())
 }

@@ -5,7 +5,6 @@ use proc_macro2::{Ident, Span, TokenStream};
 use super::expression::Expression;
 use super::mechanism::Mechanism;
 use super::unit::Unit;
-use crate::kinematics::Kinematics;
 use crate::matrix_name::MatrixName;
 use crate::report::Region;
 
@@ -29,8 +28,6 @@ pub struct Declaration {
     pub matrices: Vec<Matrix>,
     /// What the matrices are derived from, unless they are written.
     pub mechanism: Option<Mechanism>,
-    /// What else is derived from it.
-    pub kinematics: Option<Kinematics<Expression>>,
     /// Where the derivatives of the matrices are asked for.
     pub derivatives: Option<Span>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
@@ -98,8 +95,6 @@ pub enum Relation {
 pub struct Definition {
     pub name: Ident,
     pub value: Expression,
-    /// Whether it comes from a mechanism.
-    pub derived: bool,
 }
 
 /// `require mH + mF > 0;`
@@ -114,8 +109,6 @@ pub struct Requirement {
 pub struct Assertion {
     pub left: Expression,
     pub right: Expression,
-    /// What the left side is called, if it is the entry of a matrix.
-    pub entry: Option<String>,
 }
 
 /// `set benchmark "source" { w = 1.02; }`

@@ -145,6 +145,15 @@ impl Freedom {
         }
     }
 
+    /// What it is, as a noun.
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Lateral => "lateral motion",
+            Self::Vertical => "vertical motion",
+            other => other.word(),
+        }
+    }
+
     /// The freedom called `word`.
     pub fn from_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|freedom| freedom.word() == word)

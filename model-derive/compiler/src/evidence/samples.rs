@@ -1,11 +1,9 @@
 //! Formulas at a few parameters: what is different there needs no attempt to prove it equal, which can take long.
 
-use proc_macro2::Ident;
-
 use super::intervals::Interval;
 use super::ranges::{Constants, Ranges};
+use crate::domain::{Bound, Domain};
 use crate::formula::Formula;
-use crate::model::{Bound, Domain};
 
 /// Values of the definitions at a few parameters inside the domains.
 #[derive(Debug)]
@@ -15,11 +13,11 @@ pub struct Samples(Vec<Ranges>);
 const COUNT: u32 = 2;
 
 impl Samples {
-    pub fn new(domains: &[Domain], definitions: &[(Ident, Formula)]) -> Self {
+    pub fn new(domains: &[Domain], definitions: &[Formula]) -> Self {
         let sample = |number| {
             let parameters = domains.iter().enumerate().map(|(index, domain)| inside(domain, fraction(index, number)));
             let mut ranges = Ranges::new(Constants::Exact, parameters.map(Interval::point).collect());
-            definitions.iter().for_each(|(_, expr)| ranges.push_definition(expr));
+            definitions.iter().for_each(|definition| ranges.push_definition(definition));
             ranges
         };
         Self((0..COUNT).map(sample).collect())

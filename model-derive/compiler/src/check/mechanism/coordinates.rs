@@ -8,9 +8,9 @@ use crate::nearest::nearest;
 use crate::report::Report;
 use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
 
-/// The names of joints and of freedoms. Coordinates and forces that are of none are reported, unless what is missing may
+/// Finds the names of joints and of freedoms. Coordinates and forces that are of none are reported, unless what is missing may
 /// be among other mistakes: if the mechanism is not `complete`.
-pub fn named<'a>(
+pub fn find_joints<'a>(
     declaration: &Declaration,
     mechanism: &'a Mechanism,
     complete: bool,
@@ -49,7 +49,7 @@ pub fn named<'a>(
         };
         let turns = match role {
             Role::Joint(index) => mechanism.joints[*index].kind == JointKind::Revolute,
-            Role::Freedom(freedom) => direction(*freedom).0 == Motion::Turns,
+            Role::Freedom(freedom) => axis_of(*freedom).0 == Motion::Turns,
             Role::Forward | Role::Spin(_) => continue,
         };
         let (what, expected) = if turns { ("turns", "rad") } else { ("slides", "m") };
@@ -82,7 +82,7 @@ pub fn named<'a>(
 }
 
 /// How a freedom moves, and along or about which axis.
-pub fn direction(freedom: Freedom) -> (Motion, usize) {
+pub fn axis_of(freedom: Freedom) -> (Motion, usize) {
     match freedom {
         Freedom::Lateral => (Motion::Slides, 1),
         Freedom::Vertical => (Motion::Slides, 2),

@@ -5,12 +5,12 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use super::counterexample::{Counterexample, Space};
+use crate::derivation::Derived;
 use crate::equations::Equations;
-use crate::formula::Formula;
-use crate::model::Matrices;
+use crate::formula::{Formula, Names};
 use crate::report::{Region, Report};
 use crate::symbolic::{self, Depth, Place, Proof};
-use crate::syntax::{Declaration, MatrixName};
+use crate::syntax::MatrixName;
 
 /// Two formulas that are claimed to be equal for all parameters.
 #[derive(Debug)]
@@ -44,13 +44,8 @@ impl Claim {
     }
 }
 
-/// The names of the matrices that are declared symmetric.
-pub fn symmetric(declaration: &Declaration) -> Vec<MatrixName> {
-    declaration.matrices.iter().filter(|matrix| matrix.symmetric).map(|matrix| matrix.name).collect()
-}
-
 /// The claims of symmetric matrices: a pair of entries each.
-pub fn mirrored(symmetric: &[MatrixName], matrices: &Matrices, entries: &[Region]) -> Vec<Claim> {
+pub fn of_symmetry(Derived { matrices, entries, symmetric, .. }: &Derived) -> Vec<Claim> {
     let mut claims = Vec::new();
     for (position, (name, rows)) in matrices.iter().enumerate().filter(|(_, (name, _))| symmetric.contains(name)) {
         let n = rows.len();
@@ -66,13 +61,8 @@ pub fn mirrored(symmetric: &[MatrixName], matrices: &Matrices, entries: &[Region
 }
 
 /// Proves claims; those that are wrong or cannot be proved are reported.
-pub fn check(
-    claims: &[Claim],
-    parameters: &[String],
-    definitions: &[(Ident, Formula)],
-    space: &Space<'_>,
-    report: &mut Report,
-) {
+pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, report: &mut Report) {
+    let Derived { definitions, names: Names { parameters, definitions: names }, .. } = derived;
     let Some(first) = claims.first() else { return };
     let pairs: Vec<Equations> = claims
         .iter()
@@ -89,7 +79,7 @@ pub fn check(
         let mut refuse_undefined = |proof| match proof {
             Proof::Undefined(Place::Output(side), why) => report.error(claim.sides[side].1, why),
             Proof::Undefined(Place::Definition(index), why) if undefined.insert(index) => {
-                report.error(&definitions[index].0, why);
+                report.error(&names[index], why);
             }
             _ => {}
         };
@@ -122,7 +112,7 @@ pub fn check(
     }
 }
 
-fn refuted(claim: &Claim, counterexample: &Counterexample, parameters: &[String]) -> String {
+fn refuted(claim: &Claim, counterexample: &Counterexample, parameters: &[Ident]) -> String {
     let Counterexample { set, values, left, right } = counterexample;
     let [left, right] = apart(*left, *right);
     let values: Vec<String> = values.iter().map(|(index, value)| format!("{} = {value}", parameters[*index])).collect();

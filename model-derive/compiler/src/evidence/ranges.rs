@@ -4,8 +4,8 @@ use std::convert::Infallible;
 use std::f64::consts::PI;
 
 use super::intervals::Interval;
+use crate::domain::{Bound, Domain};
 use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
-use crate::model::{Bound, Domain};
 
 /// What is known of the values of parameters, definitions and other formulas.
 #[derive(Debug)]

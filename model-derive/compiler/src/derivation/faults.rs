@@ -4,21 +4,21 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use super::tree::{Role, Tree};
-use super::written::Names;
-use crate::formula::{self, Factor, Formula};
+use crate::check::{Role, Tree};
+use crate::formula::{Factor, Formula, Names};
 use crate::mechanics::{Fault, Ground};
 use crate::report::{Region, Report};
 use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
 
-pub struct Place<'a> {
+/// The declaration that faults are told of.
+pub struct Faulty<'a> {
     pub declaration: &'a Declaration,
     pub mechanism: &'a Mechanism,
     pub tree: &'a Tree,
     pub names: &'a Names,
 }
 
-impl Place<'_> {
+impl Faulty<'_> {
     /// Reports faults, but of those that follow from one mistake only the first.
     pub fn report(&self, faults: &[Fault], report: &mut Report) {
         let mut told = HashSet::new();
@@ -190,9 +190,7 @@ impl Place<'_> {
     }
 
     fn text(&self, formula: &Formula) -> String {
-        let Names { parameters, definitions, .. } = self.names;
-        let names = formula::Names { parameters: parameters.clone(), definitions: definitions.clone() };
-        names.text_with_signs_first(formula).to_string()
+        self.names.text_with_signs_first(formula).to_string()
     }
 
     /// The name of the coordinate that is the motion of a joint.
@@ -223,7 +221,7 @@ impl Place<'_> {
             Role::Joint(index) => format!("`{}`", self.mechanism.joints[index].name),
             Role::Freedom(freedom) => {
                 let body = self.mechanism.free.first().map(|free| free.body.to_string()).unwrap_or_default();
-                let noun = super::noun(freedom);
+                let noun = freedom.noun();
                 match self.coordinate(joint) {
                     Some(name) => format!("`{name}` (the {noun} of `{body}`)"),
                     None => format!("the {noun} of `{body}`"),

@@ -2,9 +2,10 @@
 
 use super::intervals::Interval;
 use super::ranges::{Constants, Ranges};
+use crate::domain::{Bound, Domain};
 use crate::equations::Equations;
 use crate::formula::Formula;
-use crate::model::{Bound, Domain, ParameterSet, Requirement};
+use crate::model::{ParameterSet, Requirement};
 
 /// Where two formulas differ, beyond any rounding.
 #[derive(Debug)]
@@ -29,7 +30,7 @@ const MAX_DRAWN: usize = 5_000;
 pub struct Space<'a> {
     pub domains: &'a [Domain],
     pub requirements: &'a [Requirement],
-    pub sets: &'a [ParameterSet],
+    pub sets: &'a [&'a ParameterSet],
 }
 
 impl Space<'_> {
@@ -39,7 +40,7 @@ impl Space<'_> {
     /// If none is found, the number of values that were tried.
     pub fn counterexample(
         &self,
-        definitions: &[(proc_macro2::Ident, Formula)],
+        definitions: &[Formula],
         pair: &Equations,
         left: &Formula,
         right: &Formula,

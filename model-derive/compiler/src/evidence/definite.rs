@@ -1,19 +1,21 @@
 //! Whether the kinetic energy of a parameter set is that of a mechanical system.
 
-use std::collections::HashMap;
-
-use crate::check::constants::Constant;
+use crate::constant::{Constant, Constants};
+use crate::derivation::Derived;
 use crate::report::{Report, number};
-use crate::syntax::{Declaration, MatrixName, ParameterSet};
+use crate::syntax::{MatrixName, ParameterSet};
 
 /// Reports a parameter set at which the mass matrix, if it is symmetric, is not positive definite; `values` are those of
 /// all names there.
-pub fn check(declaration: &Declaration, set: &ParameterSet, values: &HashMap<String, Constant>, report: &mut Report) {
-    let mass = declaration.matrices.iter().find(|matrix| matrix.name == MatrixName::M);
-    let Some(mass) = mass.filter(|mass| mass.symmetric || mass.rows.len() == 1) else { return };
-    let entries = mass.rows.iter().map(|(_, row)| row.iter().map(|entry| Constant::evaluate_with(entry, values)));
+pub fn check_energy(derived: &Derived, set: &ParameterSet, values: &Constants<'_>, report: &mut Report) {
+    let Derived { matrices, symmetric, .. } = derived;
+    let Some((name, mass)) = matrices.iter().find(|(name, _)| *name == MatrixName::M) else { return };
+    if mass.len() > 1 && !symmetric.contains(name) {
+        return;
+    }
+    let entries = mass.iter().map(|row| row.iter().map(|entry| values.of(entry)).collect());
     // An entry without a value is reported where it is.
-    let Ok(entries) = entries.map(Iterator::collect).collect::<Result<Vec<Vec<Constant>>, _>>() else { return };
+    let Ok(entries) = entries.collect::<Result<Vec<Vec<Constant>>, _>>() else { return };
     if let Some((size, pivot)) = first_without_energy(entries) {
         let pivot = number(pivot.to_f64().unwrap_or(0.0));
         let message = format!(

@@ -1,0 +1,148 @@
+//! The equations of motion of a checked declaration: what its mechanism has, or the matrices that are written.
+
+mod faults;
+mod rates;
+
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+
+use self::faults::Faulty;
+use crate::check::{Assembly, Checked};
+use crate::equations::Equations;
+use crate::formula::{Formula, Names};
+use crate::kinematics::Kinematics;
+use crate::mechanics::{self, Declared, Derivation};
+use crate::model::Matrices;
+use crate::report::{Region, Report};
+use crate::symbolic::{Failure, Place};
+use crate::syntax::{MatrixName, Mechanism};
+
+/// Matrices, and what else follows from a mechanism, in formulas of the parameters.
+#[derive(Debug)]
+pub struct Derived {
+    /// The definitions of the declaration in their order, then those of the derivation: each uses only earlier ones.
+    pub definitions: Vec<Formula>,
+    /// What parameters and definitions are called.
+    pub names: Names,
+    /// In the order of the equation of motion; none if the derivation failed.
+    pub matrices: Matrices,
+    /// Where the entries of the matrices stand, row by row: those that are derived stand at the mechanism.
+    pub entries: Vec<Region>,
+    /// The matrices that are said to be symmetric, or are derived so.
+    pub symmetric: Vec<MatrixName>,
+    /// Rates and forces, of a mechanism.
+    pub kinematics: Option<Kinematics<Formula>>,
+}
+
+impl Derived {
+    /// The formulas that the model computes: the entries of the matrices, row by row, then rates and forces.
+    pub fn outputs(&self) -> impl Iterator<Item = &Formula> {
+        let entries = self.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten());
+        entries.chain(self.kinematics.iter().flat_map(|kinematics| kinematics.formulas()))
+    }
+}
+
+/// Derives the equations of motion. Faults of the mechanism are reported, and then there are no matrices.
+pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
+    let declaration = checked.declaration;
+    let names = Names {
+        parameters: declaration.parameters.iter().map(|parameter| parameter.name.clone()).collect(),
+        definitions: (0..checked.definitions.len()).map(|index| checked.definition(index).clone()).collect(),
+    };
+    let symmetric = declaration.matrices.iter().filter(|matrix| matrix.symmetric).map(|matrix| matrix.name).collect();
+    let written = Derived {
+        definitions: checked.definitions.clone(),
+        names,
+        matrices: checked.matrices.clone(),
+        entries: checked.entries.clone(),
+        symmetric,
+        kinematics: None,
+    };
+    let Some(mechanism) = &declaration.mechanism else { return written };
+    // Matrices beside a mechanism are a mistake.
+    let nothing = Derived { matrices: Vec::new(), entries: Vec::new(), symmetric: Vec::new(), ..written };
+    let Some(assembly) = &checked.assembly else { return nothing };
+    let declared = Declared {
+        parameters: declaration.parameters.len(),
+        definitions: checked.definitions.clone(),
+        attributes: checked.attributes.clone(),
+    };
+    match mechanics::derive(assembly.mechanism.clone(), declared) {
+        Err(failure) => report.error(find_region(checked, mechanism, &failure), failure),
+        Ok(Err(faults)) => {
+            let (tree, names) = (&assembly.tree, &nothing.names);
+            Faulty { declaration, mechanism, tree, names }.report(&faults, report);
+        }
+        Ok(Ok(derivation)) => return adopt(derivation, nothing, checked, mechanism, assembly),
+    }
+    nothing
+}
+
+/// Where in the declaration a failure of the engine belongs.
+fn find_region(checked: &Checked<'_>, mechanism: &Mechanism, failure: &Failure) -> Region {
+    match failure {
+        Failure::Undefined { place: Place::Definition(index), .. } => checked.definition(*index).into(),
+        Failure::Undefined { place: Place::Output(index), .. } => {
+            mechanism.formulas().nth(*index).map_or(mechanism.span.into(), |formula| formula.region)
+        }
+        Failure::Engine(_) => mechanism.span.into(),
+    }
+}
+
+/// What was derived, as a part of the model: with those of the derivation's definitions that a result depends on.
+fn adopt(
+    derivation: Derivation,
+    declared: Derived,
+    checked: &Checked<'_>,
+    mechanism: &Mechanism,
+    Assembly { tree, .. }: &Assembly,
+) -> Derived {
+    let first = declared.definitions.len();
+    let kinematics = rates::name_rates(&derivation, mechanism, tree);
+    let entries = derivation.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten());
+    let results = entries.chain(kinematics.formulas()).cloned().collect();
+    let mut definitions = declared.definitions;
+    let mut names = declared.names;
+    names.definitions.extend(find_names(&derivation, checked, mechanism));
+    definitions.extend(derivation.definitions.into_iter().map(|(_, value)| value));
+    let needed = Equations::of_formulas(names.parameters.len(), &definitions, results).origins;
+    let kept: Vec<usize> = (0..first).chain(needed.into_iter().filter(|index| *index >= first)).collect();
+    let mut new = vec![0; definitions.len()];
+    kept.iter().enumerate().for_each(|(position, index)| new[*index] = position);
+    let matrices: Matrices = derivation
+        .matrices
+        .iter()
+        .map(|(name, rows)| {
+            (*name, rows.iter().map(|row| row.iter().map(|entry| entry.renumbered(&new)).collect()).collect())
+        })
+        .collect();
+    let is_symmetric = |rows: &[Vec<Formula>]| {
+        rows.len() > 1 && (0..rows.len()).all(|row| (0..row).all(|column| rows[row][column] == rows[column][row]))
+    };
+    Derived {
+        definitions: kept.iter().map(|index| definitions[*index].renumbered(&new)).collect(),
+        names: Names { definitions: kept.iter().map(|index| names.definitions[*index].clone()).collect(), ..names },
+        entries: vec![mechanism.span.into(); matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).count()],
+        symmetric: matrices.iter().filter(|(_, rows)| is_symmetric(rows)).map(|(name, _)| *name).collect(),
+        kinematics: Some(kinematics.map(|formula| formula.renumbered(&new))),
+        matrices,
+    }
+}
+
+/// Names for the definitions of the derivation that nothing else in the declaration has.
+fn find_names(derivation: &Derivation, checked: &Checked<'_>, mechanism: &Mechanism) -> Vec<Ident> {
+    let declaration = checked.declaration;
+    let parameters = declaration.parameters.iter().map(|parameter| &parameter.name);
+    let definitions = declaration.definitions.iter().map(|definition| &definition.name);
+    let coordinates = declaration.coordinates.iter().map(|coordinate| &coordinate.name);
+    let mut taken: HashSet<String> = parameters.chain(definitions).chain(coordinates).map(Ident::to_string).collect();
+    let name = |(name, _): &(String, Formula)| {
+        let mut unique = name.clone();
+        while !taken.insert(unique.clone()) {
+            unique.push('_');
+        }
+        Ident::new(&unique, mechanism.span)
+    };
+    derivation.definitions.iter().map(name).collect()
+}

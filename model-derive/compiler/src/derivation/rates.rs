@@ -1,0 +1,70 @@
+//! What the rates and forces of a mechanism are called in generated code.
+
+use proc_macro2::Ident;
+
+use crate::check::{Role, Tree};
+use crate::formula::Formula;
+use crate::kinematics::{Kinematics, Rate};
+use crate::mechanics::{self, Derivation};
+use crate::syntax::{Freedom, JointKind, Mechanism};
+
+/// The rates and forces of a derivation, with names and documentation for generated code.
+pub fn name_rates(derivation: &Derivation, mechanism: &Mechanism, tree: &Tree) -> Kinematics<Formula> {
+    let rates = derivation.rates.iter().filter_map(|rate| {
+        let (name, docs) = name_rate(tree.joints[rate.joint].role, mechanism)?;
+        let mechanics::Rate { speed, rates, coordinates, heading, .. } = rate.clone();
+        Some(Rate { name, docs, speed, rates, coordinates, heading })
+    });
+    let applied = mechanism.forces.iter().map(|force| {
+        let label = force.label.clone().unwrap_or_else(|| force.name.to_string());
+        [force.name.to_string(), label, force_unit(mechanism, &force.on).into()]
+    });
+    let labelled = |name: &Ident, label: &Option<String>| match label {
+        Some(label) => format!("`{name}` ({label})"),
+        None => format!("`{name}`"),
+    };
+    let bodies = mechanism.bodies.iter().map(|body| format!("body {}", labelled(&body.name, &body.label)));
+    let wheels = mechanism.wheels.iter().map(|wheel| format!("wheel {}", labelled(&wheel.name, &wheel.label)));
+    Kinematics {
+        parts: bodies.chain(wheels).collect(),
+        rates: rates.collect(),
+        applied: applied.collect(),
+        forces: derivation.forces.clone(),
+    }
+}
+
+/// The unit of a force or torque on a joint.
+fn force_unit(mechanism: &Mechanism, on: &Ident) -> &'static str {
+    let slides = mechanism.joints.iter().any(|joint| joint.name == *on && joint.kind == JointKind::Prismatic);
+    let mut freedoms = mechanism.free.iter().flat_map(|free| &free.names);
+    let moves = freedoms.any(|(freedom, name)| name == on && matches!(freedom, Freedom::Lateral | Freedom::Vertical));
+    if slides || moves { "N" } else { "N*m" }
+}
+
+/// The name of a rate in generated code, and what it is; none for what does not move in the first order.
+fn name_rate(role: Role, mechanism: &Mechanism) -> Option<(String, String)> {
+    match role {
+        Role::Forward | Role::Freedom(Freedom::Vertical | Freedom::Pitch) => None,
+        Role::Freedom(freedom) => {
+            let body = mechanism.free.first().map(|free| free.body.to_string()).unwrap_or_default();
+            let (name, what) = match freedom {
+                Freedom::Lateral => ("lateral", "Lateral velocity, to the right, in m/s: of the point of"),
+                Freedom::Yaw => ("yaw", "Yaw rate, to the right, in rad/s: of"),
+                _ => (freedom.word(), "Rate, in rad/s: of"),
+            };
+            let at = if freedom == Freedom::Lateral { " that is at the origin" } else { "" };
+            Some((name.into(), format!("{what} `{body}`{at}.")))
+        }
+        Role::Joint(index) => {
+            let joint = &mechanism.joints[index];
+            let unit = if joint.kind == JointKind::Revolute { "rad/s" } else { "m/s" };
+            Some((joint.name.to_string(), format!("Rate of `{}`, in {unit}.", joint.name)))
+        }
+        Role::Spin(index) => {
+            let wheel = &mechanism.wheels[index];
+            let label = wheel.label.clone().map(|label| format!(", {label}")).unwrap_or_default();
+            let what = "about the y axis, so negative in forward motion, in rad/s";
+            Some((format!("wheel_{}", wheel.name), format!("Spin of the wheel `{}`{label}: {what}.", wheel.name)))
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! What a declaration says of itself, against what its formulas give: the last stage that reports the user's mistakes.
+
+mod claims;
+mod counterexample;
+mod definite;
+mod divisors;
+mod intervals;
+mod published;
+mod ranges;
+mod samples;
+mod sets;
+mod sourced;
+mod unused;
+
+use self::claims::Claim;
+use self::counterexample::Space;
+use self::divisors::Formulas;
+use self::sourced::{Source, Sourced};
+use crate::check::{Checked, CheckedSet};
+use crate::derivation::Derived;
+use crate::formula::Formula;
+use crate::model::{Coordinate, Model, Parameter, ParameterSet, Requirement};
+use crate::report::{Region, Report};
+use crate::syntax::{Matrix, MatrixName, Unit};
+
+/// Holds a declaration against its formulas, and makes the model of both. Mistakes are reported; with none it is complete.
+pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Model {
+    let outputs: Vec<&Formula> = derived.outputs().collect();
+    let used = unused::find_used(&checked, &derived.definitions, &outputs);
+    // Without a mass matrix or a row formulas are missing, and what they would use is no mistake.
+    let has_all = derived.matrices.iter().any(|(name, _)| *name == MatrixName::M)
+        && derived.matrices.iter().all(|(_, rows)| !rows.is_empty() && rows.iter().all(|row| !row.is_empty()));
+    if checked.is_complete && has_all {
+        unused::report_unused(&checked, &derived.definitions, &outputs, report);
+    }
+    let requirements = match report.is_empty() {
+        true => prove(&checked, &derived, report),
+        false => checked.requirements,
+    };
+    let declaration = checked.declaration;
+    let parameters = declaration.parameters.iter().zip(checked.domains).zip(used).enumerate();
+    let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {
+        symbol: parameter.symbol.clone().unwrap_or_else(|| parameter.name.to_string()),
+        name: parameter.name.clone(),
+        docs: parameter.docs.clone(),
+        unit: unit_text(parameter.unit.as_ref()),
+        domain,
+        used: used || checked.gravity == Some(index),
+    });
+    let coordinates = declaration.coordinates.iter().map(|coordinate| Coordinate {
+        label: coordinate.label.clone().unwrap_or_else(|| coordinate.name.to_string()),
+        name: coordinate.name.to_string(),
+        docs: coordinate.docs.clone(),
+        unit: unit_text(coordinate.unit.as_ref()),
+    });
+    Model {
+        name: declaration.name.clone(),
+        visibility: declaration.visibility.clone(),
+        docs: declaration.docs.clone(),
+        source: declaration.source.clone().unwrap_or_default(),
+        parameters: parameters.collect(),
+        gravity: checked.gravity,
+        definitions: derived.names.definitions.into_iter().zip(derived.definitions).collect(),
+        requirements,
+        sets: checked.sets.into_iter().map(|set| set.set).collect(),
+        coordinates: coordinates.collect(),
+        matrices: derived.matrices,
+        entries: derived.entries,
+        symmetric: derived.symmetric,
+        kinematics: derived.kinematics,
+        derivatives: declaration.derivatives,
+        references: checked.references,
+    }
+}
+
+/// The unit as it was written; with one that could not be read nothing is compiled.
+fn unit_text(unit: Option<&Unit>) -> String {
+    unit.map_or("1".into(), |unit| unit.text.clone())
+}
+
+/// Puts the requirements that the formulas have of themselves before the declared ones, and reports what is not as it is
+/// said to be.
+fn prove(checked: &Checked<'_>, derived: &Derived, report: &mut Report) -> Vec<Requirement> {
+    let declaration = checked.declaration;
+    // Whatever is needed for a requirement to have a value comes before it.
+    let mut requirements = divisors::find_requirements(checked, derived, &gather(checked, derived), report);
+    requirements.extend(checked.requirements.iter().cloned());
+    let formulas_have_values = report.is_empty();
+    let sets: Vec<&ParameterSet> = checked.sets.iter().map(|CheckedSet { set, .. }| set).collect();
+    sets::check_sets(&sets, &derived.definitions, &requirements, report);
+    let sets_have_values = report.is_empty();
+    let space = Space { domains: &checked.domains, requirements: &requirements, sets: &sets };
+    if formulas_have_values {
+        claims::check_claims(&claim(checked, derived), derived, &space, report);
+    }
+    if sets_have_values {
+        for (set, CheckedSet { exact, .. }) in declaration.sets.iter().zip(&checked.sets) {
+            published::check_set(set, exact, checked, derived, report);
+        }
+    }
+    requirements
+}
+
+/// The formulas of a model, each with where it comes from.
+fn gather<'a>(checked: &'a Checked<'_>, derived: &'a Derived) -> Formulas<'a> {
+    let declaration = checked.declaration;
+    let sourced = |formula: &'a Formula, source: Source<'a>| Sourced { formula, source };
+    let mechanism = declaration.mechanism.as_ref();
+    // Definitions behind those of the declaration are there only if it has a mechanism.
+    let place = Source::Derived(mechanism.map_or(Region::from(&declaration.name), |mechanism| mechanism.span.into()));
+    let written = checked.order.iter().map(|declared| Source::Written(&declaration.definitions[*declared].value));
+    let definitions = derived.definitions.iter().zip(written.chain(std::iter::repeat(place)));
+    let attributes = mechanism.into_iter().flat_map(|mechanism| mechanism.formulas());
+    let entries = match mechanism {
+        Some(_) => derived.outputs().map(|formula| sourced(formula, place)).collect(),
+        None => {
+            // In the order of the equation of motion, as the formulas are.
+            let mut matrices: Vec<&Matrix> = declaration.matrices.iter().collect();
+            matrices.sort_by_key(|matrix| matrix.name);
+            let written = matrices.into_iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+            derived.outputs().zip(written).map(|(formula, entry)| sourced(formula, Source::Written(entry))).collect()
+        }
+    };
+    let requirements = checked.requirements.iter().zip(&declaration.requirements);
+    let sides = declaration.assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
+    let sides = checked.assertions.iter().flatten().zip(sides);
+    let asserted = declaration.asserted.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    let asserted = checked.asserted.iter().flatten().flatten().zip(asserted);
+    Formulas {
+        definitions: definitions.map(|(formula, source)| sourced(formula, source)).collect(),
+        attributes: checked.attributes.iter().zip(attributes).map(|(f, w)| sourced(f, Source::Written(w))).collect(),
+        entries,
+        requirements: requirements.map(|(r, written)| sourced(&r.value, Source::Written(&written.value))).collect(),
+        claims: sides.chain(asserted).map(|(formula, side)| sourced(formula, Source::Written(side))).collect(),
+    }
+}
+
+/// What the declaration claims: matrices that are symmetric, and assertions.
+fn claim(checked: &Checked<'_>, derived: &Derived) -> Vec<Claim> {
+    let mut claims = claims::of_symmetry(derived);
+    let declaration = checked.declaration;
+    claims.extend(declaration.assertions.iter().zip(&checked.assertions).map(|(written, [left, right])| {
+        let sides = [(left.clone(), written.left.region), (right.clone(), written.right.region)];
+        Claim::asserted([&written.left, &written.right].map(ToString::to_string), sides)
+    }));
+    for (matrix, rows) in declaration.asserted.iter().zip(&checked.asserted) {
+        let known = derived.matrices.iter().find(|(name, _)| *name == matrix.name).map(|(_, rows)| rows);
+        for (row, entries) in rows.iter().enumerate() {
+            for (column, entry) in entries.iter().enumerate() {
+                let written = &matrix.rows[row].1[column];
+                // A matrix that the model does not have is zero.
+                let own = known.map_or_else(Formula::zero, |rows| rows[row][column].clone());
+                let name = format!("{}, row {}, column {}", matrix.name.name(), row + 1, column + 1);
+                let sides = [(own, written.region), (entry.clone(), written.region)];
+                claims.push(Claim::asserted([name, written.to_string()], sides));
+            }
+        }
+    }
+    claims
+}

@@ -1,0 +1,98 @@
+//! The stages of the compiler in their order, each with a type of its own: data flows one way.
+
+use proc_macro2::TokenStream;
+
+use crate::derivatives::{self, Derivatives};
+use crate::equations::Equations;
+use crate::model::Model;
+use crate::program::Program;
+use crate::report::{self, Region, Report};
+use crate::symbolic::{self, Failure, Place};
+use crate::{check, derivation, evidence, syntax};
+
+/// A model and the programs that were compiled for it.
+#[derive(Debug)]
+pub struct Compiled {
+    /// The model.
+    pub model: Model,
+    /// What it computes.
+    pub programs: Programs,
+}
+
+/// The programs of a model.
+#[derive(Debug)]
+pub struct Programs {
+    /// Computes the entries of the matrices, row by row.
+    pub matrices: Program,
+    /// Computes the left-hand sides of the requirements.
+    pub requirements: Program,
+    /// Computes the rates and forces that follow from a mechanism, if the model is one.
+    pub kinematics: Option<Program>,
+    /// Computes the entries of the matrices together with their derivatives, if the model asks for them.
+    pub derivatives: Option<Derivatives>,
+}
+
+/// A declaration that is refused.
+#[derive(Debug)]
+pub struct Refusal {
+    /// All its mistakes, each at its span.
+    pub error: syn::Error,
+    /// What is known of the model all the same.
+    pub model: Option<Box<Model>>,
+}
+
+/// From a declaration to its model.
+pub fn read(tokens: TokenStream) -> Result<Model, Refusal> {
+    let mut report = Report::default();
+    let declaration = syntax::parse(tokens, &mut report);
+    // After this point what is there parses. Each stage notes its mistakes in the report and goes on, so that all are
+    // told at once.
+    let model = declaration.map(|declaration| {
+        let checked = check::check(&declaration, &mut report);
+        // After this point every name is resolved, and shapes, units and domains are right.
+        let derived = derivation::derive(&checked, &mut report);
+        // After this point there are only formulas in the parameters, whether they were written or derived.
+        evidence::weigh(checked, derived, &mut report)
+        // After this point claims are proved, published numbers come out, and what could have no value is a requirement.
+    });
+    match (report.finish(), model) {
+        (Ok(()), Some(model)) => Ok(model),
+        (Ok(()), None) => unreachable!("a declaration without a model is reported"),
+        (Err(error), model) => Err(Refusal { error, model: model.map(Box::new) }),
+    }
+}
+
+/// From a declaration to its model and programs.
+pub fn compile(tokens: TokenStream) -> Result<Compiled, Refusal> {
+    let model = read(tokens)?;
+    // After this point nothing of the user's is wrong: what fails now fails in the engine.
+    match build_programs(&model) {
+        // After this point there is straight-line code in single assignment, whose every value is used.
+        Ok(programs) => Ok(Compiled { model, programs }),
+        Err((region, failure)) => Err(Refusal { error: report::error(region, failure), model: Some(Box::new(model)) }),
+    }
+}
+
+fn build_programs(model: &Model) -> Result<Programs, (Region, Failure)> {
+    let equations = [Equations::of_matrices(model), Equations::of_requirements(model)].into_iter();
+    let equations = equations.chain(Equations::of_kinematics(model)).collect();
+    let mut programs =
+        symbolic::compile(equations).map_err(|failure| (find_region(model, &failure), failure))?.into_iter();
+    let mut next = || programs.next().unwrap_or_else(|| unreachable!("a program for each"));
+    let (matrices, requirements) = (next(), next());
+    let kinematics = programs.next();
+    let derivatives =
+        model.derivatives.map(|span| derivatives::compile(model, &matrices).map_err(|why| (span.into(), why)));
+    Ok(Programs { matrices, requirements, kinematics, derivatives: derivatives.transpose()? })
+}
+
+/// Where in the declaration a failure belongs.
+fn find_region(model: &Model, failure: &Failure) -> Region {
+    match *failure {
+        Failure::Undefined { place: Place::Definition(index), .. } => Region::from(&model.definitions[index].0),
+        Failure::Undefined { equations: 0, place: Place::Output(index), .. } => model.entries[index],
+        Failure::Undefined { equations: 1, place: Place::Output(index), .. } => model.requirements[index].region,
+        Failure::Undefined { place: Place::Output(_), .. } => Region::from(&model.name),
+        Failure::Engine(_) => Region::from(&model.name),
+    }
+}
