@@ -74,7 +74,11 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
             let (tree, names) = (&assembly.tree, &nothing.names);
             Faulty { declaration, mechanism, tree, names }.report(&faults, report);
         }
-        Ok(Ok(derivation)) => return adopt(derivation, nothing, checked, mechanism, assembly),
+        Ok(Ok(derivation)) => {
+            let derived = adopt(derivation, nothing, checked, mechanism, assembly);
+            report_numbers_out_of_range(&derived, mechanism, report);
+            return derived;
+        }
     }
     nothing
 }
@@ -127,6 +131,27 @@ fn adopt(
         symmetric: matrices.iter().filter(|(_, rows)| is_symmetric(rows)).map(|(name, _)| *name).collect(),
         kinematics: Some(kinematics.map(|formula| formula.renumbered(&new))),
         matrices,
+    }
+}
+
+/// Reports the first number beyond the range of `f64`: numbers that are in it can have a product that is not.
+fn report_numbers_out_of_range(derived: &Derived, mechanism: &Mechanism, report: &mut Report) {
+    let mut found = None;
+    let mut note = |formula: &Formula| {
+        if let Formula::Number(number) = formula {
+            let nearest = number.to_f64();
+            if !nearest.is_finite() || nearest == 0.0 && !number.is_zero() {
+                found.get_or_insert_with(|| number.to_string());
+            }
+        }
+    };
+    derived.definitions.iter().chain(derived.outputs()).for_each(|formula| formula.walk(&mut note));
+    if let Some(number) = found {
+        let message = format!(
+            "the equations of motion have the factor {number}, beyond the range of f64: expected numbers whose products are \
+             between 1e-300 and 1e300"
+        );
+        report.error(mechanism.span, message);
     }
 }
 

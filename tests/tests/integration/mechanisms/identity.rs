@@ -36,8 +36,8 @@ fn every_entry_is_proved_to_be_that_of_appendix_a() {
     // The definitions of the one behind those of the other.
     let count = written.definitions.len();
     let new: Vec<usize> = (count..count + derived.definitions.len()).collect();
-    let behind = derived.definitions.iter().map(|(name, formula)| (name.clone(), formula.renumbered(&new)));
-    let definitions: Vec<_> = written.definitions.iter().cloned().chain(behind).collect();
+    let behind = derived.formulas_of_definitions().map(|formula| formula.renumbered(&new));
+    let definitions: Vec<_> = written.formulas_of_definitions().cloned().chain(behind).collect();
     let mut pairs = Vec::new();
     let mut places = Vec::new();
     assert_eq!(written.matrices.len(), derived.matrices.len());
@@ -63,7 +63,7 @@ fn an_entry_that_differs_is_not_proved() {
     let written = written();
     let [(_, mass), .., (_, speed)] = &written.matrices[..] else { panic!("four matrices") };
     let sides = vec![mass[0][0].clone(), speed[0][1].clone()];
-    let pair = Equations::of_formulas(written.parameters.len(), &written.definitions, sides);
+    let pair = Equations::of_formulas(written.parameters.len(), written.formulas_of_definitions(), sides);
     assert_ne!(proofs(vec![pair], Depth::Formulas).expect("the engine works"), [Proof::Found]);
 }
 
