@@ -71,3 +71,63 @@ pub(crate) fn discriminant_of_cubic([d, c, b, a]: [&Polynomial; 4]) -> Polynomia
 pub(crate) fn discriminant_of_quadratic([c, b, a]: [&Polynomial; 3]) -> Polynomial {
     b * b - &(a * c) * 4.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{QuarticConditions, discriminant_of_cubic, discriminant_of_quadratic, hurwitz_of_cubic};
+    use crate::characteristic::powers::{Matrices, Powers};
+    use crate::numeric::fixed::at;
+    use crate::numeric::{Polynomial, Tracked};
+    use crate::system::Coefficients;
+
+    fn constants<const N: usize>(values: [f64; N]) -> [Polynomial; N] {
+        values.map(Polynomial::constant)
+    }
+
+    fn constant(polynomial: &Polynomial) -> f64 {
+        polynomial.coefficients()[0].value.to_f64()
+    }
+
+    /// The Hurwitz determinant is the product of all sums of two roots, up to the sign, and the discriminant the square of
+    /// that of all differences; that of the quartic is 27 times as large.
+    #[test]
+    fn are_products_over_pairs_of_roots() {
+        // (s + 1)(s + 2)(s + 3)(s + 4)
+        let quartic = Powers::of_numbers([24.0, 50.0, 35.0, 10.0, 1.0].map(Tracked::from));
+        let conditions = QuarticConditions::new(&quartic);
+        assert_eq!(conditions.hurwitz()[0].value.to_f64(), 3.0 * 4.0 * 5.0 * 5.0 * 6.0 * 7.0);
+        assert_eq!(conditions.discriminant()[0].value.to_f64(), 27.0 * 12.0 * 12.0);
+        // (s + 1)(s + 2)(s + 4)
+        assert_eq!(constant(&hurwitz_of_cubic(constants([8.0, 14.0, 7.0, 1.0]))), 3.0 * 5.0 * 6.0);
+        assert_eq!(constant(&discriminant_of_cubic(constants([8.0, 14.0, 7.0, 1.0]).each_ref())), 6.0 * 6.0);
+        // (s + 1)(s + 4)
+        assert_eq!(constant(&discriminant_of_quadratic(constants([4.0, 5.0, 1.0]).each_ref())), 3.0 * 3.0);
+    }
+
+    /// At a speed, the polynomials in the speed and in its square are what the numbers there give.
+    #[test]
+    fn are_the_same_in_the_speed_and_at_it() {
+        let rows = |x: [f64; 4]| [[x[0], x[1]], [x[2], x[3]]];
+        let [m, c1, kc, k2] =
+            [[2.0, 1.0, 1.0, 3.0], [1.0, 4.0, -3.0, 2.0], [5.0, 1.0, 1.0, -2.0], [0.0, 3.0, 1.0, 1.0]].map(rows);
+        let [c0, k0] = [[1.0, 0.0, 2.0, 5.0], [-1.0, 2.0, 2.0, 1.0]].map(rows);
+        let speed = 3.0;
+        for c0 in [c0, rows([0.0; 4])] {
+            let matrices = Matrices::new(&Coefficients::from_rows([m, c0, c1, kc, k0, k2]), 2.0);
+            let powers = matrices.in_speed();
+            let there = powers.padded::<[Tracked; 5]>().map(|p| at(&p, speed));
+            let there = Powers::of_numbers(there);
+            let (all, there) = (QuarticConditions::new(&powers), QuarticConditions::new(&there));
+            assert_eq!(at(&all.hurwitz(), speed).value, there.hurwitz()[0].value);
+            assert_eq!(at(&all.discriminant(), speed).value, there.discriminant()[0].value);
+            if matrices.are_undamped_at_rest() {
+                let square = speed * speed;
+                let powers = matrices.in_square();
+                let all = QuarticConditions::new(&powers);
+                // Two powers of the speed are left out.
+                assert_eq!(at(&all.hurwitz(), square).times(square).value, there.hurwitz()[0].value);
+                assert_eq!(at(&all.discriminant(), square).value, there.discriminant()[0].value);
+            }
+        }
+    }
+}

@@ -69,3 +69,41 @@ where
 pub(crate) fn cofactors<T: Copy + Neg<Output = T>>([[a, b], [c, d]]: Rows<T>) -> Rows<T> {
     [[d, -c], [-b, a]]
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::{ByPower, Rows, coefficients, cofactors, derivatives};
+
+    const MATRICES: ByPower<Rows> = [[[5.0, 1.0], [-2.0, 3.0]], [[1.0, 4.0], [2.0, -1.0]], [[2.0, 1.0], [1.0, 7.0]]];
+    const CHANGE: ByPower<Rows> = [[[1.0, -2.0], [4.0, 6.0]], [[3.0, 0.0], [-5.0, 2.0]], [[-1.0, 8.0], [2.0, 1.0]]];
+
+    /// det [5 + s + 2 s^2, 1 + 4 s + s^2; -2 + 2 s + s^2, 3 - s + 7 s^2], multiplied out.
+    #[test]
+    fn coefficients_are_those_of_the_determinant() {
+        assert_eq!(coefficients(MATRICES), [17.0, 4.0, 33.0, -1.0, 13.0]);
+    }
+
+    /// The coefficients are quadratic in the entries: what a change adds beside its own is the derivative.
+    #[test]
+    fn derivatives_are_what_a_change_adds() {
+        let mut sum = MATRICES;
+        for (entry, change) in
+            sum.as_flattened_mut().as_flattened_mut().iter_mut().zip(CHANGE.as_flattened().as_flattened())
+        {
+            *entry += change;
+        }
+        let [before, after, own] = [MATRICES, sum, CHANGE].map(coefficients);
+        let expected: [f64; 5] = core::array::from_fn(|power| after[power] - before[power] - own[power]);
+        assert_eq!(derivatives(MATRICES, CHANGE), expected);
+    }
+
+    #[test]
+    fn cofactors_are_the_derivatives_by_the_entries() {
+        let zero = [[0.0; 2]; 2];
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            let mut unit = zero;
+            unit[i][j] = 1.0;
+            assert_eq!(cofactors(MATRICES[0])[i][j], derivatives([MATRICES[0], zero, zero], [unit, zero, zero])[0]);
+        }
+    }
+}

@@ -35,3 +35,20 @@ impl<T: Copy + From<f64> + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> 
         [self.by_s * slope - self.by_ss * p, self.by_vs * p - self.by_v * slope]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Jet;
+
+    /// s^2 - v has a double root of zero at v = 0. It is linear in v, so that one step finds s, and the next one v.
+    #[test]
+    fn newton_finds_the_double_root_of_a_square() {
+        let (mut v, mut s) = (0.5, 0.25);
+        for _ in 0..2 {
+            let jet = Jet::new([-v, 0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0, 0.0], s);
+            let [v_step, s_step] = jet.step_against([jet.p, jet.by_s]).map(|step| step / jet.determinant());
+            (v, s) = (v + v_step, s + s_step);
+        }
+        assert_eq!((v, s), (0.0, 0.0));
+    }
+}

@@ -115,3 +115,31 @@ fn half(exponent: i32) -> i32 {
 pub(crate) fn ldexp_complex(x: Complex<f64>, e: i32) -> Complex<f64> {
     Complex::new(ldexp(x.re, e), ldexp(x.im, e))
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::Units;
+    use crate::system::{Coefficients, MatrixName};
+
+    /// Entries whose products leave the range of `f64` come to between an eighth and one, but for those that are small
+    /// beside the others; nothing is rounded.
+    #[test]
+    fn bring_every_matrix_to_about_one() {
+        let (mass, time, length) = (2f64.powi(500), 2f64.powi(-200), 2f64.powi(300));
+        let rows = |unit: f64| [[3.0 * unit, unit], [unit, 5.0 * unit]];
+        let rate = mass / time;
+        let per_speed = time / length;
+        let coefficients =
+            [mass, rate, rate * per_speed, rate / time, mass / length, rate / time * per_speed * per_speed];
+        let coefficients = Coefficients::<f64, 2>::from_rows(coefficients.map(rows));
+        let gravity = length / time / time;
+        let units = Units::of_coefficients(&coefficients, gravity).expect("a mass matrix without a row of zeros");
+        let scaled = units.scale_coefficients(&coefficients);
+        for name in MatrixName::ALL {
+            let (before, after) = (coefficients.matrix(name), scaled.matrix(name));
+            assert!(after.iter().all(|&entry| entry > 0.03 && entry <= 1.0), "{name}: {after}");
+            assert!(after.iter().zip(before).all(|(after, before)| (after.to_bits() ^ before.to_bits()) << 12 == 0));
+        }
+        assert!((0.5..1.0).contains(&units.scale_gravity(gravity)));
+    }
+}
