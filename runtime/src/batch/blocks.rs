@@ -1,6 +1,6 @@
 //! Numbers of many designs, laid out for lanes.
 
-use crate::batch::BatchError;
+use super::BatchError;
 use crate::model::Model;
 
 /// Some numbers for each of many designs, such as its parameters or the entries of its matrices: a structure of arrays in
@@ -20,7 +20,7 @@ pub struct Blocks {
 
 impl Blocks {
     /// The number of designs in a block.
-    pub const SIDE: usize = 8;
+    pub const SIDE: usize = super::SIDE;
 
     /// For `len` designs `width` numbers each, all of them zero.
     #[must_use]

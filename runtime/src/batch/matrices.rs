@@ -4,12 +4,9 @@ use fearless_simd::{Simd, dispatch};
 
 #[cfg(feature = "std")]
 use super::Blocks;
-use super::{Batch, BatchError, Lanes};
+use super::{Batch, BatchError, Lanes, SIDE};
 use crate::model::{Evaluator, Model};
 use crate::system::Coefficients;
-
-/// The number of designs in a block.
-const SIDE: usize = 8;
 
 #[cfg(feature = "std")]
 impl Batch {

@@ -22,6 +22,9 @@ pub use eigenvalues::Eigenvalues;
 pub use error::BatchError;
 pub use lanes::Lanes;
 
+/// The number of designs in a block: as many as the widest registers hold.
+const SIDE: usize = 8;
+
 /// How many designs are computed side by side, and by which instructions.
 #[derive(Clone, Copy, Debug)]
 pub struct Batch {

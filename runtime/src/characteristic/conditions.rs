@@ -76,7 +76,7 @@ pub(crate) fn discriminant_of_quadratic([c, b, a]: [&Polynomial; 3]) -> Polynomi
 mod tests {
     use super::{QuarticConditions, discriminant_of_cubic, discriminant_of_quadratic, hurwitz_of_cubic};
     use crate::characteristic::powers::{Matrices, Powers};
-    use crate::numeric::fixed::at;
+    use crate::numeric::fixed::evaluate;
     use crate::numeric::{Polynomial, Tracked};
     use crate::system::Coefficients;
 
@@ -115,18 +115,18 @@ mod tests {
         for c0 in [c0, rows([0.0; 4])] {
             let matrices = Matrices::new(&Coefficients::from_rows([m, c0, c1, kc, k0, k2]), 2.0);
             let powers = matrices.in_speed();
-            let there = powers.padded::<[Tracked; 5]>().map(|p| at(&p, speed));
+            let there = powers.padded::<[Tracked; 5]>().map(|p| evaluate(&p, speed));
             let there = Powers::of_numbers(there);
             let (all, there) = (QuarticConditions::new(&powers), QuarticConditions::new(&there));
-            assert_eq!(at(&all.hurwitz(), speed).value, there.hurwitz()[0].value);
-            assert_eq!(at(&all.discriminant(), speed).value, there.discriminant()[0].value);
+            assert_eq!(evaluate(&all.hurwitz(), speed).value, there.hurwitz()[0].value);
+            assert_eq!(evaluate(&all.discriminant(), speed).value, there.discriminant()[0].value);
             if matrices.are_undamped_at_rest() {
                 let square = speed * speed;
                 let powers = matrices.in_square();
                 let all = QuarticConditions::new(&powers);
                 // Two powers of the speed are left out.
-                assert_eq!(at(&all.hurwitz(), square).times(square).value, there.hurwitz()[0].value);
-                assert_eq!(at(&all.discriminant(), square).value, there.discriminant()[0].value);
+                assert_eq!(evaluate(&all.hurwitz(), square).times(square).value, there.hurwitz()[0].value);
+                assert_eq!(evaluate(&all.discriminant(), square).value, there.discriminant()[0].value);
             }
         }
     }

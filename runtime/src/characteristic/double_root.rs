@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use crate::numeric::taylor;
+use crate::numeric::expand_taylor;
 
 /// The characteristic polynomial and its derivatives at a speed v, or another variable in its place, and an eigenvalue s.
 #[derive(Clone, Copy)]
@@ -18,8 +18,8 @@ impl<T: Copy + From<f64> + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> 
     /// From the coefficients in s and their derivatives by v.
     #[inline]
     pub(crate) fn new(p: [T; 5], by_v: [T; 5], s: T) -> Self {
-        let [p, by_s, half_curvature] = taylor(p.into_iter(), s);
-        let [by_v, by_vs, _] = taylor(by_v.into_iter(), s);
+        let [p, by_s, half_curvature] = expand_taylor(p.into_iter(), s);
+        let [by_v, by_vs, _] = expand_taylor(by_v.into_iter(), s);
         Self { p, by_s, by_ss: half_curvature + half_curvature, by_v, by_vs }
     }
 

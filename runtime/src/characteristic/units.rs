@@ -111,6 +111,23 @@ fn half(exponent: i32) -> i32 {
     (exponent + 1).div_euclid(2)
 }
 
+/// Eigenvalues in a unit, back in 1/s.
+///
+/// # Errors
+/// If one leaves the range of `f64`.
+pub(crate) fn to_per_second<const N: usize>(
+    eigenvalues: [[Complex<f64>; 2]; N],
+    unit: i32,
+) -> Result<[[Complex<f64>; 2]; N], SystemError> {
+    let eigenvalues = eigenvalues.map(|two| two.map(|value| ldexp_complex(value, unit)));
+    let is_finite = |value: &Complex<f64>| value.re.is_finite() && value.im.is_finite();
+    if eigenvalues.as_flattened().iter().all(is_finite) {
+        Ok(eigenvalues)
+    } else {
+        Err(SystemError::OutOfRange { quantity: "an eigenvalue" })
+    }
+}
+
 /// A complex number in another unit: times a power of two.
 pub(crate) fn ldexp_complex(x: Complex<f64>, e: i32) -> Complex<f64> {
     Complex::new(ldexp(x.re, e), ldexp(x.im, e))

@@ -26,7 +26,7 @@ struct Shifts {
 ///
 /// `None` if the bound on the sweeps is exceeded. The matrix is overwritten.
 #[inline]
-pub(super) fn eigenvalues<R: Row>(h: &mut [R], mut found: impl FnMut(Complex<f64>)) -> Option<()> {
+pub(super) fn find_eigenvalues<R: Row>(h: &mut [R], mut found: impl FnMut(Complex<f64>)) -> Option<()> {
     let mut end = h.len();
     let (mut sweeps, mut since_last) = (0, 0);
     while end > 0 {

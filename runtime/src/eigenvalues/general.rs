@@ -5,10 +5,10 @@ use nalgebra::Complex;
 use super::francis::{self, SWEEPS_PER_EIGENVALUE};
 use super::hessenberg::{Row, balance, reduce};
 use super::quadratic::Quadratic;
-use crate::characteristic::units::{ldexp_complex, time_unit};
+use crate::characteristic::units::{time_unit, to_per_second};
 use crate::number::Number;
 use crate::numeric::{exponent, ldexp};
-use crate::system::{Matrix, System, SystemError};
+use crate::system::{Matrix, System, SystemError, require_in_range};
 
 impl<const N: usize> System<N> {
     /// The 2N eigenvalues in 1/s, sorted by real part, then by imaginary part.
@@ -29,21 +29,18 @@ impl<const N: usize> System<N> {
             let system = System { m: two(&self.m), c: two(&self.c), k: two(&self.k) };
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
-        let mut eigenvalues = any_number(self)?.as_flattened().to_vec();
+        let mut eigenvalues = eigenvalues_of_state_matrix(self)?.as_flattened().to_vec();
         eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
         Ok(eigenvalues)
     }
 }
 
 /// The eigenvalues, in no order.
-fn any_number<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
+fn eigenvalues_of_state_matrix<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
     system.require_finite()?;
     let [stiffness, damping] = system.solve([-system.k, -system.c])?;
-    for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping)] {
-        if block.iter().any(|entry| !entry.is_finite()) {
-            return Err(SystemError::OutOfRange { quantity });
-        }
-    }
+    require_in_range("M^-1 K", &stiffness)?;
+    require_in_range("M^-1 C", &damping)?;
     // Time in units that bring stiffness and damping to at most one.
     let largest = |matrix: &Matrix<f64, N>| exponent(matrix.iter().fold(0.0, |max: f64, entry| max.max(entry.abs())));
     let unit = time_unit(largest(&damping), largest(&stiffness));
@@ -57,11 +54,7 @@ fn any_number<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; 
     } else {
         damped(&stiffness, &damping, found.as_flattened_mut())?;
     }
-    let eigenvalues = found.map(|two| two.map(|root| ldexp_complex(root, unit)));
-    if eigenvalues.as_flattened().iter().any(|root| !(root.re.is_finite() && root.im.is_finite())) {
-        return Err(SystemError::OutOfRange { quantity: "an eigenvalue" });
-    }
-    Ok(eigenvalues)
+    to_per_second(found, unit)
 }
 
 /// Of `q'' = D q' + S q`, from the transposed state matrix with each coordinate next to its rate, (q1, q1', q2, q2', ...):
@@ -106,7 +99,7 @@ fn collect<R: Row>(rows: &mut [R], found: &mut [Complex<f64>]) -> Result<(), Sys
         }
     };
     let iterations = SWEEPS_PER_EIGENVALUE * rows.len();
-    francis::eigenvalues(rows, put).ok_or(SystemError::NotConverged { iterations })
+    francis::find_eigenvalues(rows, put).ok_or(SystemError::NotConverged { iterations })
 }
 
 /// Both square roots. Those of conjugate numbers are exactly conjugate.

@@ -6,7 +6,7 @@ use nalgebra::Complex;
 use super::four::Four;
 use super::quartic::Quartic;
 use crate::characteristic::determinant::{Rows, coefficients, rows};
-use crate::characteristic::units::{Units, ldexp_complex};
+use crate::characteristic::units::{Units, to_per_second};
 use crate::number::lane::Lane;
 use crate::system::{System, SystemError};
 
@@ -113,12 +113,7 @@ fn regular_quartic(m: Rows, c: Rows, k: Rows) -> Result<Quartic, SystemError> {
 fn scaled_eigenvalues(system: &System<2>) -> Result<[[Complex<f64>; 2]; 2], SystemError> {
     let units = Units::of_system(system)?;
     let System { m, c, k } = units.scale_system(system);
-    let roots = regular_quartic(rows(&m), rows(&c), rows(&k))?.roots();
-    let eigenvalues = roots.map(|half| half.map(|root| ldexp_complex(root, units.time)));
-    if eigenvalues.as_flattened().iter().any(|root| !(root.re.is_finite() && root.im.is_finite())) {
-        return Err(SystemError::OutOfRange { quantity: "an eigenvalue" });
-    }
-    Ok(eigenvalues)
+    to_per_second(regular_quartic(rows(&m), rows(&c), rows(&k))?.roots(), units.time)
 }
 
 #[inline]

@@ -84,7 +84,7 @@ pub(crate) fn padded<A: Fixed, B: Fixed>(a: A) -> B {
 
 /// The value at x.
 #[inline]
-pub(crate) fn at(coefficients: &[Tracked], x: f64) -> Tracked {
+pub(crate) fn evaluate(coefficients: &[Tracked], x: f64) -> Tracked {
     let mut descending = coefficients.iter().rev().skip_while(|c| c.size == 0.0);
     let first = descending.next().copied().unwrap_or(Tracked::ZERO);
     descending.fold(first, |value, &coefficient| value.times(x) + coefficient)

@@ -32,6 +32,6 @@ pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
 pub(crate) use roots::{Root, candidates, positive_roots};
 #[cfg(feature = "std")]
-pub(crate) use taylor::taylor;
+pub(crate) use taylor::expand_taylor;
 #[cfg(feature = "std")]
 pub(crate) use tracked::{Exact, NOISE, Tracked};

@@ -1,6 +1,6 @@
 //! Polynomials in plain `f64`, with bounds on what rounding may do to them.
 
-use super::taylor::taylor;
+use super::taylor::expand_taylor;
 use super::tracked::{NOISE, Tracked};
 
 /// A polynomial with coefficients in `f64`, ascending, with a size for each: coefficients err by a rounding of their size.
@@ -42,6 +42,6 @@ impl<const N: usize> Rounded<N> {
     /// The value at x, the first derivative, and half of the second one.
     #[inline]
     pub(crate) fn taylor(&self, x: f64) -> [f64; 3] {
-        taylor(self.value.into_iter(), x)
+        expand_taylor(self.value.into_iter(), x)
     }
 }

@@ -5,7 +5,7 @@ use core::ops::{Add, Mul};
 /// The value at x, the first derivative, and half of the second one, of a polynomial given by its ascending coefficients:
 /// Horner's rule three times over.
 #[inline]
-pub(crate) fn taylor<T>(coefficients: impl DoubleEndedIterator<Item = T>, x: T) -> [T; 3]
+pub(crate) fn expand_taylor<T>(coefficients: impl DoubleEndedIterator<Item = T>, x: T) -> [T; 3]
 where
     T: Copy + From<f64> + Add<Output = T> + Mul<Output = T>,
 {

@@ -6,7 +6,7 @@ use super::scaled::{Quartic, Scaled};
 use crate::characteristic::determinant::{ByPower, Rows, cofactors};
 use crate::characteristic::double_root::Jet;
 use crate::number::real::Real as _;
-use crate::numeric::{ComplexDoubleDouble, DoubleDouble, Tracked, taylor};
+use crate::numeric::{ComplexDoubleDouble, DoubleDouble, Tracked, expand_taylor};
 use crate::stability::CriticalKind;
 
 /// A critical speed with its eigenvalue, in the units of [`Scaled`], and what its condition makes of a change.
@@ -51,7 +51,7 @@ impl Condition {
     ) -> Self {
         let p = scaled.characteristic(speed);
         let at = Jet::new(shifted(&p, zeros), shifted(&scaled.by_speed(speed), zeros), s);
-        let [size, _, half_curvature] = taylor(p[zeros..].iter().map(|p| p.size), s.norm());
+        let [size, _, half_curvature] = expand_taylor(p[zeros..].iter().map(|p| p.size), s.norm());
         Self { kind, s, zeros, at, size, curvature_size: 2.0 * half_curvature, speed: speed.to_f64() }
     }
 
@@ -70,7 +70,7 @@ impl Condition {
             for (coefficient, cofactor) in change[power..].iter_mut().zip(&cofactors) {
                 *coefficient = cofactor[i][j];
             }
-            let [value, slope, _] = taylor(shifted(&change, self.zeros).into_iter(), self.s);
+            let [value, slope, _] = expand_taylor(shifted(&change, self.zeros).into_iter(), self.s);
             self.answer([value, slope])
         };
         let rows = |power| [0, 1].map(|i| [0, 1].map(|j| answer(power, i, j)));

@@ -67,12 +67,12 @@ impl<const N: usize> Sensitivity<N> {
         let scaled: Vec<_> = values.iter().map(|&value| pencil.to_unit(value)).collect();
         let derivative = |index: usize| {
             let neighbours = Neighbours::of(&scaled, index);
-            let (weights, condition) = simple(&pencil, scaled[index], &neighbours);
+            let (weights, condition) = find_simple_weights(&pencil, scaled[index], &neighbours);
             if condition < DOUBLE {
                 let gradient = gradient(&pencil, &directions, &weights, 1)?;
                 return Ok(EigenvalueDerivative::Simple { gradient, condition });
             }
-            let Some([mean, square]) = unfolding::weights(&pencil, scaled[index], &neighbours) else {
+            let Some([mean, square]) = unfolding::find_weights(&pencil, scaled[index], &neighbours) else {
                 return Ok(EigenvalueDerivative::Multiple);
             };
             let [mean, square] = [(mean, 1), (square, 2)].map(|(w, power)| gradient(&pencil, &directions, &w, power));
@@ -88,7 +88,11 @@ impl<const N: usize> Sensitivity<N> {
 ///
 /// A step of Newton's iteration along the eigenvectors first takes the error out of the eigenvalue that it has beyond the
 /// rounding of the matrix entries, unless another eigenvalue is near.
-fn simple<const N: usize>(pencil: &Pencil<N>, s: Complex<f64>, neighbours: &Neighbours) -> (Weights<N>, f64) {
+fn find_simple_weights<const N: usize>(
+    pencil: &Pencil<N>,
+    s: Complex<f64>,
+    neighbours: &Neighbours,
+) -> (Weights<N>, f64) {
     const SMALL: f64 = 1e-6;
     let mut found = Eigenvectors::new(pencil, s);
     let step = found.residual / found.slope;

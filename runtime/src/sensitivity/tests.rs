@@ -3,10 +3,10 @@
 use nalgebra::Complex;
 
 use super::{CriticalDerivative, EigenvalueDerivative, NotDifferentiable, Sensitivity, SensitivityError};
+use crate::characteristic::determinant::Rows;
 use crate::stability::{CriticalKind, Stability};
 use crate::system::{Coefficients, Matrix, SystemError};
 
-type Rows = [[f64; 2]; 2];
 const ZERO: Rows = [[0.0; 2]; 2];
 const ONE: Rows = diagonal(1.0, 1.0);
 /// The entries of a diagonal.

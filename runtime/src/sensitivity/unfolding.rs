@@ -46,7 +46,7 @@ const MARGIN: f64 = 4.0;
 
 /// The weights of the derivatives of the mean of the two, and of the square of half their difference; `None` if no circle
 /// keeps them apart from the others.
-pub(super) fn weights<const N: usize>(
+pub(super) fn find_weights<const N: usize>(
     pencil: &Pencil<N>,
     s: Complex<f64>,
     neighbours: &Neighbours,

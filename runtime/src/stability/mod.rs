@@ -118,10 +118,10 @@ impl Stability {
 #[cfg(test)]
 mod tests {
     use super::{Change, CriticalKind, Stability, StableRange, Verdict};
+    use crate::characteristic::determinant::Rows;
     use crate::stability::Modes;
     use crate::system::{Coefficients, SystemError};
 
-    type Rows = [[f64; 2]; 2];
     const ZERO: Rows = [[0.0; 2]; 2];
     const ONE: Rows = diagonal(1.0, 1.0);
 

@@ -53,11 +53,8 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         let c = c0 + c1 * speed;
         // v (v K2): the square alone may overflow where the product does not.
         let k = kc + k0 * gravity + k2 * speed * speed;
-        for (quantity, matrix) in [("C0 + v C1", c), ("Kc + g K0 + v^2 K2", k)] {
-            if matrix.iter().any(|entry| !entry.is_finite()) {
-                return Err(SystemError::OutOfRange { quantity });
-            }
-        }
+        require_in_range("C0 + v C1", &c)?;
+        require_in_range("Kc + g K0 + v^2 K2", &k)?;
         Ok(System { m, c, k })
     }
 
@@ -76,6 +73,14 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
             k2: wide("K2", &self.k2)?,
         })
     }
+}
+
+/// Whether every entry of a result is finite, of what was computed from finite numbers.
+pub(crate) fn require_in_range<const N: usize>(
+    quantity: &'static str,
+    result: &Matrix<f64, N>,
+) -> Result<(), SystemError> {
+    if result.iter().all(|entry| entry.is_finite()) { Ok(()) } else { Err(SystemError::OutOfRange { quantity }) }
 }
 
 pub(crate) fn require_finite(quantity: &'static str, value: f64) -> Result<(), SystemError> {

@@ -7,7 +7,7 @@ mod state_space;
 
 pub use at_speed::System;
 #[cfg(feature = "std")]
-pub(crate) use at_speed::{require_finite, require_speed};
+pub(crate) use at_speed::{require_finite, require_in_range, require_speed};
 pub use coefficients::{Coefficients, Matrix, MatrixName, rows};
 pub use error::SystemError;
 pub use state_space::StateSpace;

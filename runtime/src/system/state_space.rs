@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix4, Matrix4x2};
 
-use super::at_speed::System;
+use super::at_speed::{System, require_in_range};
 use super::coefficients::Matrix;
 use super::error::SystemError;
 
@@ -48,9 +48,7 @@ impl<const N: usize> System<N> {
         self.require_finite()?;
         let [stiffness, damping, input] = self.solve([-self.k, -self.c, Matrix::identity()])?;
         for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping), ("M^-1", &input)] {
-            if block.iter().any(|entry| !entry.is_finite()) {
-                return Err(SystemError::OutOfRange { quantity });
-            }
+            require_in_range(quantity, block)?;
         }
         Ok(StateSpace { stiffness, damping, input })
     }

@@ -9,7 +9,7 @@ use super::conditions::{Conditions, Variable};
 use super::meeting::DoubleRoots;
 use super::signs::Signs;
 use super::simple_root::Root;
-use crate::numeric::fixed::at;
+use crate::numeric::fixed::evaluate;
 use crate::numeric::isolation::Brackets;
 use crate::numeric::rounded::Rounded;
 use crate::numeric::{DoubleDouble, Tracked};
@@ -82,7 +82,7 @@ impl<const P: usize, const H: usize, const D: usize> Conditions<P, H, D> {
     /// The frequency of an imaginary pair: the square root of `p_1 / p_3`.
     fn frequency(&self, root: &Root) -> Option<f64> {
         let coefficient = |p: &[Tracked; P]| {
-            let sum = at(p, root.x);
+            let sum = evaluate(p, root.x);
             let slope = Rounded::new(p).taylor(root.x)[1];
             let is_sharp = sum.value.to_f64().abs() >= CANCELLED * sum.size;
             is_sharp.then(|| sum.value.add_roughly((slope * root.rest).into()))

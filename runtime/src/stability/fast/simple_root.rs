@@ -2,7 +2,7 @@
 
 use super::conditions::Variable;
 use crate::number::Number;
-use crate::numeric::fixed::at;
+use crate::numeric::fixed::evaluate;
 use crate::numeric::isolation::Bracket;
 use crate::numeric::rounded::Rounded;
 use crate::numeric::{DoubleDouble, Tracked};
@@ -42,7 +42,7 @@ impl Root {
         bracket: &Bracket,
     ) -> Option<Self> {
         let x = rounded.refine(bracket, CLOSE)?;
-        let value = at(polynomial, x);
+        let value = evaluate(polynomial, x);
         let [_, slope, half_curvature] = rounded.taylor(x);
         let rest = -value.value.to_f64() / slope;
         let error = f64::EPSILON * value.size / slope.abs();
