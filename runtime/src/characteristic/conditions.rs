@@ -78,7 +78,6 @@ mod tests {
     use crate::characteristic::powers::{Matrices, Powers};
     use crate::numeric::fixed::evaluate;
     use crate::numeric::{Polynomial, Tracked};
-    use crate::system::Coefficients;
 
     fn constants<const N: usize>(values: [f64; N]) -> [Polynomial; N] {
         values.map(Polynomial::constant)
@@ -113,7 +112,7 @@ mod tests {
         let [c0, k0] = [[1.0, 0.0, 2.0, 5.0], [-1.0, 2.0, 2.0, 1.0]].map(rows);
         let speed = 3.0;
         for c0 in [c0, rows([0.0; 4])] {
-            let matrices = Matrices::new(&Coefficients::from_rows([m, c0, c1, kc, k0, k2]), 2.0);
+            let matrices = Matrices::new([m, c0, c1, kc, k0, k2], 2.0);
             let powers = matrices.in_speed();
             let there = powers.padded::<[Tracked; 5]>().map(|p| evaluate(&p, speed));
             let there = Powers::of_numbers(there);

@@ -15,8 +15,8 @@ pub(crate) type ByPower<T> = [T; 3];
 
 /// The rows of a matrix.
 #[inline(always)]
-pub(crate) fn rows<T: Scalar>(matrix: &Matrix<T, 2>) -> Rows<T> {
-    [[matrix.m11, matrix.m12], [matrix.m21, matrix.m22]]
+pub(crate) fn rows<T: Scalar>(matrix: &Matrix<T, 2>) -> Rows {
+    [[matrix.m11.to_f64(), matrix.m12.to_f64()], [matrix.m21.to_f64(), matrix.m22.to_f64()]]
 }
 
 /// `det(X)`.

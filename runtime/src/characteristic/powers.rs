@@ -1,9 +1,8 @@
 //! The coefficients of the characteristic polynomial in s as polynomials in the speed.
 
-use super::determinant::{Rows, determinant, mixed, rows};
+use super::determinant::{Rows, determinant, mixed};
 use crate::numeric::fixed::{Fixed, map, padded};
 use crate::numeric::{Exact, Tracked};
-use crate::system::Coefficients;
 
 /// What the coefficients are polynomials in: by it the numbers of their coefficients are known, and those of all that is
 /// made of them.
@@ -134,11 +133,13 @@ pub(crate) struct Matrices {
 }
 
 impl Matrices {
+    /// From the rows of M, C0, C1, Kc, K0 and K2.
     #[inline]
-    pub(crate) fn new(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Self {
-        let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
-        let [m, c0, c1, kc, k0, k2] = [m, c0, c1, kc, k0, k2].map(|matrix| rows(matrix).map(|row| row.map(Exact)));
-        let stiffness = |i: usize, j: usize| Exact(gravity) * k0[i][j] + kc[i][j].0.into();
+    pub(crate) fn new(rows: [Rows; 6], gravity: f64) -> Self {
+        let [m, c0, c1, kc, k0, k2] = rows;
+        let exact = |[[a, b], [c, d]]: Rows| [[Exact(a), Exact(b)], [Exact(c), Exact(d)]];
+        let [m, c0, c1, k2] = [exact(m), exact(c0), exact(c1), exact(k2)];
+        let stiffness = |i: usize, j: usize| Exact(gravity) * Exact(k0[i][j]) + kc[i][j].into();
         let k = [[stiffness(0, 0), stiffness(0, 1)], [stiffness(1, 0), stiffness(1, 1)]];
         Self { m, c0, c1, k, k2, mass: determinant(m) }
     }

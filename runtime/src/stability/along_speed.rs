@@ -3,6 +3,7 @@
 use nalgebra::Complex;
 
 use crate::characteristic::conditions::{self, QuarticConditions};
+use crate::characteristic::determinant::rows;
 use crate::characteristic::powers::{InSpeed, Matrices, Powers};
 use crate::characteristic::units::{Units, ldexp_complex};
 use crate::eigenvalues::Quartic;
@@ -26,7 +27,10 @@ impl Characteristic {
         require_finite("gravity", gravity)?;
         let coefficients = coefficients.finite()?;
         let units = Units::of_coefficients(&coefficients, gravity)?;
-        let matrices = Matrices::new(&units.scale_coefficients(&coefficients), units.scale_gravity(gravity));
+        let matrices = {
+            let Coefficients { m, c0, c1, kc, k0, k2 } = units.scale_coefficients(&coefficients);
+            Matrices::new([m, c0, c1, kc, k0, k2].map(|matrix| rows(&matrix)), units.scale_gravity(gravity))
+        };
         if matrices.mass.value.to_f64().abs() <= 8.0 * f64::EPSILON * matrices.mass.size {
             return Err(SystemError::SingularMass);
         }

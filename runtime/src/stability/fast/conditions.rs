@@ -1,6 +1,7 @@
 //! The conditions for critical speeds, by coefficients in fixed arrays.
 
 use crate::characteristic::conditions::QuarticConditions;
+use crate::characteristic::determinant::rows;
 use crate::characteristic::powers::{InSpeed, InSquare, Matrices, Powers, Variable as InVariable};
 use crate::number::Scalar;
 use crate::numeric::Tracked;
@@ -35,14 +36,14 @@ const LARGEST: f64 = 1e15;
 const REGULAR: f64 = 16.0 * f64::EPSILON;
 
 /// The matrices; `None` if the mass matrix may be singular, or if entries are not finite or of unusual size.
+#[inline]
 pub(super) fn moderate_matrices<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Option<Matrices> {
     let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
-    let [m, c0, c1, kc, k0, k2] = [m, c0, c1, kc, k0, k2].map(|matrix| matrix.map(Scalar::to_f64));
+    let entries = [m, c0, c1, kc, k0, k2].map(rows);
     let is_moderate = |x: f64| (SMALLEST..=LARGEST).contains(&x.abs()) | (x == 0.0);
-    let entries = [&m, &c0, &c1, &kc, &k0, &k2].into_iter().flatten();
     // Without a branch for each entry.
-    let moderate = entries.fold(true, |all, &x| all & is_moderate(x));
-    let matrices = Matrices::new(&Coefficients { m, c0, c1, kc, k0, k2 }, gravity);
+    let moderate = entries.as_flattened().as_flattened().iter().fold(true, |all, &x| all & is_moderate(x));
+    let matrices = Matrices::new(entries, gravity);
     let is_regular = matrices.mass.value.to_f64().abs() > REGULAR * matrices.mass.size;
     (moderate && is_moderate(gravity) && is_regular).then_some(matrices)
 }
