@@ -7,6 +7,7 @@ mod commands;
 pub mod design;
 pub mod failure;
 pub mod input;
+mod matrices;
 pub mod model;
 pub mod nearest;
 pub mod number;

@@ -1,15 +1,11 @@
 //! The models that ship with Carvallo, without their types: whatever its number of coordinates, any of them can be chosen
 //! by its name.
 
-mod matrices;
-
 use std::any::Any;
 use std::fmt::Debug;
 
 use carvallo::{Coefficients, Complex, Differentiable, Matrix, MatrixName, Model, ModelInfo, Sensitivity, SystemError};
 use carvallo_models::Whipple;
-
-pub use self::matrices::{MATRICES, names as entry_names};
 
 use crate::number::with_unit;
 
@@ -30,20 +26,30 @@ pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
 
 /// Makes the equations of motion from parameters in declared order, or says which of them cannot be.
-type Construct = fn(&[f64]) -> Result<Box<dyn Equations>, String>;
+pub(crate) type Construct = fn(&[f64]) -> Result<Box<dyn Equations>, String>;
 
 /// Hands the equations of motion to a visitor, where they need no place of their own in memory.
-type Visit = fn(&[f64], Visitor) -> Result<(), String>;
+pub(crate) type Visit = fn(&[f64], Visitor) -> Result<(), String>;
 
 /// What looks at equations of motion, and may say what is wrong with them.
-type Visitor<'a> = &'a mut dyn FnMut(&dyn Equations) -> Result<(), String>;
+pub(crate) type Visitor<'a> = &'a mut dyn FnMut(&dyn Equations) -> Result<(), String>;
 
 /// Differentiates the equations of motion; `None` for other than two coordinates.
-type Differentiate = fn(&[f64]) -> Result<Option<Sensitivity<2>>, String>;
+pub(crate) type Differentiate = fn(&[f64]) -> Result<Option<Sensitivity<2>>, String>;
 
 impl Shipped {
     const fn of<const N: usize, M: Differentiable<N, Scalar = f64>>() -> Self {
-        Self { info: M::INFO, equations: equations::<N, M>, visit: visit::<N, M>, differentiate: differentiate::<N, M> }
+        Self::new(M::INFO, equations::<N, M>, visit::<N, M>, differentiate::<N, M>)
+    }
+
+    /// A model by what it tells about itself and what can be done with it.
+    pub(crate) const fn new(
+        info: &'static ModelInfo,
+        equations: Construct,
+        visit: Visit,
+        differentiate: Differentiate,
+    ) -> Self {
+        Self { info, equations, visit, differentiate }
     }
 
     /// The model called so, in letters of either case.
@@ -51,7 +57,7 @@ impl Shipped {
     /// # Errors
     /// If there is none: that, the one that was probably meant, and those that there are.
     pub fn called(name: &str) -> Result<&'static Self, String> {
-        if let Some(model) = MODELS.iter().chain(MATRICES).find(|model| model.is_called(name)) {
+        if let Some(model) = MODELS.iter().find(|model| model.is_called(name)) {
             return Ok(model);
         }
         let names: Vec<&str> = MODELS.iter().map(|model| model.info.name).collect();

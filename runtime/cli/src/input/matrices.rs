@@ -4,7 +4,8 @@ use carvallo::MatrixName;
 
 use super::document::{Document, Entry, Written};
 use crate::failure::Place;
-use crate::model::{MATRICES, entry_names};
+use crate::matrices::{MATRICES, names as entry_names};
+use crate::model::Shipped;
 
 /// A list as it was written, or what stands in the place of one.
 pub type Rows = Vec<Vec<Written>>;
@@ -41,9 +42,8 @@ impl Document {
         if !is_any || self.model.is_some() {
             return;
         }
-        let holds = |model: &&crate::model::Shipped| {
-            given.iter().all(|(matrix, is_given)| !is_given || model.info.matrices.contains(matrix))
-        };
+        let holds =
+            |model: &&Shipped| given.iter().all(|(matrix, is_given)| !is_given || model.info.matrices.contains(matrix));
         let Some(model) = MATRICES.into_iter().find(holds) else { return };
         self.model = Some(model.info.name.to_owned());
         let place = self.entries[0].place.clone();

@@ -20,6 +20,7 @@ use std::path::Path;
 use self::document::{Document, Entry, File};
 use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
+use crate::matrices::MATRICES;
 use crate::model::{Shipped, WHIPPLE};
 
 pub use self::shipped::DEFAULT_BICYCLE;
@@ -58,7 +59,7 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
         overrides.map(|(option, name, value)| Entry::from_text(name, Place::Option(option.clone()), value)).collect();
     let asked = request.model.as_ref().map(|name| {
         let place = Place::Option(format!("--model {name}"));
-        Shipped::called(name).map_err(|message| Failure::Input(vec![Problem { place, message }]))
+        called(name).map_err(|message| Failure::Input(vec![Problem { place, message }]))
     });
     let asked = asked.transpose()?;
     let expected = asked.unwrap_or(&WHIPPLE);
@@ -102,7 +103,7 @@ fn resolve(
 ) -> Result<Design, Failure> {
     let model = match (asked, &document.model) {
         (None, None) => Ok(&WHIPPLE),
-        (None, Some(name)) => Shipped::called(name),
+        (None, Some(name)) => called(name),
         (Some(asked), Some(name)) if !asked.is_called(name) => {
             Err(format!("the parameters are for the model `{name}`, but --model is {}", asked.info.name))
         }
@@ -114,6 +115,14 @@ fn resolve(
             document.problem(Place::File(label.to_owned()), message);
             Err(Failure::Input(document.problems))
         }
+    }
+}
+
+/// The model called so: one that ships, or that of given matrices.
+fn called(name: &str) -> Result<&'static Shipped, String> {
+    match MATRICES.into_iter().find(|model| model.is_called(name)) {
+        Some(model) => Ok(model),
+        None => Shipped::called(name),
     }
 }
 

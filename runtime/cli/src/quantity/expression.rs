@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
+use super::context::Lookup;
+use super::function;
 use super::literal::{self, kept};
-use super::{Lookup, function};
 
 /// Deeper nesting than this is refused, so that no input can exhaust the stack.
 const MAX_DEPTH: usize = 64;

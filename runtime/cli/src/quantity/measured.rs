@@ -1,9 +1,10 @@
 //! Values with the standard deviation of their measurement.
 
+use super::context::Context;
 use super::literal;
 use super::mistake::{Mistake, Reason};
 use super::range::is_plain;
-use super::{Context, Value, evaluate, starts_a_unit};
+use super::value::{Value, evaluate, starts_a_unit};
 use crate::number::shortest;
 
 /// A value, and its standard deviation where one is written.
@@ -42,6 +43,17 @@ pub fn measured(text: &str, context: Context) -> Result<Measured, Mistake> {
     match split_outside(text, ',')[..] {
         [_] => single(text, context),
         ref list => average(text, list, context),
+    }
+}
+
+/// The value of a number or an expression without a standard deviation, in the declared unit.
+///
+/// # Errors
+/// What is wrong, if it is none or is not finite.
+pub fn number(text: &str, context: Context) -> Result<f64, Mistake> {
+    match measured(text, context)? {
+        Measured { mean, deviation: None } => Ok(mean.value),
+        _ => Err(Mistake::of_value(text, Reason::Other("a standard deviation has no place here".to_owned()))),
     }
 }
 

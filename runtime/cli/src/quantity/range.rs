@@ -1,6 +1,8 @@
 //! Several numbers that belong together: the ends and the step of a range, and lists.
 
-use super::{Context, evaluate, literal};
+use super::context::Context;
+use super::literal;
+use super::value::evaluate;
 
 /// # Errors
 /// If some of the numbers are in a unit of their own and others have none: `20:220:5 km/h` could mean both.

@@ -2,7 +2,7 @@
 
 use carvallo::{Coefficients, CoordinateInfo, Domain, Matrix, MatrixName, ModelInfo, ParameterInfo, Sensitivity};
 
-use super::{Equations, Shipped, Visitor};
+use crate::model::{Equations, Shipped, Visitor};
 
 /// The form of the benchmark: M q'' + v C1 q' + (g K0 + v² K2) q = f.
 static BENCHMARK: Shipped = shipped(&ModelInfo {
@@ -32,7 +32,7 @@ const GENERAL_INFO: ModelInfo = ModelInfo {
 pub static MATRICES: [&Shipped; 2] = [&BENCHMARK, &GENERAL];
 
 const fn shipped(info: &'static ModelInfo) -> Shipped {
-    Shipped { info, equations, visit, differentiate }
+    Shipped::new(info, equations, visit, differentiate)
 }
 
 const fn coordinate(name: &'static str) -> CoordinateInfo {

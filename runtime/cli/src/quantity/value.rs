@@ -1,0 +1,49 @@
+//! A single value: an expression, and the unit that it is in.
+
+use super::context::Context;
+use super::expression::{self, Parsed};
+use super::mistake::Reason;
+use super::{function, literal, units};
+
+/// A value, and what else is known of its text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Value {
+    pub value: f64,
+    /// Whether a unit other than the declared one makes it.
+    pub is_converted: bool,
+    /// Whether it depends on what a name stands for.
+    pub refers: bool,
+}
+
+/// The value of an expression and of the unit behind it, in the declared unit.
+///
+/// # Errors
+/// What is wrong.
+pub fn evaluate(text: &str, Context { unit, names }: Context) -> Result<Value, Reason> {
+    let Parsed { value, in_degrees, refers, rest } = expression::parse(text, names)?;
+    if in_degrees && unit != "rad" {
+        return Err(Reason::Unit("deg".to_owned()));
+    }
+    let (value, is_converted) = if rest.is_empty() {
+        (value, in_degrees)
+    } else if starts_a_unit(rest) {
+        let scale = units::scale(rest, unit).filter(|_| !in_degrees).ok_or_else(|| Reason::Unit(rest.to_owned()))?;
+        (literal::kept(scale.apply(value), value != 0.0)?, !scale.is_one())
+    } else {
+        let found = rest.chars().next().unwrap_or_default();
+        return Err(Reason::Other(format!("unexpected `{found}`")));
+    };
+    if value.is_finite() {
+        Ok(Value { value, is_converted, refers })
+    } else {
+        Err(Reason::Other("the value is not finite".to_owned()))
+    }
+}
+
+/// Whether what follows a number is meant for a unit.
+pub fn starts_a_unit(rest: &str) -> bool {
+    rest.starts_with(|c: char| c.is_alphabetic() || c == '[' || c == '°') && {
+        let word: String = rest.chars().take_while(|c| c.is_alphanumeric()).collect();
+        word == "degrees" || (!["pi", "π"].contains(&word.as_str()) && function::of_one(&word).is_none())
+    }
+}
