@@ -40,6 +40,8 @@
 //! documented with the features `derive`, `std` and `batch`.
 
 #![cfg_attr(not(feature = "std"), no_std)]
+// What a feature adds can be linked only where it is there.
+#![cfg_attr(not(all(feature = "derive", feature = "std", feature = "batch")), allow(rustdoc::broken_intra_doc_links))]
 
 #[cfg(feature = "batch")]
 pub mod batch;
