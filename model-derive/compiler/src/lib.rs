@@ -1,13 +1,8 @@
 //! The model compiler of Carvallo: from a declaration to Rust.
 //!
-//! ```text
-//! tokens ─ syntax ─▶ Declaration ─ check ─▶ Checked ─ derivation ─▶ Derived ─ evidence ─▶ Model
-//!                                                         │ ▲                               │
-//!                                                      mechanics        tokens ◀─ emit ─ Programs
-//! ```
-//!
-//! Data flows one way, and each stage has its own type; their order stands in `pipeline.rs`. [`expand`] runs all of it for
-//! the ahead-of-time binary, and [`declare`] for the macro. What is public beside these serves the tests.
+//! Data flows one way, and each stage has its own type; their order stands in `pipeline.rs`, and `model-derive/README.md`
+//! draws it and says what to touch for what. [`expand`] runs all of it for the ahead-of-time binary, and [`declare`] for the
+//! macro. What is public beside these serves the tests.
 
 mod check;
 mod constant;
