@@ -5,6 +5,7 @@ mod branches;
 mod careful;
 mod critical;
 mod fast;
+mod mode;
 mod modes;
 mod naming;
 mod ranges;
@@ -17,7 +18,8 @@ use crate::number::Scalar;
 use crate::system::{Coefficients, SystemError, require_speed};
 
 pub use critical::{Change, CriticalKind, CriticalSpeed};
-pub use modes::{Mode, ModeValue, Modes};
+pub use mode::Mode;
+pub use modes::{ModeValue, Modes};
 pub use ranges::StableRange;
 pub use verdict::Verdict;
 

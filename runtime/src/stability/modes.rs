@@ -1,44 +1,16 @@
 //! Which mode each eigenvalue belongs to.
 
-use core::fmt;
 use core::ops::Range;
 
 use nalgebra::Complex;
 
 use super::along_speed::Characteristic;
 use super::branches::{Stretch, stretches};
+use super::mode::Mode;
 use super::naming::{self, Course, Names};
 use super::{CriticalKind, CriticalSpeed, Stability};
 use crate::number::Scalar;
 use crate::system::{Coefficients, SystemError, require_speed};
-
-/// A mode of the uncontrolled bicycle, or what an eigenvalue is where that has none of the names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Mode {
-    /// The front frame swings into line: one eigenvalue.
-    Castering,
-    /// Slow leaning over: one eigenvalue.
-    Capsize,
-    /// Oscillation of lean and steer: two eigenvalues.
-    Weave,
-    /// A real eigenvalue without a name.
-    Real,
-    /// One of a pair of eigenvalues without a name.
-    Oscillatory,
-}
-
-/// Reads `castering`, `capsize`, `weave`, `real`, `oscillatory`.
-impl fmt::Display for Mode {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Castering => "castering",
-            Self::Capsize => "capsize",
-            Self::Weave => "weave",
-            Self::Real => "real",
-            Self::Oscillatory => "oscillatory",
-        })
-    }
-}
 
 /// One eigenvalue and the mode it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Which name each eigenvalue bears in each stretch of speeds.
 
-use super::modes::Mode;
+use super::mode::Mode;
 use crate::Complex;
 
 /// What the names in a stretch of speeds follow from. Eigenvalues have places: real ones first, then pairs.
