@@ -2,11 +2,12 @@
 
 use carvallo::ModelInfo;
 
-/// The position of the parameter that is meant: `rR` by `rR`, `r_R` and `self.r_R`; `lam` by `lamda`, `lambda` and `λ`;
-/// `IBxz` by `I_Bzx` too, as inertia tensors are symmetric.
+/// The position of the parameter that is meant: `rR` by `rR`, `r_R` and `self.r_R`; `lam` by `lamda`, `lambda` and `λ`; `g`
+/// by `gravity`; `IBxz` by `I_Bzx` too, as inertia tensors are symmetric.
 pub fn position(name: &str, info: &ModelInfo) -> Option<usize> {
     let short: String = without_owner(name).chars().filter(|&c| c != '_').collect();
     let usual = match short.as_str() {
+        "gravity" => "g".to_owned(),
         "lamda" | "lambda" | "λ" | "Lamda" | "Lambda" => "lam".to_owned(),
         short => match short.strip_suffix("zx") {
             Some(body) if body.starts_with('I') => format!("{body}xz"),

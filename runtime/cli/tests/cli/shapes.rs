@@ -152,6 +152,7 @@ fn scripts_of_matlab_and_what_no_matrix_depends_on() {
         check(test, file, SCRIPT, &format!("note: {file}: {unused}\nnote: {file}: {gravity}\n"), SCRIPT_RANGE);
     }
     check("no-pitch", "a.m", &format!("{SCRIPT}g = 9.81;"), &format!("note: a.m: {unused}\n"), SCRIPT_RANGE);
+    check("gravity", "a.m", &format!("{SCRIPT}gravity = 9.81;"), &format!("note: a.m: {unused}\n"), SCRIPT_RANGE);
     check("zero-pitch", "a.m", &format!("{SCRIPT}g = 9.81;\nIByy = 0;\nIHyy = 0;"), "", SCRIPT_RANGE);
 }
 
