@@ -8,6 +8,7 @@ pub mod design;
 pub mod failure;
 pub mod input;
 mod matrices;
+mod limits;
 pub mod model;
 pub mod nearest;
 pub mod number;

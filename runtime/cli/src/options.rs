@@ -146,6 +146,6 @@ impl ValueParserFactory for Picture {
 }
 
 /// What is wrong with the value of an option. Which option it is, is known where the command line is read.
-fn problem(message: impl Into<String>) -> Problem {
+pub fn problem(message: impl Into<String>) -> Problem {
     Problem { place: Place::Nowhere, message: message.into() }
 }

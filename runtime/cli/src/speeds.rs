@@ -50,7 +50,7 @@ fn range(low: &str, high: &str, step: &str) -> Result<Vec<f64>, String> {
     Ok((0..=steps as u32).map(at).collect())
 }
 
-fn number(text: &str, what: &str) -> Result<f64, String> {
+pub(crate) fn number(text: &str, what: &str) -> Result<f64, String> {
     let text = text.trim();
     if text.is_empty() {
         return Err(format!("{what} is empty; it must be a finite number"));

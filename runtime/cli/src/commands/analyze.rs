@@ -4,9 +4,10 @@ use clap::Args;
 
 use crate::analysis::Analysis;
 use crate::failure::Failure;
+use crate::limits::{EigenvalueLimits, SpeedLimits};
 use crate::options::{DesignOptions, Format, Picture, Speeds};
 use crate::output;
-use crate::plot::{self, Scene};
+use crate::plot::{self, Limits};
 use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
@@ -51,12 +52,20 @@ pub struct Options {
     /// Draws the eigenvalues against speed; .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<Picture>,
+    /// The speeds that --plot shows, in m/s [default: those of --speeds]
+    #[arg(long, value_name = "LOW:HIGH", requires = "plot")]
+    xlim: Option<SpeedLimits>,
+    /// The eigenvalues that --plot shows, in 1/s [default: something of every mode]
+    #[arg(long, value_name = "LOW:HIGH", requires = "plot", allow_hyphen_values = true)]
+    ylim: Option<EigenvalueLimits>,
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
-        if options.speeds.as_ref().is_some_and(|Speeds(speeds)| speeds.iter().all(|speed| *speed == speeds[0])) {
+        if options.xlim.is_none()
+            && options.speeds.as_ref().is_some_and(|Speeds(speeds)| speeds.iter().all(|speed| *speed == speeds[0]))
+        {
             return Err(picture.problem("a picture needs a range of speeds, such as --speeds 0:10:0.1"));
         }
     }
@@ -75,7 +84,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let speeds_or = |default: fn() -> Vec<f64>| given.map_or_else(default, |Speeds(speeds)| speeds.clone());
     let rows = analysis.rows(&speeds_or(if options.format == Format::Table { coarse_speeds } else { fine_speeds }))?;
     if let Some(picture) = &options.plot {
-        picture.write(&plot_eigenvalues(&analysis, &speeds_or(fine_speeds))?)?;
+        let x = options.xlim.map_or_else(|| extremes(&speeds_or(fine_speeds)), |SpeedLimits(low, high)| (low, high));
+        let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
+        picture.write(&plot::eigenvalues(&analysis, Limits { x, y })?)?;
     }
     match options.format {
         Format::Table => print(&output::render_table(&analysis, &rows)),
@@ -94,12 +105,8 @@ fn fine_speeds() -> Vec<f64> {
     (0..=100).map(|tenths| f64::from(tenths) / 10.0).collect()
 }
 
-/// The eigenvalues from the lowest of the speeds to the highest.
-///
-/// # Errors
-/// If they cannot be computed at some speed.
-pub fn plot_eigenvalues(analysis: &Analysis, speeds: &[f64]) -> Result<Scene, Failure> {
+/// The lowest and the highest of the speeds.
+fn extremes(speeds: &[f64]) -> (f64, f64) {
     let low = speeds.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = speeds.iter().copied().fold(0.0, f64::max);
-    plot::eigenvalues(analysis, (low, high))
+    (low, speeds.iter().copied().fold(0.0, f64::max))
 }

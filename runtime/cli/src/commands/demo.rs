@@ -2,13 +2,14 @@
 
 use std::path::PathBuf;
 
-use super::analyze::{coarse_speeds, plot_eigenvalues};
+use super::analyze::coarse_speeds;
 use crate::analysis::Analysis;
 use crate::failure::Failure;
 use crate::input::DEFAULT_BICYCLE;
 use crate::options::DesignOptions;
+use crate::output;
+use crate::plot::{self, Limits};
 use crate::terminal::print;
-use crate::{output, plot};
 
 /// The benchmark bicycle and its picture, and how to go on.
 pub fn run() -> Result<(), Failure> {
@@ -18,10 +19,9 @@ pub fn run() -> Result<(), Failure> {
     text.push('\n');
     text.push_str(&output::draw_sketch(&analysis, 10.0)?);
     let path = picture_directory().map(|directory| directory.join(format!("{DEFAULT_BICYCLE}.svg")));
+    let limits = Limits { x: (0.0, 10.0), y: None };
     // Nobody asked for the picture, so that what keeps it from being written is no failure.
-    match path
-        .filter(|path| plot_eigenvalues(&analysis, &[0.0, 10.0]).and_then(|scene| plot::save(&scene, path)).is_ok())
-    {
+    match path.filter(|path| plot::eigenvalues(&analysis, limits).and_then(|scene| plot::save(&scene, path)).is_ok()) {
         Some(path) => {
             let here = std::env::current_dir().unwrap_or_default();
             let path = path.strip_prefix(here).unwrap_or(&path);

@@ -4,7 +4,7 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::options::{DesignOptions, Picture};
-use crate::terminal::print;
+use crate::terminal::{WARNING, note, print};
 use crate::{output, plot};
 
 const HELP: &str = "\
@@ -31,7 +31,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let design = options.design.load()?;
     if let Some(picture) = &options.plot {
         let no_view = || Failure::Run(format!("the model {} has no side view", design.info().name));
-        picture.write(&plot::side_view(&design).ok_or_else(no_view)?)?;
+        let (scene, left_out) = plot::side_view(&design).ok_or_else(no_view)?;
+        if !left_out.is_empty() {
+            note(WARNING, "note", &format!("the side view has no place for {}", left_out.join(", ")));
+        }
+        picture.write(&scene)?;
     }
     print(&output::render_parameters(&design))
 }

@@ -3,7 +3,7 @@
 use carvallo::{CriticalKind, Mode};
 
 use super::axes::{Axes, INK};
-use super::eigenvalues::color;
+use super::colors::color;
 use super::font;
 use super::labels::{Labels, THIN};
 use super::scene::{Anchor, Color, Paint, Scene, dashed};

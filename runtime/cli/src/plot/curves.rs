@@ -28,15 +28,33 @@ pub fn samples(analysis: &Analysis, low: f64, high: f64) -> Vec<f64> {
 /// How far the vertical axis goes: most of what there is to see, and not the far end of the castering mode.
 pub fn extent(values: impl Iterator<Item = Complex<f64>>) -> f64 {
     let parts = values.flat_map(|value| [value.re.abs(), value.im.abs()]);
-    let mut sizes: Vec<f64> = parts.filter(|&part| part > 0.0).collect();
-    sizes.sort_by(f64::total_cmp);
-    let typical = sizes.get(sizes.len() * 7 / 10).copied().unwrap_or(1.0);
-    let power = 10_f64.powf(typical.log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0];
-    power * steps.into_iter().find(|step| step * power >= typical).unwrap_or(10.0)
+    round(quantile(parts.filter(|&part| part > 0.0).collect(), 7).unwrap_or(1.0))
 }
 
-/// Two modes, or weave alone, that form a complex pair.
+/// The same, but so far that something shows of each of the curves that is not short beside the longest.
+pub fn extent_of_all(extent: f64, curves: &[Curve]) -> f64 {
+    let longest = curves.iter().map(Vec::len).max().unwrap_or(0);
+    let sizes = |curve: &Curve| quantile(curve.iter().map(|&(_, value)| value.abs()).collect(), 1);
+    curves.iter().filter(|curve| 20 * curve.len() >= longest).filter_map(sizes).map(round).fold(extent, f64::max)
+}
+
+/// The number that so many tenths of the numbers are below.
+fn quantile(mut numbers: Vec<f64>, tenths: usize) -> Option<f64> {
+    numbers.sort_by(f64::total_cmp);
+    numbers.get(numbers.len() * tenths / 10).copied()
+}
+
+/// The next of 1, 2 and 5 times a power of ten.
+fn round(size: f64) -> f64 {
+    if size <= 0.0 {
+        return size;
+    }
+    let power = 10_f64.powf(size.log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0];
+    power * steps.into_iter().find(|step| step * power >= size).unwrap_or(10.0)
+}
+
+/// Two modes, or one alone, that form a complex pair.
 pub struct Pair {
     pub modes: (Mode, Mode),
     pub real: Vec<Curve>,
@@ -44,48 +62,56 @@ pub struct Pair {
     pub imaginary: Vec<Curve>,
 }
 
-/// The complex pairs that there are; at each speed there may be two of them.
+/// The complex pairs that there are; at each speed there may be two of them, even with the same modes.
 pub fn pairs(rows: &[ModeRow]) -> Vec<Pair> {
     let (castering, capsize, weave) = (Mode::Castering, Mode::Capsize, Mode::Weave);
-    let kinds = [(castering, capsize), (castering, weave), (capsize, weave), (weave, weave)];
-    let mut pairs = Vec::from(kinds.map(|modes| Pair { modes, real: Vec::new(), imaginary: Vec::new() }));
-    for row in rows {
-        let found = |modes| {
-            (0..4).find(|&index| partner(row, index).is_some_and(|mode| (row.values[index].mode, mode) == modes))
+    let alone = [(weave, weave), (Mode::Oscillatory, Mode::Oscillatory)];
+    let kinds = [(castering, capsize), (castering, weave), (capsize, weave)].into_iter().chain(alone);
+    let of = |row: &ModeRow, modes: (Mode, Mode)| -> Vec<Complex<f64>> {
+        let upper = (0..4).filter(|&index| row.values[index].value.im > 0.0);
+        let is_one = |&index: &usize| {
+            let mode = row.values[index].mode;
+            partner(row, index).is_some_and(|other| (mode.min(other), mode.max(other)) == modes)
         };
-        for Pair { modes, real, imaginary } in &mut pairs {
-            let value = found(*modes).map(|index| row.values[index].value);
-            extend(real, value.map(|value| (row.speed, value.re)));
-            extend(imaginary, value.map(|value| (row.speed, value.im.abs())));
-        }
-    }
-    pairs.retain(|pair| !pair.real.is_empty());
-    pairs
+        upper.filter(is_one).map(|index| row.values[index].value).collect()
+    };
+    let pair = |modes| {
+        let parts = |part: fn(&Complex<f64>) -> f64| ranked(rows, |row| of(row, modes).iter().map(part).collect());
+        Pair { modes, real: parts(|value| value.re), imaginary: parts(|value| value.im) }
+    };
+    kinds.map(pair).filter(|pair| !pair.real.is_empty()).collect()
 }
 
-/// The real parts of a mode where it is not in a pair with another mode: up to two at each speed.
+/// The real parts of a mode where it is not in a pair with another mode.
 pub fn alone(rows: &[ModeRow], mode: Mode) -> Vec<Curve> {
-    let mut branches = [Vec::new(), Vec::new()];
-    let mut before = [f64::NAN; 2];
-    for row in rows {
+    ranked(rows, |row| {
         let is_alone = |&index: &usize| {
             row.values[index].mode == mode && partner(row, index).is_none_or(|partner| partner == mode)
         };
-        let mut values: Vec<f64> = (0..4).filter(is_alone).map(|index| row.values[index].value.re).collect();
+        (0..4).filter(is_alone).map(|index| row.values[index].value.re).collect()
+    })
+}
+
+/// Curves of any number of values at each speed. The k-th largest is continuous as long as the same eigenvalues are meant;
+/// where names end and others begin, all curves begin anew.
+fn ranked(rows: &[ModeRow], values: impl Fn(&ModeRow) -> Vec<f64>) -> Vec<Curve> {
+    let mut ranks = vec![Vec::new(); 4];
+    let mut before = None;
+    for row in rows {
+        let mut values = values(row);
         values.sort_by(f64::total_cmp);
-        let points = match values[..] {
-            [] => [None, None],
-            // One of two goes on with the branch that it is nearer to.
-            [value] if (value - before[1]).abs() < (value - before[0]).abs() => [None, Some(value)],
-            [value] => [Some(value), None],
-            [first, second, ..] => [Some(first), Some(second)],
-        };
-        before = points.map(|value| value.unwrap_or(f64::INFINITY));
-        for (branch, value) in branches.iter_mut().zip(points) {
-            extend(branch, value.map(|value| (row.speed, value)));
+        let names = (row.values.map(|value| value.mode), values.len());
+        let goes_on = before.replace(names) == Some(names);
+        for (rank, curves) in ranks.iter_mut().enumerate() {
+            if !goes_on {
+                extend(curves, None);
+            }
+            extend(curves, values.get(rank).map(|&value| (row.speed, value)));
         }
     }
-    branches.concat()
+    let mut curves = ranks.concat();
+    curves.retain(|curve| !curve.is_empty());
+    curves
 }
 
 /// The mode that the conjugate of an eigenvalue belongs to; `None` for a real one.

@@ -63,6 +63,21 @@ impl Labels {
         Some((bounds[0], bounds[3] - descent))
     }
 
+    /// The middle of a box of a width and height, and takes the place: inside an area, low in its middle if nothing is in
+    /// the way there.
+    pub fn inside(&mut self, [left, top, right, bottom]: [f32; 4], (width, height): (f32, f32)) -> (f32, f32) {
+        const STEP: f32 = 4.0;
+        let (middle, lowest) = ((left + right) / 2.0, bottom - height / 2.0);
+        let bounds = |(x, y): (f32, f32)| [x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0];
+        let (across, up) = (((right - left - width) / (2.0 * STEP)) as i32, ((bottom - top - height) / STEP) as i32);
+        let places = (0..=up).flat_map(|row| (-across..=across).map(move |column| (column, row)));
+        let places = places.map(|(column, row)| (middle + column as f32 * STEP, lowest - row as f32 * STEP));
+        let cost = |&(x, y): &(f32, f32)| self.cost(bounds((x, y))) + OFF_MIDDLE * ((x - middle).abs() + (lowest - y));
+        let best = places.min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap_or((middle, lowest));
+        self.boxes.push(bounds(best));
+        best
+    }
+
     /// The top and bottom of every box that an upright line meets, from above.
     pub fn crossed_at(&self, x: f32) -> Vec<(f32, f32)> {
         let boxes = self.boxes.iter().filter(|[left, _, right, _]| (*left..=*right).contains(&x));

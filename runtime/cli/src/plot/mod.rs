@@ -1,6 +1,8 @@
 //! Pictures, as SVG or PNG from one drawing.
 
 mod axes;
+mod beyond;
+mod colors;
 mod critical;
 mod curves;
 mod eigenvalues;
@@ -11,6 +13,7 @@ mod marks;
 mod ordered;
 mod png;
 mod scene;
+mod series;
 mod side_view;
 mod svg;
 mod tornado;
@@ -21,7 +24,7 @@ use std::path::Path;
 use crate::failure::Failure;
 
 pub use self::curves::extent;
-pub use self::eigenvalues::eigenvalues;
+pub use self::eigenvalues::{Limits, eigenvalues};
 pub use self::map::{MapAxis, MapCell, map};
 pub use self::scene::Scene;
 pub use self::side_view::side_view;

@@ -119,6 +119,26 @@ impl Scene {
         self.glyphs(Transform::from_row(0.0, -1.0, 1.0, 0.0, x, y + shift), size, color, text);
     }
 
+    /// Text in the middle of the point, with an edge that keeps what is behind it off its letters.
+    pub fn edged_text(&mut self, (x, y): (f32, f32), size: f32, color: Color, edge: Color, text: &str) {
+        let place = Transform::from_translate(x - font::width(text, size) / 2.0, y);
+        self.edge(place, size, edge, text);
+        self.glyphs(place, size, color, text);
+    }
+
+    /// The same for text that runs upwards.
+    pub fn edged_upward_text(&mut self, (x, y): (f32, f32), size: f32, color: Color, edge: Color, text: &str) {
+        let place = Transform::from_row(0.0, -1.0, 1.0, 0.0, x, y + font::width(text, size) / 2.0);
+        self.edge(place, size, edge, text);
+        self.glyphs(place, size, color, text);
+    }
+
+    fn edge(&mut self, place: Transform, size: f32, color: Color, text: &str) {
+        if let Some(path) = font::outline(text, size).finish().and_then(|path| path.transform(place)) {
+            self.items.push(Item { path, paint: line(5.0), color, text: None });
+        }
+    }
+
     fn glyphs(&mut self, place: Transform, size: f32, color: Color, text: &str) {
         if let Some(path) = font::outline(text, size).finish().and_then(|path| path.transform(place)) {
             self.items.push(Item { path, paint: Paint::Fill, color, text: Some(text.to_owned()) });

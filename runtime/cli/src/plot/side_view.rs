@@ -13,9 +13,12 @@ const MARGIN: f32 = 56.0;
 /// Room for the title above, and for the dimensions below the ground.
 const ABOVE: f32 = 64.0;
 const BELOW: f32 = 104.0;
+/// Room for what is not drawn.
+const NOTE: f32 = 14.0;
 const TEXT_SIZE: f32 = 15.0;
 const FRAME: Color = Color(0xc8, 0xcd, 0xd2);
 const STEER: Color = Color(0x1f, 0x6f, 0xb4);
+const HIP: Color = Color(0x2e, 0x7d, 0x32);
 
 /// What is drawn, in metres; heights are above the ground.
 struct Geometry {
@@ -23,26 +26,57 @@ struct Geometry {
     trail: f64,
     tilt: f64,
     radii: [f64; 2],
-    /// Name, mass and position of each body.
-    bodies: [(&'static str, f64, (f64, f64)); 4],
+    /// 1 where the parameters count lengths forward, -1 where they count them backward.
+    forward: f64,
+    /// Name, mass and position of each body; the steered frame is the fourth.
+    bodies: Vec<(&'static str, f64, (f64, f64))>,
+    /// The height of an axis along which an upper body leans, and where that is.
+    hip: Option<(f64, f64)>,
 }
+
+/// Parameters that have no place in the view, but of inertias and gravity.
+pub type LeftOut = Vec<&'static str>;
+
+/// What is drawn, beside the upper body.
+const DRAWN: [&str; 13] = ["w", "c", "lam", "rR", "mR", "rF", "mF", "xB", "zB", "mB", "xH", "zH", "mH"];
+/// The upper body: its position and mass, and its axis.
+const UPPER_BODY: [&str; 4] = ["xU", "zU", "mU", "zP"];
 
 impl Geometry {
     fn of(design: &Design) -> Option<Self> {
         let value = |name| design.value(name);
         let (wheel_base, rear, front) = (value("w")?, value("rR")?, value("rF")?);
+        // The parameters of this model are those of the bicycle that it is when it runs backwards.
+        let is_reversed = design.info().name == "RearSteered";
+        let wheels = if is_reversed { ["F", "R"] } else { ["R", "F"] };
+        let mut bodies = vec![
+            (wheels[0], value("mR")?, (0.0, rear)),
+            (wheels[1], value("mF")?, (wheel_base, front)),
+            ("B", value("mB")?, (value("xB")?, -value("zB")?)),
+            ("H", value("mH")?, (value("xH")?, -value("zH")?)),
+        ];
+        let upper = UPPER_BODY.map(value);
+        let mut hip = None;
+        if let [Some(x), Some(z), Some(mass), Some(axis)] = upper {
+            bodies.push(("U", mass, (x, -z)));
+            hip = Some((-axis, x));
+        }
         Some(Self {
             wheel_base,
             trail: value("c")?,
             tilt: value("lam")?,
             radii: [rear, front],
-            bodies: [
-                ("R", value("mR")?, (0.0, rear)),
-                ("F", value("mF")?, (wheel_base, front)),
-                ("B", value("mB")?, (value("xB")?, -value("zB")?)),
-                ("H", value("mH")?, (value("xH")?, -value("zH")?)),
-            ],
+            forward: if is_reversed { -1.0 } else { 1.0 },
+            bodies,
+            hip,
         })
+    }
+
+    /// What the model has beside it, in the order of its parameters.
+    fn left_out(&self, design: &Design) -> LeftOut {
+        let names = design.info().parameters.iter().map(|parameter| parameter.name);
+        let is_drawn = |name: &str| DRAWN.contains(&name) || self.hip.is_some() && UPPER_BODY.contains(&name);
+        names.filter(|name| !is_drawn(name) && !name.starts_with('I') && *name != "g").collect()
     }
 
     /// The point of the steer axis at a distance upwards from where it meets the ground.
@@ -53,7 +87,7 @@ impl Geometry {
 
     /// How far the axis is drawn: past the front frame, unless it lies almost flat.
     fn axis_length(&self) -> f64 {
-        let [.., (_, _, (_, height))] = self.bodies;
+        let (_, _, (_, height)) = self.bodies[3];
         let height = height.max(2.4 * self.radii[1]) + 0.15 * self.wheel_base;
         (height / self.tilt.cos()).min(2.0 * self.wheel_base)
     }
@@ -73,6 +107,7 @@ impl Geometry {
 
 /// From metres to the page, the same for both axes.
 struct Scale {
+    forward: f64,
     left: f64,
     bottom: f64,
     factor: f64,
@@ -83,15 +118,17 @@ struct Scale {
 impl Scale {
     fn place(&self, (x, height): (f64, f64)) -> (f32, f32) {
         let pixels = |length: f64| (length * self.factor) as f32;
-        (self.indent + pixels(x - self.left), self.ground - pixels(height - self.bottom))
+        (self.indent + pixels(self.forward * x - self.left), self.ground - pixels(height - self.bottom))
     }
 }
 
-/// The side view; `None` for a model that has not the parameters of a bicycle.
-pub fn side_view(design: &Design) -> Option<Scene> {
+/// The side view, with what it leaves out; `None` for a model that has not the parameters of a bicycle.
+pub fn side_view(design: &Design) -> Option<(Scene, LeftOut)> {
     let geometry = Geometry::of(design)?;
     let (scale, height) = scale(&geometry);
-    let mut scene = Scene::new(format!("{}: side view to scale", design.name), WIDTH, height);
+    let left_out = geometry.left_out(design);
+    let direction = if geometry.forward < 0.0 { ", forward to the right" } else { "" };
+    let mut scene = Scene::new(format!("{}: side view to scale{direction}", design.name), WIDTH, height + NOTE);
     scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &scene.title.clone());
     let mut labels = Labels::new([4.0, 40.0, WIDTH - 4.0, height - 4.0]);
 
@@ -105,30 +142,53 @@ pub fn side_view(design: &Design) -> Option<Scene> {
         labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU), LINE);
     }
     dimensions(&geometry, &scale, &mut scene, &mut labels);
-    for (_, _, position) in geometry.bodies {
+    for &(_, _, position) in &geometry.bodies {
         let (x, y) = scale.place(position);
         center_of_mass((x, y), &mut scene);
         labels.avoid_box([x - 7.0, y - 7.0, x + 7.0, y + 7.0]);
     }
     steer_axis(&geometry, &scale, &mut scene, &mut labels);
-    for (name, mass, position) in geometry.bodies {
+    hip(&geometry, &scale, &mut scene, &mut labels);
+    for &(name, mass, position) in &geometry.bodies {
         let (x, y) = scale.place(position);
         let text = format!("{name}  {} kg", three_decimals(mass));
         if let Some(place) = labels.beside(&[(x, y), (x + 1.0, y)], &text, TEXT_SIZE) {
             scene.text(place, Anchor::Start, TEXT_SIZE, INK, &text);
         }
     }
-    Some(scene)
+    let others = left_out.iter().map(|name| format!(", {name}")).collect::<String>();
+    let note = format!("Not drawn: moments and products of inertia{others}");
+    scene.text((24.0, height + 2.0), Anchor::Start, 13.0, DIMENSION, &note);
+    Some((scene, left_out))
+}
+
+/// The axis along which the upper body leans, below or above its centre of mass.
+fn hip(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+    let Some((height, x)) = geometry.hip else { return };
+    let half = 0.2 * geometry.wheel_base;
+    let ends = [scale.place((x - half, height)), scale.place((x + half, height))];
+    scene.polyline(&ends, dashed(2.0, [12.0, 4.0]), HIP);
+    labels.avoid_line(&ends, LINE);
+    if let Some(place) = labels.beside(&ends, "hip axis", TEXT_SIZE) {
+        scene.text(place, Anchor::Start, TEXT_SIZE, HIP, "hip axis");
+    }
 }
 
 /// Everything that is drawn fits on the page.
 fn scale(geometry: &Geometry) -> (Scale, f32) {
     let [rear, front] = geometry.radii;
     let ends = [geometry.steer_axis(0.0), geometry.steer_axis(geometry.axis_length())];
-    let centers = geometry.bodies.map(|(_, _, position)| position);
+    let hip = geometry
+        .hip
+        .into_iter()
+        .flat_map(|(height, x)| [-0.2, 0.2].map(|share| (x + share * geometry.wheel_base, height)));
+    let centers: Vec<(f64, f64)> = geometry.bodies.iter().map(|(_, _, position)| *position).chain(hip).collect();
     let vertical = (geometry.steer_axis(0.0).0, geometry.vertical_length());
     let corners = [(-rear, 0.0), (geometry.wheel_base + front, 2.0 * front), (0.0, 2.0 * rear), vertical];
-    let points = || ends.into_iter().chain(centers).chain(corners);
+    let points = || {
+        let all = ends.into_iter().chain(centers.iter().copied()).chain(corners);
+        all.map(|(x, height)| (geometry.forward * x, height))
+    };
     let least = |by: fn((f64, f64)) -> f64| points().map(by).fold(0.0, f64::min);
     let most = |by: fn((f64, f64)) -> f64| points().map(by).fold(0.0, f64::max);
     let (left, right, bottom, top) = (least(|p| p.0), most(|p| p.0), least(|p| p.1), most(|p| p.1));
@@ -137,7 +197,7 @@ fn scale(geometry: &Geometry) -> (Scale, f32) {
     let factor = across.min(upright);
     let ground = ABOVE + ((top - bottom) * factor) as f32;
     let indent = (WIDTH - ((right - left) * factor) as f32) / 2.0;
-    (Scale { left, bottom, factor, ground, indent }, ground + BELOW)
+    (Scale { forward: geometry.forward, left, bottom, factor, ground, indent }, ground + BELOW)
 }
 
 /// A hint of the frame: the model knows only its mass and inertia. The offset of the fork is true.
@@ -164,7 +224,8 @@ fn steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mu
     labels.avoid_line(&vertical, LINE);
 
     let upwards = -std::f32::consts::FRAC_PI_2;
-    let angle = arc(ends[0], (0.93 * upright * scale.factor) as f32, upwards, -geometry.tilt as f32);
+    let angle =
+        arc(ends[0], (0.93 * upright * scale.factor) as f32, upwards, (-geometry.forward * geometry.tilt) as f32);
     scene.polyline(&angle, line(1.2), DIMENSION);
     labels.avoid_line(&angle, LINE);
     let text = format!("λ = {:.2}°", geometry.tilt.to_degrees()).replace('-', "−");
@@ -194,7 +255,7 @@ fn dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mu
     arrow(scene, (front, row), (foot, row));
     let text = format!("trail c = {} m", three_decimals(geometry.trail)).replace('-', "−");
     scene.text((front.min(foot) - 10.0, row + 5.0), Anchor::End, TEXT_SIZE, INK, &text);
-    labels.avoid_box([rear, ground, front.max(foot), ground + BELOW]);
+    labels.avoid_box([rear.min(front).min(foot), ground, rear.max(front).max(foot), ground + BELOW]);
 }
 
 /// At most three decimals, without zeros at the end.

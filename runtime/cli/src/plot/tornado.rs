@@ -3,7 +3,7 @@
 use carvallo::{CriticalKind, Mode};
 
 use super::axes::{INK, across};
-use super::eigenvalues::color;
+use super::colors::color;
 use super::font;
 use super::scene::{Anchor, Color, Paint, Scene, line};
 use crate::number::{fixed, shortest, unit};

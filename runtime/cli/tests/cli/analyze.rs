@@ -166,3 +166,62 @@ fn the_list_has_every_bicycle_with_its_critical_speeds() {
     assert!(line("benchmark").contains("4.2924 to 6.0243"), "{text}");
     assert!(line("benchmark-2005").contains("4.3016 to 6.0570"), "{text}");
 }
+
+/// A faired recumbent whose weave splits once it is stable, so that no name goes through all of its double roots.
+#[test]
+fn kind_mode_and_change_agree_where_names_cannot_go_on() {
+    let directory = Directory::of_this_test();
+    directory.write("recumbent.txt", RECUMBENT);
+    let table = directory.run(&["analyze", "recumbent.txt"]).stdout;
+    let line = |start: &str| table.lines().find(|line| line.trim_start().starts_with(start)).unwrap().to_owned();
+    assert!(line("capsize ").contains("becomes unstable, as another mode is already"), "{table}");
+    assert!(line("weave ").contains("becomes stable, at"), "{table}");
+    let json = directory.run(&["analyze", "recumbent.txt", "--format", "json", "--speeds", "3.14,8.12"]).stdout;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let critical = |kind: &str| {
+        json["critical_speeds"].as_array().unwrap().iter().find(|critical| critical["kind"] == kind).unwrap().clone()
+    };
+    assert_eq!(critical("capsize")["verdicts"], serde_json::json!(["unstable", "unstable"]));
+    assert_eq!(critical("weave")["verdicts"], serde_json::json!(["unstable", "stable"]));
+    // The eigenvalue that is next to the imaginary axis has the name of the kind.
+    for (row, mode) in [(0, "capsize"), (1, "weave")] {
+        let values = json["eigenvalues"][row]["values"].as_array().unwrap();
+        let distance = |value: &&serde_json::Value| value["re"].as_f64().unwrap().abs();
+        let nearest = values.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
+        assert_eq!(nearest["mode"], mode, "{values:?}");
+    }
+    let csv = directory.run(&["analyze", "recumbent.txt", "--format", "csv", "--speeds", "3,9"]).stdout;
+    let cells: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!((cells[0][9], cells[0].len()), ("real 1 re (1/s)", 13));
+    // Without weave, and without anything that has no name.
+    assert_eq!((&cells[1][5..9], &cells[2][9..]), (&[""; 4][..], &[""; 4][..]));
+}
+
+const RECUMBENT: &str = "\
+w = 1.092
+c = 0.089
+lam = 0.129154
+g = 9.81
+rR = 0.2445
+mR = 1.14
+IRxx = 0.02
+IRyy = 0.04
+xB = 0.68151
+zB = -0.39088
+mB = 106.216
+IBxx = 5.55605664918
+IByy = 25.06012355961
+IBzz = 23.52409141966
+IBxz = 2.04399182523
+xH = 1.0
+zH = -0.604
+mH = 3.17
+IHxx = 0.07577148120
+IHyy = 0.08696201242
+IHzz = 0.01550348533
+IHxz = 0.03034277154
+rF = 0.2445
+mF = 1.81
+IFxx = 0.027
+IFyy = 0.052
+";

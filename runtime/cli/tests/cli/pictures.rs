@@ -54,6 +54,51 @@ fn eigenvalues_without_names_of_modes_have_two_labels() {
     assert!(!has(&of_three, "stable"), "{of_three:?}");
 }
 
+/// Castering of the benchmark is at -24.6246 1/s at 10 m/s, weave at 10.9068 i (Meijaard et al. 2007, Table 2).
+#[test]
+fn what_leaves_the_axes_is_told() {
+    let note = |arguments: &[&str]| picture(arguments).into_iter().find(|text| text.starts_with("Beyond the axes: "));
+    let expected = "Beyond the axes: weave, imaginary part to 10.9 at 10 m/s; castering to −24.6 at 10 m/s";
+    assert_eq!(note(&["analyze", "benchmark"]).as_deref(), Some(expected));
+    assert_eq!(note(&["analyze", "benchmark", "--ylim", "-30:20"]), None);
+    let cut = note(&["analyze", "benchmark", "--ylim=-3:3", "--xlim", "2:8"]).unwrap();
+    assert!(cut.contains("all of castering, −20.3 to −8.67") && cut.contains("capsize to −3.07 at 2 m/s"), "{cut}");
+    // A range in which castering is far below the others: something of it shows all the same.
+    assert!(!note(&["analyze", "benchmark", "--speeds", "7:10:1"]).is_some_and(|text| text.contains("all of")));
+}
+
+#[test]
+fn limits_are_two_numbers_that_ascend() {
+    let directory = Directory::of_this_test();
+    for (option, message) in [
+        ("--ylim=3:-3", "the limits are 3 and -3; the second must be above the first"),
+        ("--ylim=3", "expected two limits LOW:HIGH, such as -10:10"),
+        ("--ylim=a:3", "a limit is `a`; it must be a finite number"),
+        ("--xlim=-1:3", "a speed is -1; it must be >= 0"),
+        ("--xlim=2:2", "the limits are 2 and 2; the second must be above the first"),
+    ] {
+        let run = directory.run(&["analyze", "--plot", "picture.svg", option]);
+        assert_eq!(run.code, Some(2), "{option}");
+        assert!(run.stderr.contains(message), "{option}: {}", run.stderr);
+        assert!(!directory.0.join("picture.svg").exists());
+    }
+    assert_eq!(directory.run(&["analyze", "--ylim=-3:3"]).code, Some(2));
+}
+
+#[test]
+fn a_side_view_has_every_body_and_tells_what_it_leaves_out() {
+    let has = |texts: &[String], wanted: &str| texts.iter().any(|text| text == wanted);
+    let leaning = picture(&["show", "--model", "WhippleLeaning"]);
+    assert!(has(&leaning, "U  40 kg") && has(&leaning, "hip axis"), "{leaning:?}");
+    assert!(has(&leaning, "Not drawn: moments and products of inertia, kU, dU"), "{leaning:?}");
+    // The steered wheel, of 3 kg, is the rear one.
+    let reversed = picture(&["show", "--model", "RearSteered"]);
+    assert!(has(&reversed, "R  3 kg") && has(&reversed, "F  2 kg"), "{reversed:?}");
+    let directory = Directory::new("left-out");
+    let run = directory.run(&["show", "--model", "WhippleLeaning", "--plot", "picture.svg"]);
+    assert!(run.stderr.contains("the side view has no place for kU, dU"), "{}", run.stderr);
+}
+
 #[test]
 fn a_bar_chart_has_a_legend_and_every_parameter_with_its_step() {
     let texts = picture(&["sensitivity"]);

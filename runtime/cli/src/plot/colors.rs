@@ -1,0 +1,16 @@
+//! The colours of modes.
+
+use carvallo::Mode;
+
+use super::scene::Color;
+
+/// The colour of a mode, and of the critical speed that it has.
+pub fn color(mode: Mode) -> Color {
+    match mode {
+        Mode::Castering => Color(0x1f, 0x6f, 0xb4),
+        Mode::Capsize => Color(0xb4, 0x6a, 0x00),
+        Mode::Weave => Color(0xc0, 0x28, 0x3c),
+        Mode::Real => Color(0x55, 0x5d, 0x66),
+        Mode::Oscillatory => Color(0x7a, 0x3f, 0x9d),
+    }
+}
