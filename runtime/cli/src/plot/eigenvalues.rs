@@ -79,7 +79,7 @@ pub fn eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Failure
     let mut curves = Scene::new(title, WIDTH, height);
     let to_label = draw(&series, &axes, &mut curves, &mut labels);
     stable_labels(&stable, top, &mut curves, &mut labels);
-    name(to_label, &stable, &mut curves, &mut labels);
+    name(to_label, &mut curves, &mut labels);
     critical::draw(&critical, &axes, &labels, &mut scene);
     scene.items.append(&mut curves.items);
     axes.frame(&mut scene, &format!("{speed} v (m/s)"), "eigenvalue λ (1/s)");
@@ -136,14 +136,16 @@ struct Label {
     text: String,
 }
 
-/// Labels come last: they keep off every line, or have an edge in the colour behind them.
-fn name(to_label: Vec<Label>, stable: &[(f32, f32)], scene: &mut Scene, labels: &mut Labels) {
+/// Labels come last: they keep off every line, or have an edge that does.
+fn name(to_label: Vec<Label>, scene: &mut Scene, labels: &mut Labels) {
     for Label { line, color, text } in to_label {
         if let Some((left, base)) = labels.beside(&line, &text, LABEL_SIZE) {
-            let middle = left + font::width(&text, LABEL_SIZE) / 2.0;
-            let is_in = |&(from, to): &(f32, f32)| (from..to).contains(&middle);
-            let edge = if stable.iter().any(is_in) { STABLE } else { WHITE };
-            scene.edged_text((middle, base), LABEL_SIZE, color, edge, &text);
+            let width = font::width(&text, LABEL_SIZE);
+            if labels.is_clear([left, base - LABEL_SIZE, left + width, base + 4.0]) {
+                scene.text((left, base), Anchor::Start, LABEL_SIZE, color, &text);
+            } else {
+                scene.edged_text((left + width / 2.0, base), LABEL_SIZE, color, WHITE, &text);
+            }
         }
     }
 }

@@ -78,6 +78,14 @@ impl Labels {
         best
     }
 
+    /// Whether no line of the data is behind a box.
+    pub fn is_clear(&self, [left, top, right, bottom]: [f32; 4]) -> bool {
+        let is_behind = |&((x, y), weight): &((f32, f32), f32)| {
+            weight >= LINE && (left..right).contains(&x) && (top..bottom).contains(&y)
+        };
+        !self.points.iter().any(is_behind)
+    }
+
     /// The top and bottom of every box that an upright line meets, from above.
     pub fn crossed_at(&self, x: f32) -> Vec<(f32, f32)> {
         let boxes = self.boxes.iter().filter(|[left, _, right, _]| (*left..=*right).contains(&x));
