@@ -62,7 +62,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
 }
 
 /// How the struct of the matrices comes from their entries, and what it is among all matrices that there can be.
-pub fn conversions(model: &Model, names: &Names) -> TokenStream {
+pub fn emit_conversions(model: &Model, names: &Names) -> TokenStream {
     let Names { runtime, matrices, scalar, .. } = names;
     let allow = names.allow();
     let entries = names.variable("entries");

@@ -19,17 +19,17 @@ use self::names::Names;
 #[cfg(feature = "files")]
 pub use self::names::allowed;
 use crate::model::Model;
-use crate::{Compiled, Programs};
+use crate::pipeline::{Compiled, Programs};
 
 /// The Rust of a model: one struct of its parameters, one of its matrices, one of the rates that follow from a
 /// mechanism, and what they can do.
 pub fn emit(compiled: &Compiled, driver: &Driver) -> TokenStream {
-    sections(compiled, driver).into_iter().map(|section| section.items).collect()
+    emit_sections(compiled, driver).into_iter().map(|section| section.items).collect()
 }
 
 /// The same, for readers in parts: what the model computes first, and then what makes a library of it.
-pub fn sections(Compiled { model, programs }: &Compiled, driver: &Driver) -> Vec<Section> {
-    sections_with(model, Some(programs), driver)
+pub fn emit_sections(Compiled { model, programs }: &Compiled, driver: &Driver) -> Vec<Section> {
+    emit_sections_with(model, Some(programs), driver)
 }
 
 /// Items that belong together.
@@ -57,11 +57,11 @@ pub enum Driver {
 pub fn outline(model: Model, driver: &Driver) -> TokenStream {
     let model = outline::sound(model);
     // Nothing could be generic in the type of the parameters.
-    let sections = if model.parameters.is_empty() { Vec::new() } else { sections_with(&model, None, driver) };
+    let sections = if model.parameters.is_empty() { Vec::new() } else { emit_sections_with(&model, None, driver) };
     sections.into_iter().map(|section| section.items).collect()
 }
 
-fn sections_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> Vec<Section> {
+fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> Vec<Section> {
     let computed = programs.and_then(|programs| programs.derivatives.as_ref());
     let names = Names::new(model, computed, driver);
     // Without coordinates, which is a mistake, there is no size of the matrices.
@@ -71,7 +71,7 @@ fn sections_with(model: &Model, programs: Option<&Programs>, driver: &Driver) ->
     let requirements = programs.map(|programs| &programs.requirements);
     let [evaluator, conversions, trait_impl, lanes] = [
         sized.then(|| evaluator::emit(model, &names, matrices)),
-        sized.then(|| evaluator::conversions(model, &names)),
+        sized.then(|| evaluator::emit_conversions(model, &names)),
         sized.then(|| trait_impl::emit(model, &names, matrices, requirements)),
         sized.then(|| lanes::emit(model, &names, matrices)),
     ];

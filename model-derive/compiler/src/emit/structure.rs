@@ -9,11 +9,11 @@ use crate::model::{Model, Parameter, ParameterSet};
 
 /// The struct, its parameter sets if there are any, and the conversions.
 pub fn emit(model: &Model, names: &Names) -> (TokenStream, Option<TokenStream>, TokenStream) {
-    let sets = (!model.sets.is_empty()).then(|| sets(model, names));
-    (structure(model, names), sets, conversions(model, names))
+    let sets = (!model.sets.is_empty()).then(|| emit_sets(model, names));
+    (emit_struct(model, names), sets, emit_conversions(model, names))
 }
 
-fn structure(model: &Model, names: &Names) -> TokenStream {
+fn emit_struct(model: &Model, names: &Names) -> TokenStream {
     let Names { model: name, scalar, .. } = names;
     let Model { visibility, parameters, .. } = model;
     let (allow, derive) = (names.allow(), derive());
@@ -31,7 +31,7 @@ fn structure(model: &Model, names: &Names) -> TokenStream {
 }
 
 /// All other conversions go by way of the array, so that the fields are listed once for each direction.
-fn conversions(model: &Model, names: &Names) -> TokenStream {
+fn emit_conversions(model: &Model, names: &Names) -> TokenStream {
     let Names { runtime, model: name, scalar, other, .. } = names;
     let allow = names.allow();
     let fields = fields(model);
@@ -70,7 +70,7 @@ fn fields(model: &Model) -> Vec<&Ident> {
     model.parameters.iter().map(|parameter| &parameter.name).collect()
 }
 
-fn sets(model: &Model, names: &Names) -> TokenStream {
+fn emit_sets(model: &Model, names: &Names) -> TokenStream {
     let (name, allow, fields) = (&names.model, names.allow(), fields(model));
     let constants = model.sets.iter().map(|set| {
         let constant = constant(set);

@@ -70,7 +70,7 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
             Equations::of_formulas(parameters.len(), definitions, claim.sides.iter().map(|(e, _)| e.clone()).collect())
         })
         .collect();
-    let proofs = match symbolic::proofs(pairs.clone(), Depth::Names) {
+    let proofs = match symbolic::prove_equal(pairs.clone(), Depth::Names) {
         Ok(proofs) => proofs,
         Err(failure) => return report.error(first.region(), failure),
     };
@@ -95,7 +95,7 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
             }
             Err(tried) => tried,
         };
-        match symbolic::proofs(vec![pair], Depth::Formulas).as_deref() {
+        match symbolic::prove_equal(vec![pair], Depth::Formulas).as_deref() {
             Ok([proof @ (Proof::Found | Proof::Undefined(..))]) => refuse_undefined(*proof),
             Ok(proof) => {
                 let why = match proof {

@@ -202,7 +202,7 @@ impl<'a> Search<'a> {
         if !maybe_zero(&self.samples.of(value)) {
             return false;
         }
-        let proofs = symbolic::proofs(vec![self.equations(vec![value.clone(), Formula::zero()])], Depth::Formulas);
+        let proofs = symbolic::prove_equal(vec![self.equations(vec![value.clone(), Formula::zero()])], Depth::Formulas);
         proofs.is_ok_and(|proofs| proofs.contains(&Proof::Found))
     }
 
@@ -217,7 +217,7 @@ impl<'a> Search<'a> {
         }
         let outputs = [value].into_iter().chain(known.iter().map(|known| &known.value)).cloned().collect();
         // A failure of the engine is reported where it compiles the model.
-        let signs = symbolic::multiples(self.equations(outputs)).unwrap_or_default();
+        let signs = symbolic::find_multiples(self.equations(outputs)).unwrap_or_default();
         known.into_iter().zip(signs).any(|(known, sign)| match sign {
             Some(Sign::Positive) => meets(known.domain.into(), domain),
             Some(Sign::Negative) => meets(-Interval::from(known.domain), domain),

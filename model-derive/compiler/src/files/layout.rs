@@ -23,7 +23,7 @@ const FEW: usize = 4;
 ///
 /// # Errors
 /// If they are not Rust.
-pub fn file(sections: &[Section]) -> syn::Result<String> {
+pub fn lay_out(sections: &[Section]) -> syn::Result<String> {
     let all: TokenStream = sections.iter().map(|section| section.items.clone()).collect();
     let mut imports = Imports::new(&syn::parse2(all)?);
     let mut body = String::new();
@@ -34,8 +34,8 @@ pub fn file(sections: &[Section]) -> syn::Result<String> {
         for item in file.items {
             body.push('\n');
             let apart = matches!(item, syn::Item::Impl(_));
-            let text = joined(&unparse(item));
-            body.push_str(&filled(&if apart { spaced(&text) } else { text }));
+            let text = join_calls(&unparse(item));
+            body.push_str(&fill_lines(&if apart { space_items(&text) } else { text }));
         }
     }
     let (allowed, imports) = (allowed(), imports.declaration());
@@ -48,7 +48,7 @@ fn unparse(item: syn::Item) -> String {
 }
 
 /// The text of an `impl` with a blank line between its items: they alone end at the first indentation.
-fn spaced(text: &str) -> String {
+fn space_items(text: &str) -> String {
     let mut spaced = String::new();
     let mut ended = false;
     for line in text.lines() {
@@ -63,7 +63,7 @@ fn spaced(text: &str) -> String {
 }
 
 /// The text with the arguments of calls and functions, of which each has a line, in the line of their function.
-fn joined(text: &str) -> String {
+fn join_calls(text: &str) -> String {
     let mut joined: Vec<String> = Vec::new();
     for line in text.lines() {
         joined.push(line.to_string());
@@ -99,7 +99,7 @@ fn is_balanced(line: &str) -> bool {
 }
 
 /// The text with short elements, of which each has a line, beside each other.
-fn filled(text: &str) -> String {
+fn fill_lines(text: &str) -> String {
     let lines: Vec<&str> = text.lines().collect();
     let together = |a: &&str, b: &&str| is_short(a) && is_short(b) && indentation(a) == indentation(b);
     let mut filled = String::new();
@@ -147,7 +147,7 @@ mod tests {
     #[test]
     fn short_elements_fill_lines_and_others_stay() {
         let short = (0..40).map(|index| format!("    t{index},\n")).collect::<String>();
-        let text = filled(&format!("[\n{short}]\n"));
+        let text = fill_lines(&format!("[\n{short}]\n"));
         assert_eq!(text.lines().count(), 2 + 2);
         assert!(text.lines().all(|line| line.len() <= WIDTH), "{text}");
         assert_eq!(
@@ -155,23 +155,23 @@ mod tests {
             format!("[{short}]").split_whitespace().collect::<String>()
         );
         for kept in ["f(\n    a,\n    b,\n    c,\n)\n", "[\n    A => b,\n    C => d,\n    E => f,\n    G => h,\n]\n"] {
-            assert_eq!(filled(kept), kept);
+            assert_eq!(fill_lines(kept), kept);
         }
     }
 
     #[test]
     fn calls_that_fit_have_one_line_and_tuples_keep_their_commas() {
-        assert_eq!(joined("x(\n    f(\n        a,\n    ),\n    b,\n)\n"), "x(f(a), b)\n");
+        assert_eq!(join_calls("x(\n    f(\n        a,\n    ),\n    b,\n)\n"), "x(f(a), b)\n");
         let tuple = "(\n    a,\n)\n";
-        assert_eq!(joined(tuple), tuple);
+        assert_eq!(join_calls(tuple), tuple);
         let long = format!("f(\n    {},\n)\n", "a".repeat(CALL_WIDTH));
-        assert_eq!(joined(&long), long);
+        assert_eq!(join_calls(&long), long);
     }
 
     #[test]
     fn what_is_in_an_impl_stands_apart() {
         let text = "impl A {\n    type B = C;\n    fn f() {\n        g();\n    }\n    fn h() {}\n}\n";
         let apart = "impl A {\n    type B = C;\n\n    fn f() {\n        g();\n    }\n\n    fn h() {}\n}\n";
-        assert_eq!(spaced(text), apart);
+        assert_eq!(space_items(text), apart);
     }
 }

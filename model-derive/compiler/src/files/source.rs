@@ -25,7 +25,7 @@ pub fn compile(path: &Path, shown: &str) -> Result<Compiled, String> {
     let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
     let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
     let compiled = crate::compile(tokens).map_err(|error| render(&error, shown, &text))?;
-    let rust = layout::file(&emit::sections(&compiled, &Driver::File));
+    let rust = layout::lay_out(&emit::emit_sections(&compiled, &Driver::File));
     let rust = rust.map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
     Ok(Compiled { model: compiled.model.name.to_string(), text: format!("{}\n{rust}", header(shown, &text)) })
 }

@@ -25,5 +25,5 @@ pub use failure::{Failure, Place, Undefined};
 pub use form::Form;
 pub use identity::Sign;
 pub use optimize::compile;
-pub use prove::{Depth, Proof, multiples, proofs};
+pub use prove::{Depth, Proof, find_multiples, prove_equal};
 pub use sample::Sample;

@@ -34,7 +34,7 @@ pub enum Proof {
 ///
 /// # Errors
 /// If the engine cannot be had or stops.
-pub fn proofs(pairs: Vec<Equations>, depth: Depth) -> Result<Vec<Proof>, EngineFailure> {
+pub fn prove_equal(pairs: Vec<Equations>, depth: Depth) -> Result<Vec<Proof>, EngineFailure> {
     enter(move |engine| {
         let proof = |pair| prove(engine, pair, depth).unwrap_or_else(|(place, why)| Proof::Undefined(place, why));
         pairs.iter().map(proof).collect()
@@ -71,7 +71,7 @@ const MAX_OPERATIONS: usize = 5_000;
 ///
 /// # Errors
 /// If the engine cannot be had or stops.
-pub fn multiples(equations: Equations) -> Result<Vec<Option<Sign>>, EngineFailure> {
+pub fn find_multiples(equations: Equations) -> Result<Vec<Option<Sign>>, EngineFailure> {
     enter(move |engine| {
         let Ok(system) = NamedForms::new(engine, &equations) else { return Vec::new() };
         let mut outputs = system.outputs;

@@ -1,7 +1,7 @@
 //! The bicycle from its bodies and Appendix A are the same formulas, for all parameters.
 
 use carvallo_compiler::model::Model;
-use carvallo_compiler::symbolic::{Depth, Proof, proofs};
+use carvallo_compiler::symbolic::{Depth, Proof, prove_equal};
 use carvallo_compiler::{Equations, check};
 use carvallo_tests::fractions;
 use num_bigint::BigInt;
@@ -52,7 +52,7 @@ fn every_entry_is_proved_to_be_that_of_appendix_a() {
         }
     }
     assert_eq!(pairs.len(), 16, "four matrices of four entries");
-    let found = proofs(pairs, Depth::Formulas).expect("the engine works");
+    let found = prove_equal(pairs, Depth::Formulas).expect("the engine works");
     for (proof, place) in found.into_iter().zip(places) {
         assert_eq!(proof, Proof::Found, "{place}");
     }
@@ -64,7 +64,7 @@ fn an_entry_that_differs_is_not_proved() {
     let [(_, mass), .., (_, speed)] = &written.matrices[..] else { panic!("four matrices") };
     let sides = vec![mass[0][0].clone(), speed[0][1].clone()];
     let pair = Equations::of_formulas(written.parameters.len(), written.formulas_of_definitions(), sides);
-    assert_ne!(proofs(vec![pair], Depth::Formulas).expect("the engine works"), [Proof::Found]);
+    assert_ne!(prove_equal(vec![pair], Depth::Formulas).expect("the engine works"), [Proof::Found]);
 }
 
 /// Fractions of both signs, none of them zero: no divisor is, and an angle stands for the tangent of its half.
