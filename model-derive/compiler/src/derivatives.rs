@@ -1,10 +1,10 @@
 //! The derivatives of the matrices of a model with respect to its parameters.
 
 use crate::equations::Equations;
+use crate::matrix_name::MatrixName;
 use crate::model::Model;
 use crate::program::{Counts, Instruction, Program, Value, passes};
 use crate::symbolic::{self, Derived, Failure, Node};
-use crate::syntax::MatrixName;
 
 /// The program of values and derivatives, and what its outputs are.
 #[derive(Debug)]

@@ -5,8 +5,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use crate::domain::Domain;
 use crate::formula::Formula;
 use crate::kinematics::Kinematics;
+use crate::matrix_name::MatrixName;
 use crate::report::Region;
-use crate::syntax::MatrixName;
 
 /// A model that passed all checks, and whose claims are proved.
 #[derive(Debug)]

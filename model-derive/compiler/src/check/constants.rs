@@ -1,7 +1,8 @@
 //! Constant expressions, such as `pi/10`, and constant parts of formulas.
 
 use super::names::unknown_function;
-use super::units::{Dimension, Quantity};
+use super::units::declared::Quantity;
+use super::units::dimension::Dimension;
 use crate::constant::{Constant, NoValue};
 use crate::formula::{Factor, Function, Term};
 use crate::report::{Report, error};

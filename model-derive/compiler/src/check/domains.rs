@@ -1,7 +1,7 @@
 //! The values that parameters may take.
 
 use super::constants::evaluate_in;
-use super::units::Dimension;
+use super::units::dimension::Dimension;
 use crate::constant::Constant;
 use crate::domain::{Bound, Domain};
 use crate::report::{Region, Report};

@@ -5,9 +5,10 @@ use std::collections::HashSet;
 use super::names::Scope;
 use super::resolve;
 use crate::formula::Formula;
+use crate::matrix_name::MatrixName;
 use crate::model::Matrices;
 use crate::report::{Region, Report};
-use crate::syntax::{Declaration, MatrixName};
+use crate::syntax::Declaration;
 
 /// The declared matrices, in the order of the equation of motion, and where their entries stand, row by row.
 ///

@@ -74,7 +74,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
         report.error(&declaration.name, "no parameters: expected `parameters { … }` with at least one");
     }
     let mut scope = names::Scope::new(declaration, report);
-    let dimensions = units::Dimensions::new(declaration, report);
+    let dimensions = units::declared::Dimensions::new(declaration, report);
     // Before mistakes elsewhere, beside which it would not be looked at.
     let tree =
         declaration.mechanism.as_ref().and_then(|mechanism| mechanism::find_tree(declaration, mechanism, report));

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use super::names::{Meaning, Scope};
-use super::units::Dimension;
+use super::units::dimension::Dimension;
 use crate::model::{References, Target};
 use crate::syntax::{Declaration, Definition};
 

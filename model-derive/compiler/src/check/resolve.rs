@@ -2,7 +2,7 @@
 
 use super::constants;
 use super::names::{Meaning, Scope, unknown_function};
-use super::units::Quantity;
+use super::units::declared::Quantity;
 use crate::formula::{Factor, Formula, Function, Term};
 use crate::report::Report;
 use crate::syntax::{self, Expression, Kind, reserved};

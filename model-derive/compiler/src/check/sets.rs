@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::constants::evaluate_in;
 use super::domains::ExactDomain;
-use super::units::Dimension;
+use super::units::dimension::Dimension;
 use crate::constant::Constant;
 use crate::model::ParameterSet;
 use crate::nearest::nearest;

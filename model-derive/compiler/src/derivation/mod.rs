@@ -12,11 +12,12 @@ use crate::check::{Assembly, Checked};
 use crate::equations::Equations;
 use crate::formula::{Formula, Names};
 use crate::kinematics::Kinematics;
+use crate::matrix_name::MatrixName;
 use crate::mechanics::{self, Declared, Derivation};
 use crate::model::Matrices;
 use crate::report::{Region, Report};
 use crate::symbolic::{Failure, Place};
-use crate::syntax::{MatrixName, Mechanism};
+use crate::syntax::Mechanism;
 
 /// Matrices, and what else follows from a mechanism, in formulas of the parameters.
 #[derive(Debug)]

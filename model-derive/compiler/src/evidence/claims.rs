@@ -8,9 +8,9 @@ use super::counterexample::{Counterexample, Space};
 use crate::derivation::Derived;
 use crate::equations::Equations;
 use crate::formula::{Formula, Names};
+use crate::matrix_name::MatrixName;
 use crate::report::{Region, Report};
 use crate::symbolic::{self, Depth, Place, Proof};
-use crate::syntax::MatrixName;
 
 /// Two formulas that are claimed to be equal for all parameters.
 #[derive(Debug)]

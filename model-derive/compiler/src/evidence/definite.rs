@@ -2,8 +2,9 @@
 
 use crate::constant::{Constant, Constants};
 use crate::derivation::Derived;
+use crate::matrix_name::MatrixName;
 use crate::report::{Report, number};
-use crate::syntax::{MatrixName, ParameterSet};
+use crate::syntax::ParameterSet;
 
 /// Reports a parameter set at which the mass matrix, if it is symmetric, is not positive definite; `values` are those of
 /// all names there.

@@ -19,9 +19,10 @@ use self::sourced::{Source, Sourced};
 use crate::check::{Checked, CheckedSet};
 use crate::derivation::Derived;
 use crate::formula::Formula;
+use crate::matrix_name::MatrixName;
 use crate::model::{Coordinate, Model, Parameter, ParameterSet, Requirement};
 use crate::report::{Region, Report};
-use crate::syntax::{Matrix, MatrixName, Unit};
+use crate::syntax::{Matrix, Unit};
 
 /// Holds a declaration against its formulas, and makes the model of both. Mistakes are reported; with none it is complete.
 pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Model {

@@ -26,8 +26,8 @@ use self::motion::Motions;
 use self::projection::Projection;
 use self::unreduced::Unreduced;
 use crate::formula::Formula;
+use crate::matrix_name::MatrixName;
 use crate::symbolic::{self, Engine, EngineFailure, Failure, Form, Place};
-use crate::syntax::MatrixName;
 
 /// Square matrices of formulas, those that are not zero, in the order of the equation of motion.
 type Matrices<V = Form> = Vec<(MatrixName, Vec<Vec<V>>)>;

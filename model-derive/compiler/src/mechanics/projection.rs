@@ -16,8 +16,8 @@ use super::mechanism::Mechanism;
 use super::motion::Motions;
 use super::unreduced::Unreduced;
 use super::{Fault, Matrices};
+use crate::matrix_name::MatrixName;
 use crate::symbolic::{Form, Sample};
-use crate::syntax::MatrixName;
 
 /// The equations of motion with a row for each freedom: the coordinates, and behind them the forward motion if there is
 /// one.

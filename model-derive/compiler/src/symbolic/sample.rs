@@ -151,7 +151,7 @@ mod tests {
         let squares =
             [Function::Sin, Function::Cos].map(|f| Formula::Power(Box::new(Formula::Call(f, Box::new(x.clone()))), 2));
         let one = Term::minus(number("1"));
-        let difference = Formula::Sum(squares.into_iter().map(|square| Term::plus(square)).chain([one]).collect());
+        let difference = Formula::Sum(squares.into_iter().map(Term::plus).chain([one]).collect());
         assert!(!of(&difference).is_not_zero());
     }
 

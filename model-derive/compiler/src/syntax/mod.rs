@@ -12,4 +12,3 @@ pub use self::tree::{
     Vector,
 };
 // Declarations write the names of matrices.
-pub use crate::matrix_name::MatrixName;

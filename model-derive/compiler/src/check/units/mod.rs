@@ -5,20 +5,21 @@
 //! (Siano's orientational analysis, 1985, is the same bookkeeping.)
 
 mod analysis;
-mod declared;
-mod dimension;
+pub mod declared;
+pub mod dimension;
 mod known;
 mod mechanism;
 
-pub use declared::{Dimensions, Quantity};
-pub use dimension::Dimension;
 pub use mechanism::check_mechanism;
 
 use self::analysis::{Analysis, short};
+use self::declared::{Dimensions, Quantity};
+use self::dimension::Dimension;
 use super::constants::evaluate;
 use super::names::Scope;
+use crate::matrix_name::MatrixName;
 use crate::report::Report;
-use crate::syntax::{Coordinate, Declaration, Direction, Matrix, MatrixName, Requirement};
+use crate::syntax::{Coordinate, Declaration, Direction, Matrix, Requirement};
 
 /// Reports formulas whose units or mirrors do not fit, and returns the dimensions of the definitions, as far as they are
 /// known, in their order; `order` has their positions in the declaration, each behind those that it uses.
