@@ -91,13 +91,14 @@ fn every_wrong_claim_is_refuted_with_values_for_which_it_is_wrong() {
         let value = values.split(", ").find_map(|pair| pair.strip_prefix(name)?.strip_prefix(" = "));
         value.expect("a value of the parameter").parse().expect("a number")
     };
-    let c = at(&found[0], "c");
+    // In the order of the source.
+    let (a, c) = (at(&found[0], "a"), at(&found[0], "c"));
+    assert!(found[0].contains(&format!("`c*a` is {} and `c` is {c}", c * a)), "{found:?}");
+    assert!(a * c != c && a > 0.0, "{found:?}");
+    let c = at(&found[1], "c");
     let [above, below] = [c, 2.0 * c];
     let entries = format!("row 2, column 1 is {below} and row 1, column 2 is {above} at c = {c};");
-    assert!(found[0].contains(&entries), "{found:?}");
-    let (a, c) = (at(&found[1], "a"), at(&found[1], "c"));
-    assert!(found[1].contains(&format!("`c*a` is {} and `c` is {c}", c * a)), "{found:?}");
-    assert!(a * c != c && a > 0.0, "{found:?}");
+    assert!(found[1].contains(&entries), "{found:?}");
     assert!(found[2].contains(&format!("`2*a` is {}", 2.0 * at(&found[2], "a"))), "{found:?}");
     assert!(!found[2].contains("b ="), "{found:?}");
 
