@@ -1,5 +1,5 @@
 //! What the compiler says of mistakes, and where it says it: every declaration in `tests/ui/` at the root against the text
-//! beside it, as rustc shows it. Some of them go through rustc itself, in `tests/ui/rustc.rs`.
+//! beside it, as rustc shows it. Some of them go through rustc itself, by `tests/ui/rustc.rs`.
 //!
 //! `cargo messages` runs this alone; after a change of a message `UPDATE=1 cargo messages`, then read what it changed.
 
@@ -50,9 +50,9 @@ fn cases(folder: &Path) -> Vec<String> {
     let mut cases: Vec<String> = names.collect();
     cases.sort();
     cases.dedup();
-    let by_rustc = fs::read_to_string(folder.join("rustc.rs")).expect("the test of what rustc shows");
+    let by_rustc = fs::read_to_string(folder.join("Cargo.toml")).expect("the list of what goes through rustc");
     for case in BY_RUSTC_ALONE {
-        assert!(by_rustc.contains(&format!("\"{case}.rs\"")), "{case} is in neither of the tests");
+        assert!(by_rustc.contains(&format!("path = \"{case}.rs\"")), "{case} is in neither of the tests");
         let position = cases.iter().position(|name| name == case);
         cases.remove(position.unwrap_or_else(|| panic!("there is no case {case}")));
     }

@@ -19,7 +19,7 @@ carvallo::model! {
         set bob {
             m = 1;
             l = 2;
-            
+
         }
     }
 }
