@@ -1,6 +1,6 @@
 //! What rustc shows of mistakes, for one case of each kind of span; what is said is tested in the compiler, for all cases.
 //!
-//! After a change: `UPDATE=1 cargo test -p carvallo-ui`, then read what it changed.
+//! After a change: `UPDATE=1 cargo test --workspace --test rustc`, then read what it changed.
 //!
 //! Cargo is asked for the whole workspace, so that it takes the macro that it built for the other tests.
 
@@ -28,7 +28,8 @@ fn mistakes_are_shown_where_they_are() {
             differences += &format!("\n--- {case}: expected\n{expected}--- found\n{found}");
         }
     }
-    let mend = "if this is what should be shown, run `UPDATE=1 cargo test -p carvallo-ui` and read what it changes";
+    let mend =
+        "if this is what should be shown, run `UPDATE=1 cargo test --workspace --test rustc` and read what it changes";
     assert!(differences.is_empty(), "messages differ: {mend}\n{differences}");
 }
 
