@@ -1,7 +1,6 @@
 //! Stability along speed, for models with two coordinates.
 
 mod along_speed;
-mod branches;
 mod careful;
 mod critical;
 mod fast;
@@ -9,6 +8,7 @@ mod mode;
 mod modes;
 mod naming;
 mod ranges;
+mod stretches;
 mod verdict;
 
 use along_speed::Characteristic;

@@ -5,9 +5,9 @@ use core::ops::Range;
 use nalgebra::Complex;
 
 use super::along_speed::Characteristic;
-use super::branches::{Stretch, stretches};
 use super::mode::Mode;
 use super::naming::{self, Course, Names};
+use super::stretches::{Stretch, stretches};
 use super::{CriticalKind, CriticalSpeed, Stability};
 use crate::number::Scalar;
 use crate::system::{Coefficients, SystemError, require_speed};

@@ -10,8 +10,8 @@ use super::imaginary::{Pair, find_imaginary_pairs};
 use crate::number::real::Real;
 use crate::numeric::{DoubleDouble, Root, Tracked, positive_roots};
 use crate::stability::along_speed::Characteristic;
-use crate::stability::branches::count_pairs;
 use crate::stability::critical::{Change, CriticalKind, CriticalSpeed};
+use crate::stability::stretches::count_pairs;
 use crate::stability::verdict::Verdict;
 use crate::system::SystemError;
 
