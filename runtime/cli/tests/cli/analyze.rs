@@ -146,6 +146,28 @@ fn speeds_may_be_one_or_a_list() {
     }
 }
 
+/// Critical speeds from Appendix A at 50 digits, with the damper on the steering axis: where the Hurwitz determinant,
+/// det K and the discriminant are zero. Of the speeds every 5 km/h only 30 km/h = 8.33 m/s is between the last two.
+#[test]
+fn a_steering_damper_counts_and_speeds_may_be_in_km_per_hour() {
+    let directory = Directory::of_this_test();
+    directory.write("motorcycle.toml", include_str!("motorcycle.toml"));
+    for speeds in ["20 km/h:220 km/h:5 km/h", "20/3.6:220/3.6:5/3.6"] {
+        let json = directory.run(&["analyze", "motorcycle.toml", "--format", "json", "--speeds", speeds]).json();
+        let (weave, capsize) = (7.795_832_047_191_756_5, 8.609_817_746_130_9);
+        assert_critical(&json, &[("double_root", 2.985_341_748_892_18), ("weave", weave), ("capsize", capsize)]);
+        let rows = json["eigenvalues"].as_array().unwrap();
+        assert_eq!(rows.len(), 41);
+        for (index, row) in rows.iter().enumerate() {
+            let speed = (20.0 + 5.0 * index as f64) / 3.6;
+            assert_near(&row["speed"], speed, 1e-15);
+            let values = row["values"].as_array().unwrap();
+            let is_stable = values.iter().all(|value| value["re"].as_f64().unwrap() < 0.0);
+            assert_eq!(is_stable, index == 2, "at {speed} m/s: {values:?}");
+        }
+    }
+}
+
 /// The moon has less than a sixth of the gravity: speeds scale with its square root.
 #[test]
 fn gravity_can_be_set() {
@@ -167,7 +189,8 @@ fn the_list_has_every_bicycle_with_its_critical_speeds() {
     assert!(line("benchmark-2005").contains("4.3016 to 6.0570"), "{text}");
 }
 
-/// A faired recumbent whose weave splits once it is stable, so that no name goes through all of its double roots.
+/// A faired recumbent whose weave splits once it is stable, so that no name goes through all of its double roots. Its
+/// speeds are from Appendix A at 50 digits, where det K and the Hurwitz determinant are zero.
 #[test]
 fn kind_mode_and_change_agree_where_names_cannot_go_on() {
     let directory = Directory::of_this_test();
@@ -181,6 +204,8 @@ fn kind_mode_and_change_agree_where_names_cannot_go_on() {
     let critical = |kind: &str| {
         json["critical_speeds"].as_array().unwrap().iter().find(|critical| critical["kind"] == kind).unwrap().clone()
     };
+    assert_near(&critical("capsize")["speed"], 3.141_383_418_925_677_8, 1e-14);
+    assert_near(&critical("weave")["speed"], 8.117_449_357_326_006_6, 1e-14);
     assert_eq!(critical("capsize")["verdicts"], serde_json::json!(["unstable", "unstable"]));
     assert_eq!(critical("weave")["verdicts"], serde_json::json!(["unstable", "stable"]));
     // The eigenvalue that is next to the imaginary axis has the name of the kind.
