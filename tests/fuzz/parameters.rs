@@ -24,7 +24,7 @@ use carvallo_cli::input;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
-    for label in ["a.toml", "a.yml", "a.json", "a.txt"] {
+    for label in ["a.toml", "a.yml", "a.json", "a.py", "a.m", "a.txt"] {
         match input::read(label, data.to_vec()) {
             Ok(design) => judge(&design),
             Err(failure) => {
