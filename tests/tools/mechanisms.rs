@@ -6,7 +6,7 @@
 //!
 //! The derivation holds the checks of the declaration, the proofs and the published matrices in it; the code generation
 //! the search for the shortest programs, and writing them. Each in one thread, the shortest of several runs. Times are those
-//! of the profile that the example is built in: `dev` is what a user's build expands macros with.
+//! of the profile that this program is built in: `dev` is what a user's build expands macros with.
 
 use std::fs;
 use std::path::Path;
