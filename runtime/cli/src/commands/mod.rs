@@ -1,5 +1,5 @@
-//! The command line: what can be asked for, and its help. Each subcommand has its options, its help and what it does in a
-//! file of its own.
+//! The command line: what can be asked for, and its help. What a subcommand does, with its options and its help, is
+//! in a file here; the two without options are both in `lists`, and what `sweep` does is in the folder of its name.
 
 mod analyze;
 mod demo;
