@@ -74,7 +74,7 @@ fn emit_sets(model: &Model, names: &Names) -> TokenStream {
     let (name, allow, fields) = (&names.model, names.allow(), fields(model));
     let constants = model.sets.iter().map(|set| {
         let constant = constant(set);
-        let text = match (or(&set.docs, ""), or(&set.source, "")) {
+        let text = match (&*set.docs, &*set.source) {
             ("", "") => format!("The parameter set `{}`.", set.name),
             ("", source) => format!("The parameter set `{}`.\n\nSource: {source}", set.name),
             (text, "") => text.to_string(),

@@ -5,31 +5,13 @@
 //! of this process and across processes. Whoever finds it taken waits.
 
 use std::any::Any;
-use std::fmt;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 
 use super::engine::Engine;
+use super::failure::EngineFailure;
 use super::lock::Lock;
-
-/// Why nothing came out of the door.
-#[derive(Debug)]
-pub enum EngineFailure {
-    /// The lock or the thread could not be had.
-    System(String),
-    /// The engine stopped with a message.
-    Stopped(String),
-}
-
-impl fmt::Display for EngineFailure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::System(message) => write!(f, "the symbolic engine could not be started: {message}"),
-            Self::Stopped(message) => write!(f, "the symbolic engine failed on this model: {message}"),
-        }
-    }
-}
 
 /// Formulas nest, and the engine walks them by recursion.
 const STACK: usize = 256 << 20;

@@ -2,7 +2,23 @@
 
 use std::fmt;
 
-use super::door::EngineFailure;
+/// Why nothing came out of the engine.
+#[derive(Debug)]
+pub enum EngineFailure {
+    /// The lock or the thread could not be had.
+    System(String),
+    /// The engine stopped with a message.
+    Stopped(String),
+}
+
+impl fmt::Display for EngineFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::System(message) => write!(f, "the symbolic engine could not be started: {message}"),
+            Self::Stopped(message) => write!(f, "the symbolic engine failed on this model: {message}"),
+        }
+    }
+}
 
 /// Why nothing became of equations.
 #[derive(Debug)]

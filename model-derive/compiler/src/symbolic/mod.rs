@@ -19,9 +19,9 @@ mod sample;
 mod vertex_elimination;
 
 pub use derivatives::{Derived, Node, derive};
-pub use door::{EngineFailure, enter};
+pub use door::enter;
 pub use engine::Engine;
-pub use failure::{Failure, Place, Undefined};
+pub use failure::{EngineFailure, Failure, Place, Undefined};
 pub use form::Form;
 pub use identity::Sign;
 pub use optimize::compile;

@@ -1,8 +1,8 @@
 //! Proofs of what a declaration claims.
 
-use super::door::{EngineFailure, enter};
+use super::door::enter;
 use super::engine::Engine;
-use super::failure::{Place, Undefined};
+use super::failure::{EngineFailure, Place, Undefined};
 use super::form::Form;
 use super::identity::Sign;
 use super::sample::Sample;
