@@ -96,11 +96,11 @@ impl Equations {
     ) -> Self {
         let definitions: Vec<&Formula> = definitions.into_iter().collect();
         let mut needed = vec![false; definitions.len()];
-        outputs.iter().for_each(|output| mark(output, &mut needed));
+        outputs.iter().flat_map(Formula::find_definitions).for_each(|index| needed[index] = true);
         // Each definition uses only earlier ones, so one way back finds them all.
         for (index, definition) in definitions.iter().enumerate().rev() {
             if needed[index] {
-                mark(definition, &mut needed);
+                definition.find_definitions().into_iter().for_each(|index| needed[index] = true);
             }
         }
         let origins: Vec<usize> = (0..needed.len()).filter(|index| needed[*index]).collect();
@@ -115,14 +115,6 @@ impl Equations {
             outputs: outputs.iter().map(|output| output.renumbered(&new)).collect(),
         }
     }
-}
-
-fn mark(expr: &Formula, needed: &mut [bool]) {
-    expr.walk(&mut |part| {
-        if let Formula::Definition(index) = part {
-            needed[*index] = true;
-        }
-    });
 }
 
 /// What an instruction computes, from what its operands do.

@@ -15,6 +15,7 @@ mod evidence;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod formula;
+mod free_name;
 pub mod kinematics;
 mod matrix_name;
 mod mechanics;

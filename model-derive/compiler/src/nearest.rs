@@ -1,7 +1,7 @@
 //! What a misspelt word most likely means.
 
 /// The candidate that a misspelt word most likely means, if any is near enough.
-pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+pub fn find_nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let distance = |candidate: &str| {
         // Letters of the wrong case are the smallest mistake.
         if candidate.eq_ignore_ascii_case(word) { 0 } else { strsim::osa_distance(candidate, word) }
@@ -14,4 +14,9 @@ pub fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
         .filter(|(d, _)| *d <= limit)
         .min_by_key(|(d, _)| *d)
         .map(|(_, c)| c)
+}
+
+/// How a message that refuses a word ends if another one is probably meant.
+pub fn ask_for(meant: &str) -> String {
+    format!("; did you mean `{meant}`?")
 }

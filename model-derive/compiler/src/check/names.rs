@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Ident;
 
 use crate::formula::Function;
-use crate::nearest::nearest;
+use crate::nearest::{ask_for, find_nearest};
 use crate::report::Report;
 use crate::syntax::{Declaration, reserved};
 
@@ -84,11 +84,10 @@ impl Scope {
     /// "; did you mean `…`?" with the nearest name in formulas, if one is near.
     pub fn suggestion(&mut self, name: &Ident) -> String {
         let usable = self.order.iter().filter(|known| self.names.get(*known) != Some(&Meaning::Coordinate));
-        match nearest(&name.to_string(), usable.map(String::as_str)) {
+        match find_nearest(&name.to_string(), usable.map(String::as_str)) {
             Some(known) => {
-                let text = format!("; did you mean `{known}`?");
                 self.excused.insert(known.to_string());
-                text
+                ask_for(known)
             }
             None => String::new(),
         }
@@ -97,6 +96,6 @@ impl Scope {
 
 /// What to say of a function that does not exist.
 pub fn unknown_function(name: &str, known: &[&'static str]) -> String {
-    let hint = nearest(name, known.iter().copied()).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+    let hint = find_nearest(name, known.iter().copied()).map(ask_for).unwrap_or_default();
     format!("unknown function `{name}`: expected one of {}{hint}", known.join(", "))
 }

@@ -7,7 +7,7 @@ use super::domains::ExactDomain;
 use super::units::dimension::Dimension;
 use crate::constant::Constant;
 use crate::model::ParameterSet;
-use crate::nearest::nearest;
+use crate::nearest::{ask_for, find_nearest};
 use crate::report::Report;
 use crate::syntax::{self, Declaration};
 
@@ -69,9 +69,9 @@ fn read_values(
         let parameter = known().position(|known| known == name);
         if parameter.is_none() && !declaration.unread.iter().any(|unread| *unread == name) {
             let names: Vec<String> = known().collect();
-            let hint = nearest(&name, names.iter().map(String::as_str)).map(|near| format!("; did you mean `{near}`?"));
-            let message =
-                format!("unknown parameter `{name}`: expected a parameter of the model{}", hint.unwrap_or_default());
+            let near = find_nearest(&name, names.iter().map(String::as_str));
+            let hint = near.map(ask_for).unwrap_or_default();
+            let message = format!("unknown parameter `{name}`: expected a parameter of the model{hint}");
             report.error(&entry.name, message);
         }
         let Some(written) = &entry.value else {

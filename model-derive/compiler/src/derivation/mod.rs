@@ -11,6 +11,7 @@ use self::faults::Faulty;
 use crate::check::{Assembly, Checked};
 use crate::equations::Equations;
 use crate::formula::{Formula, Names};
+use crate::free_name::take_free_name;
 use crate::kinematics::Kinematics;
 use crate::matrix_name::MatrixName;
 use crate::mechanics::{self, Declared, Derivation};
@@ -163,12 +164,6 @@ fn find_names(derivation: &Derivation, checked: &Checked<'_>, mechanism: &Mechan
     let definitions = declaration.definitions.iter().map(|definition| &definition.name);
     let coordinates = declaration.coordinates.iter().map(|coordinate| &coordinate.name);
     let mut taken: HashSet<String> = parameters.chain(definitions).chain(coordinates).map(Ident::to_string).collect();
-    let name = |(name, _): &(String, Formula)| {
-        let mut unique = name.clone();
-        while !taken.insert(unique.clone()) {
-            unique.push('_');
-        }
-        Ident::new(&unique, mechanism.span)
-    };
+    let name = |(name, _): &(String, Formula)| Ident::new(&take_free_name(name, &mut taken), mechanism.span);
     derivation.definitions.iter().map(name).collect()
 }

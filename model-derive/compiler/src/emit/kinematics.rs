@@ -9,6 +9,7 @@ use super::evaluator::Body;
 use super::names::Names;
 use super::{derive, docs};
 use crate::formula::Formula;
+use crate::free_name::take_free_name;
 use crate::kinematics::Kinematics;
 use crate::model::Model;
 use crate::program::{Counts, Program};
@@ -74,13 +75,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> Option<T
 /// A field for each rate; of two with one name the later one is set apart.
 fn fields(kinematics: &Kinematics<Formula>) -> Vec<Ident> {
     let mut taken = HashSet::from(["forces".to_string()]);
-    let field = |name: &String| {
-        let mut unique = name.clone();
-        while !taken.insert(unique.clone()) {
-            unique.push('_');
-        }
-        Ident::new(&unique, Span::call_site())
-    };
+    let field = |name: &String| Ident::new(&take_free_name(name, &mut taken), Span::call_site());
     kinematics.rates.iter().map(|rate| &rate.name).map(field).collect()
 }
 

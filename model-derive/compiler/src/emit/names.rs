@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 
 use super::Driver;
 use crate::derivatives::Derivatives;
+use crate::free_name::take_free_name;
 use crate::model::Model;
 use crate::program::{Instruction, Program, Value};
 
@@ -127,12 +128,5 @@ pub fn allowed() -> TokenStream {
 fn derived(model: &Model, derivatives: Option<&Derivatives>) -> Vec<Ident> {
     let mut taken: HashSet<String> = model.definitions.iter().map(|(name, _)| name.to_string()).collect();
     let names = derivatives.map_or(&[][..], |derivatives| &derivatives.names);
-    let unique = |name: &String| {
-        let mut unique = name.clone();
-        while !taken.insert(unique.clone()) {
-            unique.push('_');
-        }
-        format_ident!("{unique}")
-    };
-    names.iter().map(unique).collect()
+    names.iter().map(|name| format_ident!("{}", take_free_name(name, &mut taken))).collect()
 }

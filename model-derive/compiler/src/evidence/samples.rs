@@ -4,6 +4,7 @@ use super::intervals::Interval;
 use super::ranges::{Constants, Ranges};
 use crate::domain::{Bound, Domain};
 use crate::formula::Formula;
+use crate::symbolic::GOLDEN;
 
 /// Values of the definitions at a few parameters inside the domains.
 #[derive(Debug)]
@@ -48,9 +49,8 @@ pub fn maybe_multiples(one: &[Interval], other: &[Interval]) -> bool {
         && !ratios.windows(2).any(|pair| pair[0].is_apart_from(pair[1]))
 }
 
-/// A number between 0 and 1, another one for each parameter and sample: multiples of the golden ratio spread evenly.
+/// A number between 0 and 1, another one for each parameter and sample.
 fn fraction(index: usize, number: u32) -> f64 {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     ((index as f64 + 1.0) * GOLDEN + f64::from(number) * 0.37).fract()
 }
 

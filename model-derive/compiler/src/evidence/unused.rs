@@ -85,24 +85,13 @@ fn is_gravity(declaration: &Declaration, parameter: &Parameter) -> bool {
 /// For each definition whether a root depends on it.
 fn reach<'a>(definitions: &[Formula], roots: impl Iterator<Item = &'a Formula>) -> Vec<bool> {
     let mut reached = vec![false; definitions.len()];
-    let mut open: Vec<usize> = roots.flat_map(find_definitions).collect();
+    let mut open: Vec<usize> = roots.flat_map(Formula::find_definitions).collect();
     while let Some(index) = open.pop() {
         if !std::mem::replace(&mut reached[index], true) {
-            open.extend(find_definitions(&definitions[index]));
+            open.extend(definitions[index].find_definitions());
         }
     }
     reached
-}
-
-/// The definitions that a formula uses itself.
-fn find_definitions(formula: &Formula) -> Vec<usize> {
-    let mut found = Vec::new();
-    formula.walk(&mut |part| {
-        if let Formula::Definition(index) = part {
-            found.push(*index);
-        }
-    });
-    found
 }
 
 fn mark_parameters<'a>(formulas: impl Iterator<Item = &'a Formula>, used: &mut [bool]) {

@@ -147,6 +147,17 @@ impl Formula {
         }
     }
 
+    /// The definitions that the formula uses itself, as often as it does.
+    pub fn find_definitions(&self) -> Vec<usize> {
+        let mut found = Vec::new();
+        self.walk(&mut |part| {
+            if let Self::Definition(index) = part {
+                found.push(*index);
+            }
+        });
+        found
+    }
+
     /// Calls `visit` with this formula and every one inside it.
     pub fn walk(&self, visit: &mut impl FnMut(&Self)) {
         visit(self);

@@ -26,4 +26,4 @@ pub use form::Form;
 pub use identity::Sign;
 pub use optimize::compile;
 pub use prove::{Depth, Proof, find_multiples, prove_equal};
-pub use sample::Sample;
+pub use sample::{GOLDEN, Sample};

@@ -11,13 +11,15 @@ pub struct Sample {
     error: f64,
 }
 
+/// The golden ratio, whose multiples spread evenly between whole numbers.
+pub const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
 /// The bounds below are of the first order; this is far more than the rest.
 const SAFETY: f64 = 16.0;
 
 impl Sample {
-    /// Exact values between a half and one and a half, no two of them alike: multiples of the golden ratio spread evenly.
+    /// Exact values between a half and one and a half, no two of them alike.
     pub fn spread(first: usize, count: usize) -> Vec<Self> {
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
         let value = |index: usize| 0.5 + (index as f64 * GOLDEN).fract();
         (first..first + count).map(|index| Self { value: value(index), error: 0.0 }).collect()
     }

@@ -5,7 +5,7 @@ use std::collections::hash_map::Entry;
 
 use proc_macro2::Ident;
 
-use crate::nearest::nearest;
+use crate::nearest::{ask_for, find_nearest};
 use crate::report::Report;
 use crate::syntax::{Freedom, Mechanism};
 
@@ -112,8 +112,8 @@ impl<'a> Attachments<'a> {
         if found.is_none() && !self.is_refused(name) {
             let names = || self.names[..self.bodies].iter().map(ToString::to_string);
             let candidates: Vec<String> = names().chain([GROUND.to_string()]).collect();
-            let hint = match nearest(&name.to_string(), candidates.iter().map(String::as_str)) {
-                Some(near) => format!("; did you mean `{near}`?"),
+            let hint = match find_nearest(&name.to_string(), candidates.iter().map(String::as_str)) {
+                Some(near) => ask_for(near),
                 None => format!(": {}", names().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")),
             };
             report.error(name, format!("unknown body `{name}`: expected one of the mechanism{hint}"));

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use super::tree::Role;
 use crate::mechanics::Motion;
-use crate::nearest::nearest;
+use crate::nearest::{ask_for, find_nearest};
 use crate::report::Report;
 use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
 
@@ -31,8 +31,8 @@ pub fn find_joints<'a>(
     }
     let hint = |name: &Ident| {
         let known: Vec<String> = named.iter().map(|(known, _)| known.to_string()).collect();
-        let near = nearest(&name.to_string(), known.iter().map(String::as_str));
-        near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default()
+        let near = find_nearest(&name.to_string(), known.iter().map(String::as_str));
+        near.map(ask_for).unwrap_or_default()
     };
     for coordinate in &declaration.coordinates {
         let name = &coordinate.name;

@@ -2,6 +2,7 @@
 
 use super::dimension::Dimension;
 use super::known;
+use crate::nearest::ask_for;
 use crate::report::{Report, error};
 use crate::syntax::{Declaration, Expression, Factor, Kind, Unit, constant};
 
@@ -48,7 +49,7 @@ impl Quantity {
 }
 
 fn unknown(name: &proc_macro2::Ident) -> syn::Error {
-    let hint = known::meant(&name.to_string()).map(|meant| format!("; did you mean `{meant}`?"));
+    let hint = known::find_meant(&name.to_string()).map(|meant| ask_for(&meant));
     let hint = hint.unwrap_or_else(|| format!(" ({}, and their products and powers)", known::names()));
     error(name, format!("unknown unit `{name}`: expected a unit of mechanics{hint}"))
 }

@@ -1,7 +1,7 @@
 //! The units that declarations may name.
 
 use super::dimension::Dimension;
-use crate::nearest::nearest;
+use crate::nearest::find_nearest;
 
 /// A unit with a name.
 #[derive(Debug)]
@@ -73,9 +73,9 @@ pub fn find(name: &str) -> Option<&'static Known> {
 }
 
 /// What to write instead of a unit that is not known, if that can be told.
-pub fn meant(name: &str) -> Option<String> {
+pub fn find_meant(name: &str) -> Option<String> {
     let word = WORDS.iter().find(|(word, _)| word.eq_ignore_ascii_case(name)).map(|(_, unit)| (*unit).to_string());
-    word.or_else(|| product(name)).or_else(|| nearest(name, KNOWN.iter().map(|known| known.name)).map(str::to_string))
+    word.or_else(|| product(name)).or_else(|| find_nearest(name, KNOWN.iter().map(|known| known.name)).map(str::to_string))
 }
 
 /// `kgm2` and `Nm`, taken apart.
@@ -108,8 +108,8 @@ mod tests {
         let cases =
             [("Nm", "N*m"), ("kgm2", "kg*m^2"), ("Kg", "kg"), ("metre", "m"), ("Degrees", "deg"), ("radd", "rad")];
         for (written, expected) in cases {
-            assert_eq!(meant(written).as_deref(), Some(expected), "{written}");
+            assert_eq!(find_meant(written).as_deref(), Some(expected), "{written}");
         }
-        assert_eq!(meant("furlong"), None);
+        assert_eq!(find_meant("furlong"), None);
     }
 }

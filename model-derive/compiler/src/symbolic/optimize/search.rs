@@ -79,7 +79,7 @@ impl Search<'_> {
         // Definitions never all disappear into the formulas that use them: that grows exponentially with their depth.
         let mut times = vec![0; count];
         let formulas = self.equations.definitions.iter().chain(&self.equations.outputs);
-        formulas.flat_map(mentioned).for_each(|index| times[index] += 1);
+        formulas.flat_map(Formula::find_definitions).for_each(|index| times[index] += 1);
         let used_once: Vec<bool> = times.into_iter().map(|times| times == 1).collect();
         if count > MAX_TRIED {
             self.try_out(self.choices(&used_once, Some(Shape::Written)))?;
@@ -232,21 +232,10 @@ impl Search<'_> {
 
 /// The definitions that a formula uses, each once.
 fn used(expr: &Formula) -> Vec<usize> {
-    let mut used = mentioned(expr);
+    let mut used = expr.find_definitions();
     used.sort_unstable();
     used.dedup();
     used
-}
-
-/// The definitions that a formula uses, as often as it does.
-fn mentioned(expr: &Formula) -> Vec<usize> {
-    let mut mentioned = Vec::new();
-    expr.walk(&mut |part| {
-        if let Formula::Definition(index) = part {
-            mentioned.push(*index);
-        }
-    });
-    mentioned
 }
 
 /// Whether a formula is a product that divides by something.

@@ -7,7 +7,7 @@ use syn::parse::ParseStream;
 use super::expressions::parse_expression;
 use super::tokens::{expected, parse_colon, parse_semicolon};
 use super::vectors::{parse_inertia, parse_vector};
-use crate::nearest::nearest;
+use crate::nearest::{ask_for, find_nearest};
 use crate::report::error;
 use crate::syntax::tree::{Expression, Inertia, Vector};
 
@@ -61,8 +61,8 @@ impl Attributes {
             let word: Ident = if input.peek(syn::Ident) { input.parse()? } else { return Err(expected(input, &what)) };
             let text = word.to_string();
             let Some((_, shape)) = known.iter().find(|(known, _)| *known == text) else {
-                let meant = nearest(&text, known.iter().map(|(word, _)| *word));
-                let hint = meant.map(|meant| format!("; did you mean `{meant}`?")).unwrap_or_default();
+                let meant = find_nearest(&text, known.iter().map(|(word, _)| *word));
+                let hint = meant.map(ask_for).unwrap_or_default();
                 return Err(error(&word, format!("found `{word}`: expected {what}{hint}")));
             };
             if given.iter().any(|(known, _)| *known == word) {

@@ -8,7 +8,7 @@ use super::docs::reject_docs;
 use super::names::parse_used;
 use super::parts::{parse_body, parse_force, parse_free, parse_joint, parse_wheel};
 use super::tokens::{expected, parse_semicolon, parse_word};
-use crate::nearest::nearest;
+use crate::nearest::{ask_for, find_nearest};
 use crate::report::{Report, error};
 use crate::syntax::tree::{Declaration, JointKind, Mechanism};
 
@@ -62,10 +62,9 @@ fn parse_part(input: ParseStream<'_>, mechanism: &mut Mechanism, report: &mut Re
     let word = keyword.to_string();
     let word = match KEYWORDS.into_iter().find(|known| *known == word) {
         Some(known) => known,
-        None => match nearest(&word, KEYWORDS.into_iter()) {
+        None => match find_nearest(&word, KEYWORDS.into_iter()) {
             Some(meant) => {
-                let message = format!("found `{word}`: expected {PARTS}; did you mean `{meant}`?");
-                report.error(&keyword, message);
+                report.error(&keyword, format!("found `{word}`: expected {PARTS}{}", ask_for(meant)));
                 meant
             }
             None => return Err(error(&keyword, format!("found `{word}`: expected {PARTS}"))),

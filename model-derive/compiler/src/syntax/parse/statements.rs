@@ -15,7 +15,7 @@ use super::parameters::{parse_coordinates, parse_parameters};
 use super::sets::parse_set;
 use super::tokens::{expected, parse_equals, parse_semicolon, parse_text};
 use crate::matrix_name::MatrixName;
-use crate::nearest::nearest;
+use crate::nearest::{ask_for, find_nearest};
 use crate::report::{Report, error};
 use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requirement};
 
@@ -47,11 +47,11 @@ pub fn parse_statement(input: ParseStream<'_>, model: &mut Declaration, report: 
     if KEYWORDS.contains(&word.as_str()) {
         return parse_after_keyword(&word, &keyword, input, docs, model, report);
     }
-    let Some(meant) = nearest(&word, KEYWORDS.into_iter()) else {
+    let Some(meant) = find_nearest(&word, KEYWORDS.into_iter()) else {
         return Err(error(&keyword, format!("found `{word}`: expected {STATEMENTS}")));
     };
     // Read on as what was meant, so that the names inside are known.
-    report.error(&keyword, format!("found `{word}`: expected a statement; did you mean `{meant}`?"));
+    report.error(&keyword, format!("found `{word}`: expected a statement{}", ask_for(meant)));
     parse_after_keyword(meant, &keyword, input, docs, model, report)
 }
 
