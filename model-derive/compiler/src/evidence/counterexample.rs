@@ -110,8 +110,8 @@ impl Space<'_> {
 /// The parameters that formulas depend on.
 fn parameters(equations: &Equations) -> Vec<usize> {
     let mut used = vec![false; equations.parameters];
-    for expr in equations.definitions.iter().chain(&equations.outputs) {
-        expr.walk(&mut |part| {
+    for formula in equations.definitions.iter().chain(&equations.outputs) {
+        formula.walk(&mut |part| {
             if let Formula::Parameter(index) = part {
                 used[*index] = true;
             }

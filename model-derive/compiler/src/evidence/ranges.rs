@@ -34,13 +34,13 @@ impl Ranges {
     }
 
     /// Notes that a formula has no values but these.
-    pub fn add_fact(&mut self, expr: &Formula, values: Interval) {
-        self.facts.push((expr.clone(), values));
+    pub fn add_fact(&mut self, formula: &Formula, values: Interval) {
+        self.facts.push((formula.clone(), values));
     }
 
     /// Takes in the next definition.
-    pub fn push_definition(&mut self, expr: &Formula) {
-        let values = self.of(expr);
+    pub fn push_definition(&mut self, formula: &Formula) {
+        let values = self.of(formula);
         self.definitions.push(values);
     }
 

@@ -25,8 +25,8 @@ impl Samples {
     }
 
     /// Enclosures of the values of a formula.
-    pub fn of(&self, expr: &Formula) -> Vec<Interval> {
-        self.0.iter().map(|ranges| ranges.of(expr)).collect()
+    pub fn of(&self, formula: &Formula) -> Vec<Interval> {
+        self.0.iter().map(|ranges| ranges.of(formula)).collect()
     }
 }
 

@@ -47,7 +47,7 @@ impl<'e> Formulas<'e> {
 
     /// The value of a formula for some values of the parameters.
     pub fn at_sample(&self, form: &Form) -> Sample {
-        Sample::of(&form.expr(self.parameters), &self.sample.0, &self.sample.1)
+        Sample::of(&form.to_formula(self.parameters), &self.sample.0, &self.sample.1)
     }
 
     /// A stand-in for a formula, under a name; zero, and what is too short for a name, stays as it is.
@@ -148,7 +148,7 @@ impl<'e> Formulas<'e> {
 
     /// The same without the engine.
     pub fn inserted(&self, form: &Form) -> Formula {
-        self.opened(form).expr(self.parameters)
+        self.opened(form).to_formula(self.parameters)
     }
 
     /// The names and values of the definitions that the derivation made.

@@ -115,17 +115,17 @@ fn derive_with(
 ) -> Result<Result<Derivation, Vec<Fault>>, Failure> {
     let parameters = *parameters;
     let names: Vec<Form> = (0..definitions.len()).map(|index| engine.definition(parameters, index)).collect();
-    let form = |expr: &Formula, place: Place| {
-        engine.form(expr, &names).map_err(|why| Failure::Undefined { equations: 0, place, why })
+    let form = |formula: &Formula, place: Place| {
+        engine.form(formula, &names).map_err(|why| Failure::Undefined { equations: 0, place, why })
     };
-    let values = definitions.iter().enumerate().map(|(index, expr)| form(expr, Place::Definition(index)));
+    let values = definitions.iter().enumerate().map(|(index, formula)| form(formula, Place::Definition(index)));
     let values = values.collect::<Result<_, _>>()?;
-    for (index, expr) in attributes.iter().enumerate() {
-        form(expr, Place::Output(index))?;
+    for (index, formula) in attributes.iter().enumerate() {
+        form(formula, Place::Output(index))?;
     }
     let mut formulas = Formulas::new(engine, parameters, values);
-    let mechanism = mechanism.map(|expr| {
-        engine.form(expr, &names).map_err(|why| Failure::Engine(EngineFailure::Stopped(why.to_string())))
+    let mechanism = mechanism.map(|formula| {
+        engine.form(formula, &names).map_err(|why| Failure::Engine(EngineFailure::Stopped(why.to_string())))
     })?;
     Ok(linearize(mechanism, &mut formulas).map(|linearized| linearized.export(formulas, parameters)))
 }
@@ -172,8 +172,8 @@ impl Linearized {
     /// The formulas without the engine; of the definitions all that are used by others or by results.
     fn export(self, formulas: Formulas<'_>, parameters: usize) -> Derivation {
         let Self { mechanism, motions, matrices } = self;
-        let expr = |form: &Form| form.expr(parameters);
-        let all = |row: &[Form]| row.iter().map(expr).collect();
+        let to_formula = |form: &Form| form.to_formula(parameters);
+        let all = |row: &[Form]| row.iter().map(to_formula).collect();
         let n = mechanism.coordinates.len();
         let yaw = mechanism.root.map(|root| root.yaw);
         // A rate that depends on its own position, as that of a caster does, does not follow from the coordinates.
@@ -187,20 +187,20 @@ impl Linearized {
             Rate {
                 joint,
                 // The forward rate of all is the speed.
-                speed: motions.rates[joint].get(n).map_or(Formula::zero(), expr),
+                speed: motions.rates[joint].get(n).map_or(Formula::zero(), to_formula),
                 rates: all(&motions.rates[joint][..n]),
-                coordinates: mechanism.coordinates.iter().map(|q| expr(&positions[*q])).collect(),
+                coordinates: mechanism.coordinates.iter().map(|q| to_formula(&positions[*q])).collect(),
                 heading: match mechanism.root {
-                    Some(root) if !mechanism.coordinates.contains(&root.yaw) => expr(&positions[root.yaw]),
+                    Some(root) if !mechanism.coordinates.contains(&root.yaw) => to_formula(&positions[root.yaw]),
                     _ => Formula::zero(),
                 },
             }
         });
         let rates = rates.collect();
-        let forces = (0..n).map(|q| mechanism.forces.iter().map(|joint| expr(&motions.rates[*joint][q])).collect());
+        let forces = (0..n).map(|q| mechanism.forces.iter().map(|joint| to_formula(&motions.rates[*joint][q])).collect());
         let forces = forces.collect();
         let matrices = matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect();
-        let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), expr(form))).collect();
+        let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), to_formula(form))).collect();
         Derivation { definitions, matrices, rates, forces }
     }
 }

@@ -84,32 +84,32 @@ impl<'a> Chain<'a> {
             next: equations.origins.iter().map(|origin| origin + 1).fold(beyond, usize::max),
             samples: [Sample::spread(0, parameters), Vec::new()],
         };
-        for (index, expr) in equations.definitions.iter().enumerate() {
-            let form = engine.form(expr, &values).map_err(|why| (Place::Definition(equations.origins[index]), why))?;
-            chain.samples[1].push(Sample::of(expr, &chain.samples[0], &chain.samples[1]));
-            chain.add(Node::Definition(index), expr, &form);
+        for (index, formula) in equations.definitions.iter().enumerate() {
+            let form = engine.form(formula, &values).map_err(|why| (Place::Definition(equations.origins[index]), why))?;
+            chain.samples[1].push(Sample::of(formula, &chain.samples[0], &chain.samples[1]));
+            chain.add(Node::Definition(index), formula, &form);
         }
-        for (index, expr) in equations.outputs.iter().enumerate() {
+        for (index, formula) in equations.outputs.iter().enumerate() {
             if chain.first[index] != index {
                 continue;
             }
-            let form = engine.form(expr, &values).map_err(|why| (Place::Output(index), why))?;
-            chain.add(Node::Output(index), expr, &form);
+            let form = engine.form(formula, &values).map_err(|why| (Place::Output(index), why))?;
+            chain.add(Node::Output(index), formula, &form);
         }
         Ok(chain)
     }
 
     /// Notes the partial derivatives of a formula.
-    fn add(&mut self, node: Node, expr: &Formula, form: &Form) {
+    fn add(&mut self, node: Node, formula: &Formula, form: &Form) {
         let mut inside = BTreeSet::new();
-        expr.walk(&mut |part| match part {
+        formula.walk(&mut |part| match part {
             Formula::Parameter(index) => drop(inside.insert((*index, Node::Parameter(*index)))),
             Formula::Definition(index) => {
                 inside.insert((self.equations.parameters + index, Node::Definition(*index)));
             }
             _ => {}
         });
-        let power = self.power(node, expr, form);
+        let power = self.power(node, formula, form);
         let partial = |(symbol, with)| {
             let partial = form.derivative(symbol);
             (with, power.as_ref().map_or(partial.clone(), |[power, value]| partial.replace(power, value)))
@@ -120,10 +120,10 @@ impl<'a> Chain<'a> {
 
     /// The power of a definition that its derivative is a multiple of, and the same in its name: the square of a
     /// reciprocal, or the reciprocal of a root.
-    fn power(&self, node: Node, expr: &Formula, form: &Form) -> Option<[Form; 2]> {
+    fn power(&self, node: Node, formula: &Formula, form: &Form) -> Option<[Form; 2]> {
         let Node::Definition(index) = node else { return None };
         let name = self.engine.definition(self.equations.parameters, index);
-        match expr {
+        match formula {
             Formula::Product(factors) if is_reciprocal(factors) => Some([form * form, &name * &name]),
             Formula::Call(Function::Sqrt, _) => Some([form, &name].map(|root| Form::number(1).over(root))),
             _ => None,
@@ -141,7 +141,7 @@ impl<'a> Chain<'a> {
             for output in 0..self.first.len() {
                 let of_output = self.partials.get(&Node::Output(self.first[output]));
                 let partial = of_output.and_then(|partials| partials.get(&Node::Parameter(parameter)));
-                let partial = partial.map(|partial| partial.expr(self.equations.parameters));
+                let partial = partial.map(|partial| partial.to_formula(self.equations.parameters));
                 if let Some(partial) = partial.filter(|partial| !self.is_zero(partial)) {
                     self.equations.outputs.push(partial);
                     partials.push((output, parameter));
@@ -204,13 +204,13 @@ impl<'a> Chain<'a> {
             return Some(partial);
         }
         let parameters = self.equations.parameters;
-        let expr = partial.expr(parameters);
-        if self.is_zero(&expr) {
+        let formula = partial.to_formula(parameters);
+        if self.is_zero(&formula) {
             return None;
         }
         let index = self.equations.definitions.len();
-        self.samples[1].push(Sample::of(&expr, &self.samples[0], &self.samples[1]));
-        self.equations.definitions.push(expr);
+        self.samples[1].push(Sample::of(&formula, &self.samples[0], &self.samples[1]));
+        self.equations.definitions.push(formula);
         self.equations.origins.push(self.next);
         self.definitions.insert(self.next, of);
         self.next += 1;

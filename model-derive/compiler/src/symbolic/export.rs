@@ -10,12 +10,12 @@ use crate::formula::{Decimal, Factor, Formula, Function, Term};
 
 impl Form {
     /// The form as a formula of so many parameters and of definitions.
-    pub fn expr(&self, parameters: usize) -> Formula {
-        expr(self.0.as_view(), parameters)
+    pub fn to_formula(&self, parameters: usize) -> Formula {
+        to_formula(self.0.as_view(), parameters)
     }
 }
 
-fn expr(view: AtomView<'_>, parameters: usize) -> Formula {
+fn to_formula(view: AtomView<'_>, parameters: usize) -> Formula {
     match view {
         AtomView::Num(_) => number(view),
         AtomView::Var(symbol) => symbol_at(symbol.get_symbol(), parameters),
@@ -27,7 +27,7 @@ fn expr(view: AtomView<'_>, parameters: usize) -> Formula {
         },
         AtomView::Fun(_) => {
             let argument =
-                |function| call_of(view, function).map(|argument| Box::new(expr(argument.as_view(), parameters)));
+                |function| call_of(view, function).map(|argument| Box::new(to_formula(argument.as_view(), parameters)));
             let call = |function, known| argument(function).map(|argument| Formula::Call(known, argument));
             let known = call(Symbol::SIN, Function::Sin)
                 .or_else(|| call(Symbol::COS, Function::Cos))
@@ -48,9 +48,9 @@ fn signed(term: AtomView<'_>, parameters: usize) -> Term {
         _ => None,
     };
     if factor.is_some_and(|number| number.is_negative()) {
-        Term::minus(expr((-term.to_owned()).as_view(), parameters))
+        Term::minus(to_formula((-term.to_owned()).as_view(), parameters))
     } else {
-        Term::plus(expr(term, parameters))
+        Term::plus(to_formula(term, parameters))
     }
 }
 
@@ -59,10 +59,10 @@ const MAX_ROOTS: usize = 256;
 
 /// A factor and whether it divides.
 fn divided(factor: AtomView<'_>, parameters: usize) -> Factor {
-    let AtomView::Pow(power) = factor else { return Factor::times(expr(factor, parameters)) };
+    let AtomView::Pow(power) = factor else { return Factor::times(to_formula(factor, parameters)) };
     let (base, exponent) = power.get_base_exp();
     let mut exponent = Rational::try_from(exponent).unwrap_or_else(|_| unreachable!("powers are rational"));
-    let mut base = expr(base, parameters);
+    let mut base = to_formula(base, parameters);
     // Roots are powers of a half, roots of roots of a quarter, and so on.
     for root in 0.. {
         if exponent.is_integer() {
@@ -141,7 +141,7 @@ mod tests {
         for case in cases {
             let same = case.clone();
             let out =
-                enter(move |engine| engine.form(&same, &[engine.definition(2, 0)]).expect("it has a value").expr(2));
+                enter(move |engine| engine.form(&same, &[engine.definition(2, 0)]).expect("it has a value").to_formula(2));
             let out = out.expect("the engine works");
             let [before, after] = [&case, &out].map(|formula| formula.evaluate(&[0.7, 1.9], &[1.3]));
             assert!((before - after).abs() <= 1e-14 * before.abs(), "{case:?} became {out:?}: {before} {after}");

@@ -104,7 +104,7 @@ mod tests {
     /// Runs a check of formulas in x = parameter 0 and y = parameter 1.
     fn check(name: &'static str, test: impl FnOnce(&dyn Fn(&Formula) -> Form) -> bool + Send + 'static) {
         let holds =
-            enter(|engine| test(&|expr| engine.form(expr, &[]).expect("it has a value"))).expect("the engine works");
+            enter(|engine| test(&|formula| engine.form(formula, &[]).expect("it has a value"))).expect("the engine works");
         assert!(holds, "{name}");
     }
 
@@ -150,8 +150,8 @@ mod tests {
             (power(zero(), 0), Undefined::DivisionByZero),
             (Formula::Call(Function::Sqrt, Box::new(negative)), Undefined::RootOfNegative),
         ];
-        for (expr, expected) in cases {
-            let found = enter(move |engine| engine.form(&expr, &[]).err()).expect("the engine works");
+        for (formula, expected) in cases {
+            let found = enter(move |engine| engine.form(&formula, &[]).err()).expect("the engine works");
             assert_eq!(found, Some(expected));
         }
     }

@@ -91,7 +91,7 @@ impl Search<'_> {
         self.left = self.left.min(MAX_OPERATIONS / operations.max(1));
         let fractions = self.find_fractions()?;
         let quotients: Vec<bool> =
-            self.equations.definitions.iter().zip(&fractions).map(|(expr, inline)| *inline || divides(expr)).collect();
+            self.equations.definitions.iter().zip(&fractions).map(|(formula, inline)| *inline || divides(formula)).collect();
         // All formulas alike first: from the best of these starts single changes go on, and none of them would lead from
         // one such start to another.
         for inline in [&none, &used_once, &fractions, &quotients] {
@@ -154,8 +154,8 @@ impl Search<'_> {
         let mut inline = vec![false; definitions.len()];
         definitions.iter().flat_map(divisors).for_each(|index| inline[index] = true);
         let mut values = Vec::new();
-        for (index, expr) in definitions.iter().enumerate() {
-            let form = self.engine.form(expr, &values).map_err(|why| (Place::Definition(origins[index]), why))?;
+        for (index, formula) in definitions.iter().enumerate() {
+            let form = self.engine.form(formula, &values).map_err(|why| (Place::Definition(origins[index]), why))?;
             inline[index] |= form.is_fraction();
             let inside = inline[index] && !System::keeps(&form);
             values.push(if inside { form } else { names[index].clone() });
@@ -231,25 +231,25 @@ impl Search<'_> {
 }
 
 /// The definitions that a formula uses, each once.
-fn used(expr: &Formula) -> Vec<usize> {
-    let mut used = expr.find_definitions();
+fn used(formula: &Formula) -> Vec<usize> {
+    let mut used = formula.find_definitions();
     used.sort_unstable();
     used.dedup();
     used
 }
 
 /// Whether a formula is a product that divides by something.
-fn divides(expr: &Formula) -> bool {
-    match expr {
+fn divides(formula: &Formula) -> bool {
+    match formula {
         Formula::Product(factors) => factors.iter().any(|factor| factor.inverse || divides(&factor.value)),
         _ => false,
     }
 }
 
 /// The definitions that a formula divides by.
-fn divisors(expr: &Formula) -> Vec<usize> {
+fn divisors(formula: &Formula) -> Vec<usize> {
     let mut divisors = Vec::new();
-    expr.walk(&mut |part| {
+    formula.walk(&mut |part| {
         if let Formula::Product(factors) = part {
             divisors.extend(factors.iter().filter(|factor| factor.inverse).flat_map(|factor| used(&factor.value)));
         }

@@ -93,11 +93,11 @@ impl System {
             }
         }
         let definitions = equations.definitions.len();
-        let (expr, place) = match formula.checked_sub(definitions) {
+        let (formula, place) = match formula.checked_sub(definitions) {
             None => (&equations.definitions[formula], Place::Definition(equations.origins[formula])),
             Some(output) => (&equations.outputs[output], Place::Output(output)),
         };
-        engine.form(expr, &values).map_err(|why| (place, why))
+        engine.form(formula, &values).map_err(|why| (place, why))
     }
 
     /// What is in a definition.
