@@ -4,7 +4,7 @@ use crate::equations::Equations;
 use crate::matrix_name::MatrixName;
 use crate::model::Model;
 use crate::program::{Counts, Instruction, Program, Value, passes};
-use crate::symbolic::{self, Derived, Failure, Node};
+use crate::symbolic::{self, Differentiated, Failure, Node};
 
 /// The program of values and derivatives, and what its outputs are.
 #[derive(Debug)]
@@ -36,23 +36,23 @@ pub struct Partial {
 /// If the engine cannot be had or fails.
 pub fn compile(model: &Model, matrices: &Program) -> Result<Derivatives, Failure> {
     let [formulas, values] = [Equations::of_matrices(model), Equations::of_program(model, matrices)];
-    let derived = symbolic::derive(vec![formulas, values], model.definitions.len())?;
+    let differentiated = symbolic::derive(vec![formulas, values], model.definitions.len())?;
     // The constants of a program are rounded, those of the formulas are not: what is zero is proved there.
-    let exact = derived[0].partials.clone();
-    let same: Vec<Derived> = derived.into_iter().filter(|derived| derived.partials == exact).collect();
-    let programs = symbolic::compile(same.iter().map(|derived| derived.equations.clone()).collect())?;
-    let all = same.into_iter().zip(programs).map(|(derived, program)| {
-        let (program, partials) = shared(program, &derived.partials);
-        (derived, program, partials)
+    let exact = differentiated[0].partials.clone();
+    let same: Vec<Differentiated> = differentiated.into_iter().filter(|differentiated| differentiated.partials == exact).collect();
+    let programs = symbolic::compile(same.iter().map(|differentiated| differentiated.equations.clone()).collect())?;
+    let all = same.into_iter().zip(programs).map(|(differentiated, program)| {
+        let (program, partials) = share_values(program, &differentiated.partials);
+        (differentiated, program, partials)
     });
-    let Some((derived, program, partials)) = all.min_by_key(|(_, program, _)| Counts::of(program).cost()) else {
+    let Some((differentiated, program, partials)) = all.min_by_key(|(_, program, _)| Counts::of(program).cost()) else {
         unreachable!("the derivatives of the formulas are among them")
     };
-    Ok(named(model, derived, program, partials))
+    Ok(name_values(model, differentiated, program, partials))
 }
 
 /// With each value once, of derivatives that are equal or opposite: those of the mirror image of an entry, for one.
-fn shared(mut program: Program, partials: &[(usize, usize)]) -> (Program, Vec<Partial>) {
+fn share_values(mut program: Program, partials: &[(usize, usize)]) -> (Program, Vec<Partial>) {
     let derivatives = program.outputs.split_off(program.outputs.len() - partials.len());
     let mut values: Vec<Value> = Vec::new();
     let mut partial = |(&(entry, parameter), &output): (&(usize, usize), &Value)| {
@@ -82,8 +82,8 @@ pub fn entry_names(model: &Model) -> Vec<String> {
 }
 
 /// With a name for each value that is the derivative of something with a name: `mu_c` for that of `mu` by `c`.
-fn named(model: &Model, derived: Derived, mut program: Program, partials: Vec<Partial>) -> Derivatives {
-    let Derived { equations, definitions, .. } = derived;
+fn name_values(model: &Model, differentiated: Differentiated, mut program: Program, partials: Vec<Partial>) -> Derivatives {
+    let Differentiated { equations, definitions, .. } = differentiated;
     let entries = entry_names(model);
     let name = |node: &Node| match *node {
         Node::Parameter(index) => Some(model.parameters[index].name.to_string()),

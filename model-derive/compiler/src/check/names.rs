@@ -82,7 +82,7 @@ impl Scope {
     }
 
     /// "; did you mean `…`?" with the nearest name in formulas, if one is near.
-    pub fn suggestion(&mut self, name: &Ident) -> String {
+    pub fn suggest(&mut self, name: &Ident) -> String {
         let usable = self.order.iter().filter(|known| self.names.get(*known) != Some(&Meaning::Coordinate));
         match find_nearest(&name.to_string(), usable.map(String::as_str)) {
             Some(known) => {

@@ -70,7 +70,7 @@ fn resolve_names(expression: &Expression, scope: &mut Scope, report: &mut Report
                     None => match reserved(&name.to_string()) {
                         Some(what) => format!("`{name}`, {what}, is not supported in formulas: expected a formula"),
                         None => {
-                            let hint = scope.suggestion(name);
+                            let hint = scope.suggest(name);
                             format!("unknown name `{name}`: expected a parameter or a definition{hint}")
                         }
                     },

@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::evaluator::{self, Body};
-use super::names::Names;
+use super::names::GeneratedNames;
 use super::{derive, docs};
 use crate::derivatives::{Derivatives, Partial, entry_names};
 use crate::matrix_name::MatrixName;
@@ -13,11 +13,11 @@ use crate::program::Counts;
 
 /// The struct and the function, and then which value is which derivative; nothing for a model that does not ask for
 /// derivatives.
-pub fn emit(model: &Model, names: &Names, computed: Option<&Derivatives>) -> [Option<TokenStream>; 2] {
+pub fn emit(model: &Model, names: &GeneratedNames, computed: Option<&Derivatives>) -> [Option<TokenStream>; 2] {
     if model.derivatives.is_none() {
         return [None, None];
     }
-    let Names { runtime, model: name, matrices, derivatives, scalar, .. } = names;
+    let GeneratedNames { runtime, model: name, matrices, derivatives, scalar, .. } = names;
     let visibility = &model.visibility;
     let (allow, derive) = (names.allow(), derive());
     let partials = computed.map_or(&[][..], |computed| &computed.partials);
@@ -90,7 +90,7 @@ fn table(model: &Model, partials: &[Partial], runtime: &TokenStream) -> Vec<Toke
     partials.iter().map(partial).collect()
 }
 
-fn body(model: &Model, names: &Names, computed: &Derivatives) -> TokenStream {
+fn body(model: &Model, names: &GeneratedNames, computed: &Derivatives) -> TokenStream {
     let program = &computed.program;
     let derivatives = &names.derivatives;
     let entries = model.matrices.len() * model.coordinates.len().pow(2);
@@ -111,8 +111,8 @@ fn body(model: &Model, names: &Names, computed: &Derivatives) -> TokenStream {
 }
 
 /// All matrices derived with respect to one parameter.
-fn with_respect_to(model: &Model, names: &Names, count: usize) -> TokenStream {
-    let Names { runtime, matrices: all, derivatives, scalar, .. } = names;
+fn with_respect_to(model: &Model, names: &GeneratedNames, count: usize) -> TokenStream {
+    let GeneratedNames { runtime, matrices: all, derivatives, scalar, .. } = names;
     let [parameter, matrices, position, partial, matrix, zero] =
         ["parameter", "matrices", "position", "partial", "matrix", "zero"].map(|name| names.variable(name));
     let [n, parameters, count] =
@@ -149,8 +149,8 @@ fn with_respect_to(model: &Model, names: &Names, count: usize) -> TokenStream {
     }
 }
 
-fn differentiable(model: &Model, names: &Names, count: usize) -> TokenStream {
-    let Names { runtime, model: name, matrices: rows, derivatives, scalar, .. } = names;
+fn differentiable(model: &Model, names: &GeneratedNames, count: usize) -> TokenStream {
+    let GeneratedNames { runtime, model: name, matrices: rows, derivatives, scalar, .. } = names;
     let allow = names.allow();
     let [n, parameters, count] =
         [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);

@@ -6,15 +6,15 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::fields::{field_docs, field_name};
-use super::names::Names;
+use super::names::GeneratedNames;
 use super::{derive, docs, number};
 use crate::derivatives::entry_names;
 use crate::matrix_name::MatrixName;
 use crate::model::{Model, Origin, Requirement};
 use crate::program::{Counts, Instruction, Program, Value};
 
-pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStream {
-    let Names { runtime, model: name, matrices, scalar, .. } = names;
+pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) -> TokenStream {
+    let GeneratedNames { runtime, model: name, matrices, scalar, .. } = names;
     let visibility = &model.visibility;
     let n = model.coordinates.len();
     let allow = names.allow();
@@ -62,8 +62,8 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStr
 }
 
 /// How the struct of the matrices comes from their entries, and what it is among all matrices that there can be.
-pub fn emit_conversions(model: &Model, names: &Names) -> TokenStream {
-    let Names { runtime, matrices, scalar, .. } = names;
+pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
+    let GeneratedNames { runtime, matrices, scalar, .. } = names;
     let allow = names.allow();
     let entries = names.variable("entries");
     let fields = fields(model);
@@ -130,7 +130,7 @@ fn field(matrix: MatrixName, model: &Model) -> Ident {
     Ident::new(field_name(matrix), declared.map_or(Span::call_site(), |(_, span)| *span))
 }
 
-fn matrices_body(model: &Model, names: &Names, program: &Program) -> TokenStream {
+fn matrices_body(model: &Model, names: &GeneratedNames, program: &Program) -> TokenStream {
     let body = Body::new(program, model, names, &results(model, program));
     let statements = body.statements();
     let matrices = literal(&body, &program.outputs, model, names);
@@ -138,7 +138,7 @@ fn matrices_body(model: &Model, names: &Names, program: &Program) -> TokenStream
 }
 
 /// The struct of the matrices, whose entries are the first of the outputs.
-pub fn literal(body: &Body, outputs: &[Value], model: &Model, names: &Names) -> TokenStream {
+pub fn literal(body: &Body, outputs: &[Value], model: &Model, names: &GeneratedNames) -> TokenStream {
     let matrices = &names.matrices;
     let entries = model.matrices.len() * model.coordinates.len().pow(2);
     let values = outputs[..entries].iter().map(|value| &body.values[*value]);
@@ -207,7 +207,7 @@ const MAX_SCOPES: usize = 250;
 
 impl Body {
     /// With names for some of the values, as far as nothing else has them.
-    pub fn new(program: &Program, model: &Model, names: &Names, results: &[(Value, String)]) -> Self {
+    pub fn new(program: &Program, model: &Model, names: &GeneratedNames, results: &[(Value, String)]) -> Self {
         let mut uses = program.uses();
         for instruction in &program.instructions {
             if let Instruction::Square(a) = instruction {
@@ -288,14 +288,14 @@ impl Body {
         if self.strengths[value] >= needed { quote!(#expression) } else { quote!((#expression)) }
     }
 
-    fn call(&self, function: &str, argument: Value, names: &Names) -> TokenStream {
+    fn call(&self, function: &str, argument: Value, names: &GeneratedNames) -> TokenStream {
         // What stands between the parentheses of a call needs none of its own.
         let argument =
             if names.among_items { self.values[argument].clone() } else { self.operand(argument, Strength::Atom) };
         names.call(function, &argument, None)
     }
 
-    fn expression(&self, instruction: Instruction, model: &Model, names: &Names) -> TokenStream {
+    fn expression(&self, instruction: Instruction, model: &Model, names: &GeneratedNames) -> TokenStream {
         // Operators of one strength are applied from the left.
         let sum = |a, sign: TokenStream, b| {
             let (a, b) = (self.operand(a, Strength::Sum), self.operand(b, Strength::Product));
@@ -335,7 +335,7 @@ impl Body {
 }
 
 /// A number, in as many lanes as the parameters have.
-pub fn constant(value: f64, model: &Model, names: &Names) -> TokenStream {
+pub fn constant(value: f64, model: &Model, names: &GeneratedNames) -> TokenStream {
     let value = number(value);
     let some = model.parameters.iter().find(|parameter| parameter.used).or(model.parameters.first());
     let some = some.map(|parameter| &parameter.name);

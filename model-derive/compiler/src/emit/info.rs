@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::evaluator::entries;
-use super::names::Names;
+use super::names::GeneratedNames;
 use super::number;
 use super::structure::constant;
 use crate::domain::{Bound, Domain};
@@ -12,8 +12,8 @@ use crate::matrix_name::MatrixName;
 use crate::model::Model;
 use crate::program::Program;
 
-pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenStream {
-    let Names { runtime, model: model_name, .. } = names;
+pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -> TokenStream {
+    let GeneratedNames { runtime, model: model_name, .. } = names;
     let Model { docs, source, .. } = model;
     let name = model.name.to_string();
     let parameters = model.parameters.iter().map(|parameter| {
@@ -73,7 +73,7 @@ pub fn emit(model: &Model, names: &Names, matrices: Option<&Program>) -> TokenSt
     }
 }
 
-pub fn domain(domain: Domain, names: &Names) -> TokenStream {
+pub fn domain(domain: Domain, names: &GeneratedNames) -> TokenStream {
     let runtime = &names.runtime;
     let bound = |bound| match bound {
         Bound::Unbounded => quote!(#runtime::Bound::Unbounded),

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::evaluator::Body;
-use super::names::Names;
+use super::names::GeneratedNames;
 use super::{derive, docs};
 use crate::formula::Formula;
 use crate::free_name::take_free_name;
@@ -15,12 +15,12 @@ use crate::model::Model;
 use crate::program::{Counts, Program};
 
 /// Nothing for a model whose formulas are written, or whose mechanism has no motions and forces beside its coordinates.
-pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> Option<TokenStream> {
+pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) -> Option<TokenStream> {
     let kinematics = model.kinematics.as_ref()?;
     if kinematics.rates.is_empty() && kinematics.applied.is_empty() {
         return None;
     }
-    let Names { runtime, model: name, kinematics: output, scalar, .. } = names;
+    let GeneratedNames { runtime, model: name, kinematics: output, scalar, .. } = names;
     let visibility = &model.visibility;
     let (n, forces) = (model.coordinates.len(), kinematics.applied.len());
     let [size, force_count] = [n, forces].map(Literal::usize_unsuffixed);
@@ -81,12 +81,12 @@ fn fields(kinematics: &Kinematics<Formula>) -> Vec<Ident> {
 
 fn body(
     model: &Model,
-    names: &Names,
+    names: &GeneratedNames,
     kinematics: &Kinematics<Formula>,
     fields: &[Ident],
     program: &Program,
 ) -> TokenStream {
-    let Names { runtime, kinematics: output, .. } = names;
+    let GeneratedNames { runtime, kinematics: output, .. } = names;
     let body = Body::new(program, model, names, &[]);
     let statements = body.statements();
     let mut values = program.outputs.iter().map(|value| &body.values[*value]);

@@ -5,13 +5,13 @@ use quote::{format_ident, quote};
 
 use super::evaluator::entries;
 use super::fields::field_name;
-use super::names::Names;
+use super::names::GeneratedNames;
 use crate::matrix_name::MatrixName;
 use crate::model::Model;
 use crate::program::Program;
 
-pub fn emit(model: &Model, names: &Names, program: Option<&Program>) -> TokenStream {
-    let Names { runtime, model: name, matrices: all, scalar, .. } = names;
+pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) -> TokenStream {
+    let GeneratedNames { runtime, model: name, matrices: all, scalar, .. } = names;
     let allow = names.allow();
     let n = model.coordinates.len();
     let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();

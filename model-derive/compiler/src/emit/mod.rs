@@ -15,7 +15,7 @@ mod trait_impl;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use self::names::Names;
+use self::names::GeneratedNames;
 #[cfg(feature = "files")]
 pub use self::names::allowed;
 use crate::model::Model;
@@ -63,7 +63,7 @@ pub fn outline(model: Model, driver: &Driver) -> TokenStream {
 
 fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Driver) -> Vec<Section> {
     let computed = programs.and_then(|programs| programs.derivatives.as_ref());
-    let names = Names::new(model, computed, driver);
+    let names = GeneratedNames::new(model, computed, driver);
     // Without coordinates, which is a mistake, there is no size of the matrices.
     let sized = !model.coordinates.is_empty();
     let matrices = programs.map(|programs| &programs.matrices);

@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::program::{Instruction, Program, Value};
 
 /// The names that the parts share.
-pub struct Names {
+pub struct GeneratedNames {
     /// The path of the runtime.
     pub runtime: TokenStream,
     pub model: Ident,
@@ -29,7 +29,7 @@ pub struct Names {
     pub among_items: bool,
 }
 
-impl Names {
+impl GeneratedNames {
     pub fn new(model: &Model, derivatives: Option<&Derivatives>, driver: &Driver) -> Self {
         let name = model.name.clone();
         let unless_taken =

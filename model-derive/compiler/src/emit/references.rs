@@ -4,13 +4,13 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::docs;
-use super::names::Names;
+use super::names::GeneratedNames;
 use crate::model::{Model, Target};
 
 /// Definitions as the fields of a struct, and every use of a name, at its span, as a read of a field: fields alone
 /// cannot be taken for an item of the user's. All is private to an unnamed constant, and a place that nothing is
 /// bound to costs the compiler next to nothing.
-pub fn emit(model: &Model, names: &Names) -> TokenStream {
+pub fn emit(model: &Model, names: &GeneratedNames) -> TokenStream {
     let allow = names.allow();
     let name = &names.model;
     let [all, declaration] = ["Definitions", "Declaration"].map(|suffix| format_ident!("{name}{suffix}"));

@@ -3,18 +3,18 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::names::Names;
+use super::names::GeneratedNames;
 use super::{derive, docs, number, or};
 use crate::model::{Model, Parameter, ParameterSet};
 
 /// The struct, its parameter sets if there are any, and the conversions.
-pub fn emit(model: &Model, names: &Names) -> (TokenStream, Option<TokenStream>, TokenStream) {
+pub fn emit(model: &Model, names: &GeneratedNames) -> (TokenStream, Option<TokenStream>, TokenStream) {
     let sets = (!model.sets.is_empty()).then(|| emit_sets(model, names));
     (emit_struct(model, names), sets, emit_conversions(model, names))
 }
 
-fn emit_struct(model: &Model, names: &Names) -> TokenStream {
-    let Names { model: name, scalar, .. } = names;
+fn emit_struct(model: &Model, names: &GeneratedNames) -> TokenStream {
+    let GeneratedNames { model: name, scalar, .. } = names;
     let Model { visibility, parameters, .. } = model;
     let (allow, derive) = (names.allow(), derive());
     let struct_docs = docs(&model_docs(model));
@@ -31,8 +31,8 @@ fn emit_struct(model: &Model, names: &Names) -> TokenStream {
 }
 
 /// All other conversions go by way of the array, so that the fields are listed once for each direction.
-fn emit_conversions(model: &Model, names: &Names) -> TokenStream {
-    let Names { runtime, model: name, scalar, other, .. } = names;
+fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
+    let GeneratedNames { runtime, model: name, scalar, other, .. } = names;
     let allow = names.allow();
     let fields = fields(model);
     let count = Literal::usize_unsuffixed(fields.len());
@@ -70,7 +70,7 @@ fn fields(model: &Model) -> Vec<&Ident> {
     model.parameters.iter().map(|parameter| &parameter.name).collect()
 }
 
-fn emit_sets(model: &Model, names: &Names) -> TokenStream {
+fn emit_sets(model: &Model, names: &GeneratedNames) -> TokenStream {
     let (name, allow, fields) = (&names.model, names.allow(), fields(model));
     let constants = model.sets.iter().map(|set| {
         let constant = constant(set);

@@ -5,12 +5,12 @@ use quote::quote;
 
 use super::evaluator::Body;
 use super::info;
-use super::names::Names;
+use super::names::GeneratedNames;
 use crate::model::Model;
 use crate::program::Program;
 
-pub fn emit(model: &Model, names: &Names, program: Option<&Program>, requirements: Option<&Program>) -> TokenStream {
-    let Names { runtime, model: name, matrices, scalar, other, .. } = names;
+pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>, requirements: Option<&Program>) -> TokenStream {
+    let GeneratedNames { runtime, model: name, matrices, scalar, other, .. } = names;
     let allow = names.allow();
     let n = Literal::usize_unsuffixed(model.coordinates.len());
     let count = Literal::usize_unsuffixed(model.parameters.len());
@@ -81,7 +81,7 @@ pub fn emit(model: &Model, names: &Names, program: Option<&Program>, requirement
     }
 }
 
-fn validate_requirements(model: &Model, names: &Names, info: &Ident, program: &Program) -> TokenStream {
+fn validate_requirements(model: &Model, names: &GeneratedNames, info: &Ident, program: &Program) -> TokenStream {
     let runtime = &names.runtime;
     let body = Body::new(program, model, names, &[]);
     let statements = body.statements();

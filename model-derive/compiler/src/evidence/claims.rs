@@ -90,7 +90,7 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
         let [(left, _), (right, _)] = &claim.sides;
         let tried = match space.counterexample(definitions, &pair, left, right) {
             Ok(counterexample) => {
-                report.error(claim.region(), refuted(claim, &counterexample, parameters));
+                report.error(claim.region(), describe_refuted(claim, &counterexample, parameters));
                 continue;
             }
             Err(tried) => tried,
@@ -105,16 +105,16 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
                          theorems; expected formulas that are"
                     }
                 };
-                report.error(claim.region(), format!("{}, and {}: {why}", unproved(claim), none_among(tried)));
+                report.error(claim.region(), format!("{}, and {}: {why}", describe_unproved(claim), describe_tried(tried)));
             }
             Err(failure) => report.error(claim.region(), failure),
         }
     }
 }
 
-fn refuted(claim: &Claim, counterexample: &Counterexample, parameters: &[Ident]) -> String {
+fn describe_refuted(claim: &Claim, counterexample: &Counterexample, parameters: &[Ident]) -> String {
     let Counterexample { set, values, left, right } = counterexample;
-    let [left, right] = apart(*left, *right);
+    let [left, right] = set_apart(*left, *right);
     let values: Vec<String> = values.iter().map(|(index, value)| format!("{} = {value}", parameters[*index])).collect();
     let place = match (set, values.is_empty()) {
         (_, true) => String::new(),
@@ -134,7 +134,7 @@ fn refuted(claim: &Claim, counterexample: &Counterexample, parameters: &[Ident])
     }
 }
 
-fn unproved(claim: &Claim) -> String {
+fn describe_unproved(claim: &Claim) -> String {
     match &claim.kind {
         Kind::Mirrored(name, row, column) => format!(
             "`{}` could not be proved symmetric in row {column}, column {row} and row {row}, column {column}",
@@ -144,7 +144,7 @@ fn unproved(claim: &Claim) -> String {
     }
 }
 
-fn none_among(tried: usize) -> String {
+fn describe_tried(tried: usize) -> String {
     match tried {
         0 => "no values were found that the domains and requirements allow".into(),
         1 => "one set of values that was tried shows no difference".into(),
@@ -153,7 +153,7 @@ fn none_among(tried: usize) -> String {
 }
 
 /// Two different numbers with no more digits than it takes to see that.
-fn apart(left: f64, right: f64) -> [String; 2] {
+fn set_apart(left: f64, right: f64) -> [String; 2] {
     let short = |value: f64, digits: usize| {
         let rounded = format!("{value:.digits$e}").parse().unwrap_or(value);
         format!("{rounded}")

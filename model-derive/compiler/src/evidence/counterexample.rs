@@ -1,7 +1,7 @@
 //! Values of the parameters for which a claim is wrong.
 
 use super::intervals::Interval;
-use super::ranges::{Constants, Ranges};
+use super::ranges::{Reading, Ranges};
 use crate::domain::{Bound, Domain};
 use crate::equations::Equations;
 use crate::formula::Formula;
@@ -100,7 +100,7 @@ impl Space<'_> {
             return Err(true);
         }
         let points = parameters.iter().map(|value| Interval::point(*value)).collect();
-        let mut ranges = Ranges::new(Constants::Exact, points);
+        let mut ranges = Ranges::new(Reading::Exact, points);
         equations.definitions.iter().for_each(|definition| ranges.push_definition(definition));
         let [a, b] = [0, 1].map(|side| ranges.of(&equations.outputs[side]));
         if a.is_apart_from(b) { Ok((left, right)) } else { Err(true) }

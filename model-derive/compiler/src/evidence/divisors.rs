@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::intervals::Interval;
-use super::ranges::{Constants, Ranges};
+use super::ranges::{Reading, Ranges};
 use super::samples::{Samples, maybe_multiples, maybe_zero};
 use super::sourced::Sourced;
 use crate::check::Checked;
@@ -17,7 +17,7 @@ use crate::symbolic::{self, Depth, Proof, Sign};
 
 /// The formulas of a model, each with where it comes from.
 #[derive(Debug)]
-pub struct Formulas<'a> {
+pub struct SourcedFormulas<'a> {
     pub definitions: Vec<Sourced<'a>>,
     /// Of the mechanism.
     pub attributes: Vec<Sourced<'a>>,
@@ -67,11 +67,11 @@ impl Subject<'_> {
 pub fn find_requirements(
     checked: &Checked<'_>,
     derived: &Derived,
-    formulas: &Formulas<'_>,
+    formulas: &SourcedFormulas<'_>,
     report: &mut Report,
 ) -> Vec<Requirement> {
     let mut search = Search::new(checked, derived, formulas, report);
-    let Formulas { attributes, entries, requirements, claims, .. } = formulas;
+    let SourcedFormulas { attributes, entries, requirements, claims, .. } = formulas;
     // What is derived from a mechanism needs what that does, but in other words.
     search.settle(Origin::Matrices, attributes.to_vec());
     search.settle(Origin::Matrices, search.with_definitions(entries));
@@ -89,7 +89,7 @@ pub fn find_requirements(
 struct Search<'a> {
     checked: &'a Checked<'a>,
     derived: &'a Derived,
-    formulas: &'a Formulas<'a>,
+    formulas: &'a SourcedFormulas<'a>,
     report: &'a mut Report,
     ranges: Ranges,
     samples: Samples,
@@ -101,8 +101,8 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(checked: &'a Checked<'a>, derived: &'a Derived, formulas: &'a Formulas<'a>, report: &'a mut Report) -> Self {
-        let mut ranges = Ranges::new(Constants::Nearest, checked.domains.iter().copied().map(Interval::from).collect());
+    fn new(checked: &'a Checked<'a>, derived: &'a Derived, formulas: &'a SourcedFormulas<'a>, report: &'a mut Report) -> Self {
+        let mut ranges = Ranges::new(Reading::Nearest, checked.domains.iter().copied().map(Interval::from).collect());
         for Requirement { value, domain, .. } in &checked.requirements {
             ranges.add_fact(value, (*domain).into());
             // The definition's own formula has the same values.

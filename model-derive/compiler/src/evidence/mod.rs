@@ -14,7 +14,7 @@ mod unused;
 
 use self::claims::Claim;
 use self::counterexample::Space;
-use self::divisors::Formulas;
+use self::divisors::SourcedFormulas;
 use self::sourced::{Source, Sourced};
 use crate::check::{Checked, CheckedSet};
 use crate::derivation::Derived;
@@ -103,7 +103,7 @@ fn prove(checked: &Checked<'_>, derived: &Derived, report: &mut Report) -> Vec<R
 }
 
 /// The formulas of a model, each with where it comes from.
-fn gather<'a>(checked: &'a Checked<'_>, derived: &'a Derived) -> Formulas<'a> {
+fn gather<'a>(checked: &'a Checked<'_>, derived: &'a Derived) -> SourcedFormulas<'a> {
     let declaration = checked.declaration;
     let sourced = |formula: &'a Formula, source: Source<'a>| Sourced { formula, source };
     let mechanism = declaration.mechanism.as_ref();
@@ -127,7 +127,7 @@ fn gather<'a>(checked: &'a Checked<'_>, derived: &'a Derived) -> Formulas<'a> {
     let sides = checked.assertions.iter().flatten().zip(sides);
     let asserted = declaration.asserted.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
     let asserted = checked.asserted.iter().flatten().flatten().zip(asserted);
-    Formulas {
+    SourcedFormulas {
         definitions: definitions.map(|(formula, source)| sourced(formula, source)).collect(),
         attributes: checked.attributes.iter().zip(attributes).map(|(f, w)| sourced(f, Source::Written(w))).collect(),
         entries,

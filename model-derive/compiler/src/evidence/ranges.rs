@@ -11,7 +11,7 @@ use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
 #[derive(Debug)]
 pub struct Ranges {
     /// How constants are read.
-    constants: Constants,
+    reading: Reading,
     parameters: Vec<Interval>,
     /// Of the first definitions, in the order of the model.
     definitions: Vec<Interval>,
@@ -21,7 +21,7 @@ pub struct Ranges {
 
 /// How constants are read.
 #[derive(Clone, Copy, Debug)]
-pub enum Constants {
+pub enum Reading {
     /// As the nearest `f64`: what the generated code computes with.
     Nearest,
     /// As an interval around the exact number.
@@ -29,8 +29,8 @@ pub enum Constants {
 }
 
 impl Ranges {
-    pub fn new(constants: Constants, parameters: Vec<Interval>) -> Self {
-        Self { constants, parameters, definitions: Vec::new(), facts: Vec::new() }
+    pub fn new(reading: Reading, parameters: Vec<Interval>) -> Self {
+        Self { reading, parameters, definitions: Vec::new(), facts: Vec::new() }
     }
 
     /// Notes that a formula has no values but these.
@@ -57,8 +57,8 @@ impl Algebra for Ranges {
 
     fn number(&self, number: &Decimal) -> Result<Interval, Infallible> {
         let nearest = number.to_f64();
-        Ok(match self.constants {
-            Constants::Exact if number.to_integer().is_none() => {
+        Ok(match self.reading {
+            Reading::Exact if number.to_integer().is_none() => {
                 Interval::closed(nearest.next_down(), nearest.next_up())
             }
             _ => Interval::point(nearest),
@@ -66,9 +66,9 @@ impl Algebra for Ranges {
     }
 
     fn pi(&self) -> Interval {
-        match self.constants {
-            Constants::Nearest => Interval::point(PI),
-            Constants::Exact => Interval::closed(PI, PI.next_up()),
+        match self.reading {
+            Reading::Nearest => Interval::point(PI),
+            Reading::Exact => Interval::closed(PI, PI.next_up()),
         }
     }
 

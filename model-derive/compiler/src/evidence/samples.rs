@@ -1,7 +1,7 @@
 //! Formulas at a few parameters: what is different there needs no attempt to prove it equal, which can take long.
 
 use super::intervals::Interval;
-use super::ranges::{Constants, Ranges};
+use super::ranges::{Reading, Ranges};
 use crate::domain::{Bound, Domain};
 use crate::formula::Formula;
 use crate::symbolic::GOLDEN;
@@ -17,7 +17,7 @@ impl Samples {
     pub fn new(domains: &[Domain], definitions: &[Formula]) -> Self {
         let sample = |number| {
             let parameters = domains.iter().enumerate().map(|(index, domain)| inside(domain, fraction(index, number)));
-            let mut ranges = Ranges::new(Constants::Exact, parameters.map(Interval::point).collect());
+            let mut ranges = Ranges::new(Reading::Exact, parameters.map(Interval::point).collect());
             definitions.iter().for_each(|definition| ranges.push_definition(definition));
             ranges
         };

@@ -64,7 +64,7 @@ fn wanted(models: &Path) -> Result<BTreeMap<String, String>, String> {
     for path in &sources {
         let name = file_name(path);
         match source::compile(path, &format!("generated/models/{name}")) {
-            Ok(source::Compiled { model, text }) => {
+            Ok(source::Generated { model, text }) => {
                 files.insert(name, text);
                 names.push(model);
             }

@@ -10,7 +10,7 @@ use super::layout;
 use crate::emit::{self, Driver};
 
 /// What a source is compiled to.
-pub struct Compiled {
+pub struct Generated {
     /// The name of the model.
     pub model: String,
     /// The text of a Rust file.
@@ -21,13 +21,13 @@ pub struct Compiled {
 ///
 /// # Errors
 /// Every mistake, as `path:line:column: error: …` with the line and a mark below it.
-pub fn compile(path: &Path, shown: &str) -> Result<Compiled, String> {
+pub fn compile(path: &Path, shown: &str) -> Result<Generated, String> {
     let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
     let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
     let compiled = crate::compile(tokens).map_err(|error| render(&error, shown, &text))?;
     let rust = layout::lay_out(&emit::emit_sections(&compiled, &Driver::File));
     let rust = rust.map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
-    Ok(Compiled { model: compiled.model.name.to_string(), text: format!("{}\n{rust}", header(shown, &text)) })
+    Ok(Generated { model: compiled.model.name.to_string(), text: format!("{}\n{rust}", header(shown, &text)) })
 }
 
 fn header(shown: &str, text: &str) -> String {

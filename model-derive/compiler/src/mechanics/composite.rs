@@ -34,8 +34,8 @@ impl<'a> Composites<'a> {
         let mut moved: Vec<Moved> = Vec::new();
         // Children come behind their parents.
         for index in (0..count).rev() {
-            let composite = composite(mechanism, index, &composites, formulas);
-            moved.push(motion(mechanism, index, &composite, formulas));
+            let composite = combine_bodies(mechanism, index, &composites, formulas);
+            moved.push(find_moved(mechanism, index, &composite, formulas));
             composites[index] = Some(composite);
         }
         moved.reverse();
@@ -63,7 +63,7 @@ impl<'a> Composites<'a> {
 }
 
 /// All that a joint moves, about the joint's point.
-fn composite(
+fn combine_bodies(
     mechanism: &Mechanism<Form>,
     index: usize,
     composites: &[Option<Composite>],
@@ -118,7 +118,8 @@ impl Composite {
     }
 }
 
-fn motion(mechanism: &Mechanism<Form>, index: usize, composite: &Composite, formulas: &mut Formulas<'_>) -> Moved {
+/// What a joint moves at unit rate.
+fn find_moved(mechanism: &Mechanism<Form>, index: usize, composite: &Composite, formulas: &mut Formulas<'_>) -> Moved {
     let joint = &mechanism.joints[index];
     let (momentum, angular) = match joint.motion {
         Motion::Slides => (scale(&composite.mass, &joint.axis), cross(&composite.moment, &joint.axis)),
@@ -135,7 +136,7 @@ fn motion(mechanism: &Mechanism<Form>, index: usize, composite: &Composite, form
 }
 
 /// A wheel's spin momentum divided by the forward speed, for each joint that carries it: those of its wheels together.
-pub fn spin_momenta(mechanism: &Mechanism<Form>, formulas: &mut Formulas<'_>) -> Vec<Form> {
+pub fn find_spin_momenta(mechanism: &Mechanism<Form>, formulas: &mut Formulas<'_>) -> Vec<Form> {
     let of_wheels: Vec<Form> = mechanism
         .wheels
         .iter()

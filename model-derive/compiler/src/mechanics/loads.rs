@@ -13,7 +13,7 @@ use crate::symbolic::Form;
 /// At every joint the loads balance the weight of what it moves, which acts along z. Only a spring at a coordinate may
 /// have a force of its own: whatever it holds in the reference configuration, a constant force at a joint makes no
 /// stiffness there.
-pub fn loads(
+pub fn find_loads(
     mechanism: &Mechanism<Form>,
     contacts: &[Contact<'_>],
     composites: &Composites<'_>,

@@ -1,10 +1,10 @@
 //! The matrices of all joints, before the contacts tie these to each other.
 
 use super::Fault;
-use super::composite::{Composites, spin_momenta};
+use super::composite::{Composites, find_spin_momenta};
 use super::contact::{Contact, gyroscopic};
 use super::formulas::Formulas;
-use super::loads::loads;
+use super::loads::find_loads;
 use super::matrix::{self, Matrix};
 use super::mechanism::{Mechanism, Motion};
 use super::vectors::cross;
@@ -30,10 +30,10 @@ impl Unreduced {
         let count = mechanism.joints.len();
         let composites = Composites::new(mechanism, formulas);
         let loads = match mechanism.has_weight {
-            true => loads(mechanism, contacts, &composites, formulas)?,
+            true => find_loads(mechanism, contacts, &composites, formulas)?,
             false => vec![Form::number(0); contacts.len()],
         };
-        let momenta = spin_momenta(mechanism, formulas);
+        let momenta = find_spin_momenta(mechanism, formulas);
         let name = |what: &str, row: usize, column: usize| {
             format!("{what}_{}_{}", mechanism.joints[row].name, mechanism.joints[column].name)
         };

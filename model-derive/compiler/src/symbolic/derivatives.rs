@@ -18,7 +18,7 @@ use crate::formula::{Factor, Formula, Function};
 
 /// Formulas together with those of their derivatives.
 #[derive(Clone, Debug)]
-pub struct Derived {
+pub struct Differentiated {
     /// The outputs of the equations, then their derivatives.
     pub equations: Equations,
     /// For each derivative the output and the parameter: all that are not zero for all parameters, by parameters.
@@ -43,13 +43,13 @@ pub enum Node {
 ///
 /// # Errors
 /// If the engine cannot be had or fails, or if a formula has no value.
-pub fn derive(equations: Vec<Equations>, beyond: usize) -> Result<Vec<Derived>, Failure> {
+pub fn derive(equations: Vec<Equations>, beyond: usize) -> Result<Vec<Differentiated>, Failure> {
     enter(move |engine| {
-        let derived = |(index, equations)| match Chain::new(engine, equations, beyond) {
-            Ok(chain) => Ok(chain.derived()),
+        let differentiate = |(index, equations)| match Chain::new(engine, equations, beyond) {
+            Ok(chain) => Ok(chain.differentiate()),
             Err((place, why)) => Err(Failure::Undefined { equations: index, place, why }),
         };
-        equations.iter().enumerate().map(derived).collect()
+        equations.iter().enumerate().map(differentiate).collect()
     })?
 }
 
@@ -130,8 +130,8 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// All derivatives.
-    fn derived(mut self) -> Derived {
+    /// The formulas with all their derivatives.
+    fn differentiate(mut self) -> Differentiated {
         let (graph, nodes) = self.graph();
         for node in graph.order(&nodes) {
             self.take_out(Node::Definition(node - self.equations.parameters));
@@ -148,7 +148,7 @@ impl<'a> Chain<'a> {
                 }
             }
         }
-        Derived { equations: self.equations, partials, definitions: self.definitions }
+        Differentiated { equations: self.equations, partials, definitions: self.definitions }
     }
 
     /// Which derivatives there are, and the nodes of the definitions in it.
@@ -176,13 +176,13 @@ impl<'a> Chain<'a> {
             self.partials.iter().filter(|(_, partials)| partials.contains_key(&node)).map(|(user, _)| *user).collect();
         let inner: Vec<(Node, Form)> = inner
             .into_iter()
-            .filter_map(|(with, partial)| Some((with, self.named([node, with], partial, users.len())?)))
+            .filter_map(|(with, partial)| Some((with, self.name([node, with], partial, users.len())?)))
             .collect();
         for user in users {
             let Some(outer) = self.partials.get_mut(&user).and_then(|partials| partials.remove(&node)) else {
                 continue;
             };
-            let Some(outer) = self.named([user, node], outer, inner.len()) else { continue };
+            let Some(outer) = self.name([user, node], outer, inner.len()) else { continue };
             for (with, partial) in &inner {
                 let product = &outer * partial;
                 let partials = self.partials.entry(user).or_default();
@@ -199,7 +199,7 @@ impl<'a> Chain<'a> {
 
     /// A derivative that stands in so many products: as a definition of its own, if it is worth one, and nothing if it
     /// is zero.
-    fn named(&mut self, of: [Node; 2], partial: Form, products: usize) -> Option<Form> {
+    fn name(&mut self, of: [Node; 2], partial: Form, products: usize) -> Option<Form> {
         if partial.is_short() || products < 2 {
             return Some(partial);
         }

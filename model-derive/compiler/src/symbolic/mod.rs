@@ -18,7 +18,7 @@ mod prove;
 mod sample;
 mod vertex_elimination;
 
-pub use derivatives::{Derived, Node, derive};
+pub use derivatives::{Differentiated, Node, derive};
 pub use door::enter;
 pub use engine::Engine;
 pub use failure::{EngineFailure, Failure, Place, Undefined};

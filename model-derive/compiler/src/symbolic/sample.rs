@@ -26,7 +26,7 @@ impl Sample {
 
     /// The value of a formula at values of its parameters and definitions.
     pub fn of(formula: &Formula, parameters: &[Self], definitions: &[Self]) -> Self {
-        let Ok(sample) = formula.fold(&Samples { parameters, definitions });
+        let Ok(sample) = formula.fold(&Sampler { parameters, definitions });
         sample
     }
 
@@ -58,13 +58,13 @@ impl Sample {
     }
 }
 
-/// Samples, with those of the parameters and definitions.
-struct Samples<'a> {
+/// Takes samples of formulas, with those of the parameters and definitions.
+struct Sampler<'a> {
     parameters: &'a [Sample],
     definitions: &'a [Sample],
 }
 
-impl Algebra for Samples<'_> {
+impl Algebra for Sampler<'_> {
     type Value = Sample;
     type Error = Infallible;
 
