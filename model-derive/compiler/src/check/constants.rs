@@ -8,7 +8,8 @@ use crate::formula::{Factor, Function, Term};
 use crate::report::{Report, error};
 use crate::syntax::{Expression, Kind, Value};
 
-const FUNCTIONS: [&str; 7] = ["sin", "cos", "tan", "sqrt", "asin", "acos", "atan"];
+/// The functions of constants alone, beside those of formulas.
+const INVERSES: [&str; 3] = ["asin", "acos", "atan"];
 
 /// The value of an expression without parameters.
 ///
@@ -44,7 +45,10 @@ pub fn evaluate(expression: &Expression) -> syn::Result<Constant> {
                 "atan" => argument.atan(),
                 other => match Function::from_name(other) {
                     Some(function) => argument.call(function),
-                    None => return Err(error(name, unknown_function(other, &FUNCTIONS))),
+                    None => {
+                        let known = [&Function::ALL.map(Function::name)[..], &INVERSES].concat();
+                        return Err(error(name, unknown_function(other, &known)));
+                    }
                 },
             };
             value.map_err(no_value)

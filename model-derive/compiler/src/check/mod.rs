@@ -16,7 +16,10 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 pub use self::mechanism::{Assembly, Role, Tree};
+use self::names::Scope;
 pub use self::sets::CheckedSet;
+use self::units::declared::Dimensions;
+use self::units::dimension::Dimension;
 use crate::domain::Domain;
 use crate::formula::Formula;
 use crate::model::{Matrices, Origin, References, Requirement};
@@ -41,9 +44,9 @@ pub struct Checked<'a> {
     /// The declared requirements.
     pub requirements: Vec<Requirement>,
     /// Both sides of each assertion of a formula.
-    pub assertions: Vec<[Formula; 2]>,
+    pub assertions: Assertions,
     /// The rows of each matrix whose entries are asserted.
-    pub asserted: Vec<Vec<Vec<Formula>>>,
+    pub asserted: Asserted,
     /// The matrices that are written, in the order of the equation of motion.
     pub matrices: Matrices,
     /// Where their entries stand, row by row.
@@ -73,48 +76,29 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     if declaration.parameters.is_empty() && is_complete {
         report.error(&declaration.name, "no parameters: expected `parameters { … }` with at least one");
     }
-    let mut scope = names::Scope::new(declaration, report);
-    let dimensions = units::declared::Dimensions::new(declaration, report);
+    // What names mean comes before all formulas, in which they stand.
+    let mut scope = Scope::new(declaration, report);
+    let dimensions = Dimensions::new(declaration, report);
     // Before mistakes elsewhere, beside which it would not be looked at.
     let tree =
         declaration.mechanism.as_ref().and_then(|mechanism| mechanism::find_tree(declaration, mechanism, report));
 
     let order = definitions::order(declaration, &scope, report);
+    // From here on positions of definitions are those of the order, in every formula that is resolved.
     scope.number_definitions(&order.positions());
     let formula = |definition: &usize| &declaration.definitions[*definition].value;
     let definitions = order.declared.iter().map(formula).map(|f| resolve::resolve(f, &mut scope, report)).collect();
     // Of definitions in a cycle the first mistake is the cycle.
     let ordered = if order.is_cyclic { &[] } else { &order.declared[..] };
     let defined = units::check(declaration, &dimensions, &scope, ordered, report);
-    let mut attributes = Vec::new();
-    let mut assembly = None;
-    if let Some(mechanism) = &declaration.mechanism {
-        units::check_mechanism(declaration, mechanism, &dimensions, &scope, &defined, report);
-        attributes = mechanism.formulas().map(|formula| resolve::resolve(formula, &mut scope, report)).collect();
-        assembly = mechanism::assemble(declaration, mechanism, tree, &attributes, report);
-        // Without coordinates it is not known what is determined by others.
-        assembly = assembly.filter(|_| report.is_empty() && !declaration.coordinates.is_empty());
-    }
+    // Mistakes so far keep a mechanism from being derived; those behind it do not concern it.
+    let (attributes, assembly) = check_mechanism(declaration, tree, &dimensions, &defined, &mut scope, report);
 
-    let mut resolve = |formula, report: &mut Report| resolve::resolve(formula, &mut scope, report);
-    let requirements = declaration.requirements.iter().map(|requirement| Requirement {
-        text: requirement.value.to_string(),
-        region: requirement.value.region,
-        value: resolve(&requirement.value, report),
-        domain: domains::read_domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
-        origin: Origin::Declared,
-    });
-    let requirements = requirements.collect();
-    let assertions = declaration.assertions.iter();
-    let assertions =
-        assertions.map(|assertion| [&assertion.left, &assertion.right].map(|side| resolve(side, report))).collect();
-    let asserted = declaration.asserted.iter().map(|matrix| {
-        let rows = matrix.rows.iter().map(|(_, row)| row.iter().map(|entry| resolve(entry, report)).collect());
-        rows.collect()
-    });
-    let asserted = asserted.collect();
+    let requirements = resolve_requirements(declaration, &mut scope, report);
+    let (assertions, asserted) = resolve_assertions(declaration, &mut scope, report);
     let (matrices, entries) = matrices::resolve_matrices(declaration, is_complete, &mut scope, report);
 
+    // Sets give the parameters values inside their domains.
     let own = declaration.parameters.iter().zip(&dimensions.parameters);
     let domains: Vec<_> = own.map(|(parameter, own)| domains::read_domain(&parameter.bounds, *own, report)).collect();
     let parameters = sets::Parameters { domains: &domains, dimensions: &dimensions.parameters };
@@ -124,6 +108,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     Checked {
         declaration,
         is_complete,
+        // Every formula has been resolved, and each may have added to them.
         excused: scope.excused,
         domains: domains.iter().map(|domain| domain.to_model()).collect(),
         order: order.declared,
@@ -139,6 +124,58 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
         gravity,
         references,
     }
+}
+
+/// The formulas in the mechanism, and the mechanism if there is no mistake so far. `defined` are the dimensions of the
+/// definitions.
+fn check_mechanism(
+    declaration: &Declaration,
+    tree: Option<Tree>,
+    dimensions: &Dimensions,
+    defined: &[Option<Dimension>],
+    scope: &mut Scope,
+    report: &mut Report,
+) -> (Vec<Formula>, Option<Assembly>) {
+    let Some(mechanism) = &declaration.mechanism else { return (Vec::new(), None) };
+    units::check_mechanism(declaration, mechanism, dimensions, scope, defined, report);
+    let attributes: Vec<_> = mechanism.formulas().map(|formula| resolve::resolve(formula, scope, report)).collect();
+    let assembly = mechanism::assemble(declaration, mechanism, tree, &attributes, report);
+    // Without coordinates it is not known what is determined by others.
+    let assembly = assembly.filter(|_| report.is_empty() && !declaration.coordinates.is_empty());
+    (attributes, assembly)
+}
+
+fn resolve_requirements(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> Vec<Requirement> {
+    let requirements = declaration.requirements.iter().map(|requirement| Requirement {
+        text: requirement.value.to_string(),
+        region: requirement.value.region,
+        value: resolve::resolve(&requirement.value, scope, report),
+        domain: domains::read_domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
+        origin: Origin::Declared,
+    });
+    requirements.collect()
+}
+
+/// Both sides of each assertion of a formula.
+type Assertions = Vec<[Formula; 2]>;
+
+/// The rows of each matrix whose entries are asserted.
+type Asserted = Vec<Vec<Vec<Formula>>>;
+
+fn resolve_assertions(
+    declaration: &Declaration,
+    scope: &mut Scope,
+    report: &mut Report,
+) -> (Assertions, Asserted) {
+    let mut resolve = |formula| resolve::resolve(formula, scope, report);
+    let assertions = declaration.assertions.iter();
+    let assertions =
+        assertions.map(|assertion| [&assertion.left, &assertion.right].map(&mut resolve)).collect();
+    let asserted = declaration.asserted.iter().map(|matrix| {
+        let rows = matrix.rows.iter().map(|(_, row)| row.iter().map(&mut resolve).collect());
+        rows.collect()
+    });
+    (assertions, asserted.collect())
 }
 
 fn find_gravity(declaration: &Declaration, report: &mut Report) -> Option<usize> {

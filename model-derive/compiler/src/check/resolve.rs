@@ -46,7 +46,7 @@ fn resolve_names(expression: &Expression, scope: &mut Scope, report: &mut Report
                     argument
                 }
                 None => {
-                    report.error(name, unknown_function(&name.to_string(), &FORMULA_FUNCTIONS));
+                    report.error(name, unknown_function(&name.to_string(), &Function::ALL.map(Function::name)));
                     argument
                 }
             }
@@ -85,5 +85,3 @@ fn resolve_names(expression: &Expression, scope: &mut Scope, report: &mut Report
 
 const SPEED: &str = "unknown name `v`: the speed is taken out of the matrices; expected parameters and definitions in \
                      C1, the coefficient of v, and in K2, the coefficient of v^2";
-
-const FORMULA_FUNCTIONS: [&str; 4] = ["sin", "cos", "tan", "sqrt"];

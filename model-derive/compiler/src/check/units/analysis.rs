@@ -3,6 +3,7 @@
 use super::declared::{Dimensions, Quantity};
 use super::dimension::Dimension;
 use crate::check::names::{Meaning, Scope};
+use crate::formula::Function;
 use crate::report::{Region, Report};
 use crate::syntax::{Assertion, Declaration, Expression, Kind, Term};
 
@@ -40,11 +41,13 @@ impl Analysis<'_> {
             }
             Kind::Power(_, 0) => Some(Dimension::NUMBER),
             Kind::Power(base, exponent) => self.dimension(base, report)?.power(*exponent),
-            Kind::Call(function, argument) => {
+            Kind::Call(name, argument) => {
                 let inner = self.dimension(argument, report);
+                // Another function is a mistake of its own.
+                let function = Function::from_name(&name.to_string())?;
                 // Whatever unit a zero has, its cosine is one.
-                let Some(inner) = inner else { return (function == "cos").then_some(Dimension::NUMBER) };
-                return self.call(&function.to_string(), inner, argument, report);
+                let Some(inner) = inner else { return (function == Function::Cos).then_some(Dimension::NUMBER) };
+                return self.call(function, inner, argument, report);
             }
         };
         if result.is_none() {
@@ -150,33 +153,31 @@ impl Analysis<'_> {
         if entries.is_empty() { String::new() } else { format!(" ({})", entries.join(", ")) }
     }
 
-    fn call(&self, function: &str, inner: Dimension, argument: &Expression, report: &mut Report) -> Option<Dimension> {
+    fn call(&self, function: Function, inner: Dimension, argument: &Expression, report: &mut Report) -> Option<Dimension> {
         match function {
-            "sqrt" if self.dimensions.mirrored && inner.is_odd() => {
+            Function::Sqrt if self.dimensions.mirrored && inner.is_odd() => {
                 let sign = inner.sign();
                 let origins = self.mirrors([argument]);
                 let message = format!("this square root is of what {sign}: expected what no mirror changes{origins}");
                 report.error(argument.region, message);
                 None
             }
-            "sqrt" => {
+            Function::Sqrt => {
                 let root = inner.root();
                 if root.is_none() {
                     report.error(argument.region, "a unit beyond all use here: expected fewer nested roots");
                 }
                 root
             }
-            "sin" | "cos" | "tan" if !inner.is_number() => {
+            Function::Sin | Function::Cos | Function::Tan if !inner.is_number() => {
                 let origins = self.units([argument]);
-                let message =
-                    format!("`{function}` of what is in {inner}: expected a pure number or an angle{origins}");
+                let name = function.name();
+                let message = format!("`{name}` of what is in {inner}: expected a pure number or an angle{origins}");
                 report.error(argument.region, message);
                 None
             }
-            "cos" => Some(Dimension::NUMBER),
-            "sin" | "tan" => Some(inner),
-            // Another function is a mistake of its own.
-            _ => None,
+            Function::Cos => Some(Dimension::NUMBER),
+            Function::Sin | Function::Tan => Some(inner),
         }
     }
 }
