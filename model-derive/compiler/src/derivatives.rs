@@ -39,7 +39,8 @@ pub fn compile(model: &Model, matrices: &Program) -> Result<Derivatives, Failure
     let differentiated = symbolic::derive(vec![formulas, values], model.definitions.len())?;
     // The constants of a program are rounded, those of the formulas are not: what is zero is proved there.
     let exact = differentiated[0].partials.clone();
-    let same: Vec<Differentiated> = differentiated.into_iter().filter(|differentiated| differentiated.partials == exact).collect();
+    let same: Vec<Differentiated> =
+        differentiated.into_iter().filter(|differentiated| differentiated.partials == exact).collect();
     let programs = symbolic::compile(same.iter().map(|differentiated| differentiated.equations.clone()).collect())?;
     let all = same.into_iter().zip(programs).map(|(differentiated, program)| {
         let (program, partials) = share_values(program, &differentiated.partials);
@@ -82,7 +83,12 @@ pub fn entry_names(model: &Model) -> Vec<String> {
 }
 
 /// With a name for each value that is the derivative of something with a name: `mu_c` for that of `mu` by `c`.
-fn name_values(model: &Model, differentiated: Differentiated, mut program: Program, partials: Vec<Partial>) -> Derivatives {
+fn name_values(
+    model: &Model,
+    differentiated: Differentiated,
+    mut program: Program,
+    partials: Vec<Partial>,
+) -> Derivatives {
     let Differentiated { equations, definitions, .. } = differentiated;
     let entries = entry_names(model);
     let name = |node: &Node| match *node {

@@ -162,15 +162,10 @@ type Assertions = Vec<[Formula; 2]>;
 /// The rows of each matrix whose entries are asserted.
 type Asserted = Vec<Vec<Vec<Formula>>>;
 
-fn resolve_assertions(
-    declaration: &Declaration,
-    scope: &mut Scope,
-    report: &mut Report,
-) -> (Assertions, Asserted) {
+fn resolve_assertions(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> (Assertions, Asserted) {
     let mut resolve = |formula| resolve::resolve(formula, scope, report);
     let assertions = declaration.assertions.iter();
-    let assertions =
-        assertions.map(|assertion| [&assertion.left, &assertion.right].map(&mut resolve)).collect();
+    let assertions = assertions.map(|assertion| [&assertion.left, &assertion.right].map(&mut resolve)).collect();
     let asserted = declaration.asserted.iter().map(|matrix| {
         let rows = matrix.rows.iter().map(|(_, row)| row.iter().map(&mut resolve).collect());
         rows.collect()

@@ -9,7 +9,12 @@ use super::names::GeneratedNames;
 use crate::model::Model;
 use crate::program::Program;
 
-pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>, requirements: Option<&Program>) -> TokenStream {
+pub fn emit(
+    model: &Model,
+    names: &GeneratedNames,
+    program: Option<&Program>,
+    requirements: Option<&Program>,
+) -> TokenStream {
     let GeneratedNames { runtime, model: name, matrices, scalar, other, .. } = names;
     let allow = names.allow();
     let n = Literal::usize_unsuffixed(model.coordinates.len());

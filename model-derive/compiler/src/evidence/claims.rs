@@ -105,7 +105,10 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
                          theorems; expected formulas that are"
                     }
                 };
-                report.error(claim.region(), format!("{}, and {}: {why}", describe_unproved(claim), describe_tried(tried)));
+                report.error(
+                    claim.region(),
+                    format!("{}, and {}: {why}", describe_unproved(claim), describe_tried(tried)),
+                );
             }
             Err(failure) => report.error(claim.region(), failure),
         }

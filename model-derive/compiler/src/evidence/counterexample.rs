@@ -1,7 +1,7 @@
 //! Values of the parameters for which a claim is wrong.
 
 use super::intervals::Interval;
-use super::ranges::{Reading, Ranges};
+use super::ranges::{Ranges, Reading};
 use crate::domain::{Bound, Domain};
 use crate::equations::Equations;
 use crate::formula::Formula;

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use super::intervals::Interval;
-use super::ranges::{Reading, Ranges};
+use super::ranges::{Ranges, Reading};
 use super::samples::{Samples, maybe_multiples, maybe_zero};
 use super::sourced::Sourced;
 use crate::check::Checked;
@@ -101,7 +101,12 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(checked: &'a Checked<'a>, derived: &'a Derived, formulas: &'a SourcedFormulas<'a>, report: &'a mut Report) -> Self {
+    fn new(
+        checked: &'a Checked<'a>,
+        derived: &'a Derived,
+        formulas: &'a SourcedFormulas<'a>,
+        report: &'a mut Report,
+    ) -> Self {
         let mut ranges = Ranges::new(Reading::Nearest, checked.domains.iter().copied().map(Interval::from).collect());
         for Requirement { value, domain, .. } in &checked.requirements {
             ranges.add_fact(value, (*domain).into());

@@ -58,9 +58,7 @@ impl Algebra for Ranges {
     fn number(&self, number: &Decimal) -> Result<Interval, Infallible> {
         let nearest = number.to_f64();
         Ok(match self.reading {
-            Reading::Exact if number.to_integer().is_none() => {
-                Interval::closed(nearest.next_down(), nearest.next_up())
-            }
+            Reading::Exact if number.to_integer().is_none() => Interval::closed(nearest.next_down(), nearest.next_up()),
             _ => Interval::point(nearest),
         })
     }

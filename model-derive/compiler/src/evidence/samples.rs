@@ -1,7 +1,7 @@
 //! Formulas at a few parameters: what is different there needs no attempt to prove it equal, which can take long.
 
 use super::intervals::Interval;
-use super::ranges::{Reading, Ranges};
+use super::ranges::{Ranges, Reading};
 use crate::domain::{Bound, Domain};
 use crate::formula::Formula;
 use crate::symbolic::GOLDEN;

@@ -197,7 +197,8 @@ impl Linearized {
             }
         });
         let rates = rates.collect();
-        let forces = (0..n).map(|q| mechanism.forces.iter().map(|joint| to_formula(&motions.rates[*joint][q])).collect());
+        let forces =
+            (0..n).map(|q| mechanism.forces.iter().map(|joint| to_formula(&motions.rates[*joint][q])).collect());
         let forces = forces.collect();
         let matrices = matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect();
         let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), to_formula(form))).collect();

@@ -85,7 +85,8 @@ impl<'a> Chain<'a> {
             samples: [Sample::spread(0, parameters), Vec::new()],
         };
         for (index, formula) in equations.definitions.iter().enumerate() {
-            let form = engine.form(formula, &values).map_err(|why| (Place::Definition(equations.origins[index]), why))?;
+            let form =
+                engine.form(formula, &values).map_err(|why| (Place::Definition(equations.origins[index]), why))?;
             chain.samples[1].push(Sample::of(formula, &chain.samples[0], &chain.samples[1]));
             chain.add(Node::Definition(index), formula, &form);
         }

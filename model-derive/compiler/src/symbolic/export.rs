@@ -140,8 +140,9 @@ mod tests {
         ];
         for case in cases {
             let same = case.clone();
-            let out =
-                enter(move |engine| engine.form(&same, &[engine.definition(2, 0)]).expect("it has a value").to_formula(2));
+            let out = enter(move |engine| {
+                engine.form(&same, &[engine.definition(2, 0)]).expect("it has a value").to_formula(2)
+            });
             let out = out.expect("the engine works");
             let [before, after] = [&case, &out].map(|formula| formula.evaluate(&[0.7, 1.9], &[1.3]));
             assert!((before - after).abs() <= 1e-14 * before.abs(), "{case:?} became {out:?}: {before} {after}");

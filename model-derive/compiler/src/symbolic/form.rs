@@ -103,8 +103,8 @@ mod tests {
 
     /// Runs a check of formulas in x = parameter 0 and y = parameter 1.
     fn check(name: &'static str, test: impl FnOnce(&dyn Fn(&Formula) -> Form) -> bool + Send + 'static) {
-        let holds =
-            enter(|engine| test(&|formula| engine.form(formula, &[]).expect("it has a value"))).expect("the engine works");
+        let holds = enter(|engine| test(&|formula| engine.form(formula, &[]).expect("it has a value")))
+            .expect("the engine works");
         assert!(holds, "{name}");
     }
 

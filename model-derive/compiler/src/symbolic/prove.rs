@@ -49,7 +49,8 @@ pub(super) fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<P
     // A name that is left stands for any value: what is not zero at some values of all names is not zero for all.
     let parameters = Sample::spread(0, pair.parameters);
     let definitions = Sample::spread(pair.parameters, system.definitions.len());
-    let maybe_zero = |form: &Form| !Sample::of(&form.to_formula(pair.parameters), &parameters, &definitions).is_not_zero();
+    let maybe_zero =
+        |form: &Form| !Sample::of(&form.to_formula(pair.parameters), &parameters, &definitions).is_not_zero();
     loop {
         if maybe_zero(&difference) && difference.is_zero() {
             return Ok(Proof::Found);
@@ -96,8 +97,9 @@ struct NamedForms {
 impl NamedForms {
     fn new(engine: &Engine, equations: &Equations) -> Result<Self, (Place, Undefined)> {
         let names = engine.definitions(equations.parameters, equations.definitions.len());
-        let definition =
-            |(index, formula)| engine.form(formula, &names).map_err(|why| (Place::Definition(equations.origins[index]), why));
+        let definition = |(index, formula)| {
+            engine.form(formula, &names).map_err(|why| (Place::Definition(equations.origins[index]), why))
+        };
         let values: Vec<Form> = equations.definitions.iter().enumerate().map(definition).collect::<Result<_, _>>()?;
         let output = |(index, formula)| engine.form(formula, &names).map_err(|why| (Place::Output(index), why));
         let outputs = equations.outputs.iter().enumerate().map(output).collect::<Result<_, _>>()?;

@@ -153,7 +153,13 @@ impl Analysis<'_> {
         if entries.is_empty() { String::new() } else { format!(" ({})", entries.join(", ")) }
     }
 
-    fn call(&self, function: Function, inner: Dimension, argument: &Expression, report: &mut Report) -> Option<Dimension> {
+    fn call(
+        &self,
+        function: Function,
+        inner: Dimension,
+        argument: &Expression,
+        report: &mut Report,
+    ) -> Option<Dimension> {
         match function {
             Function::Sqrt if self.dimensions.mirrored && inner.is_odd() => {
                 let sign = inner.sign();

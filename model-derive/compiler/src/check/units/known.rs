@@ -75,7 +75,8 @@ pub fn find(name: &str) -> Option<&'static Known> {
 /// What to write instead of a unit that is not known, if that can be told.
 pub fn find_meant(name: &str) -> Option<String> {
     let word = WORDS.iter().find(|(word, _)| word.eq_ignore_ascii_case(name)).map(|(_, unit)| (*unit).to_string());
-    word.or_else(|| product(name)).or_else(|| find_nearest(name, KNOWN.iter().map(|known| known.name)).map(str::to_string))
+    word.or_else(|| product(name))
+        .or_else(|| find_nearest(name, KNOWN.iter().map(|known| known.name)).map(str::to_string))
 }
 
 /// `kgm2` and `Nm`, taken apart.

@@ -90,8 +90,13 @@ impl Search<'_> {
         let operations = Counts::of(&self.best.program).total();
         self.left = self.left.min(MAX_OPERATIONS / operations.max(1));
         let fractions = self.find_fractions()?;
-        let quotients: Vec<bool> =
-            self.equations.definitions.iter().zip(&fractions).map(|(formula, inline)| *inline || divides(formula)).collect();
+        let quotients: Vec<bool> = self
+            .equations
+            .definitions
+            .iter()
+            .zip(&fractions)
+            .map(|(formula, inline)| *inline || divides(formula))
+            .collect();
         // All formulas alike first: from the best of these starts single changes go on, and none of them would lead from
         // one such start to another.
         for inline in [&none, &used_once, &fractions, &quotients] {
