@@ -74,6 +74,11 @@ impl Analysis {
         self.stability.as_ref().map_or(&[], |stability| &stability.stable_ranges)
     }
 
+    /// Whether every motion dies away at a speed; not known for other than two coordinates.
+    pub fn is_stable(&self, speed: f64) -> bool {
+        self.stability.as_ref().is_some_and(|stability| stability.verdict(speed) == Ok(Verdict::Stable))
+    }
+
     /// The modes that columns are for, each as often as it has eigenvalues at some speed; none without names of modes.
     pub fn mode_columns(&self) -> Vec<Mode> {
         self.modes.as_ref().map(Modes::all).unwrap_or_default()

@@ -3,6 +3,7 @@
 //! A library, so that what it says of strangers' files can be tested without a process for each of them.
 
 mod analysis;
+mod bodies;
 mod commands;
 pub mod design;
 pub mod failure;

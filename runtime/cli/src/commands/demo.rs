@@ -32,8 +32,10 @@ pub fn run() -> Result<(), Failure> {
     print(&text)
 }
 
-/// Where cargo keeps what it builds, if the program runs from there. Elsewhere nothing is written unasked.
+/// Where cargo keeps what it builds, if it is cargo that runs the program from there. Elsewhere nothing is written unasked.
 fn picture_directory() -> Option<PathBuf> {
+    // Cargo tells a program that it runs the name of its package.
+    std::env::var_os("CARGO_PKG_NAME").filter(|name| name == env!("CARGO_PKG_NAME"))?;
     let executable = std::env::current_exe().ok()?;
     let target = executable.parent()?.parent()?;
     let directory = target.join("carvallo");

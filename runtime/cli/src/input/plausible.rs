@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use carvallo::ModelInfo;
 
+use crate::bodies::body;
 use crate::number::{fixed, shortest};
 
 /// Measured inertias may miss a bound by the rounding of their last digit without meaning anything.
@@ -27,13 +28,8 @@ pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
         let radial = value(&format!("I{body}xx"))?;
         Some([radial, radial, value(&format!("I{body}yy"))?])
     };
-    let bodies = [
-        ("rear wheel R", wheel("R")),
-        ("rear frame B", frame("B")),
-        ("front frame H", frame("H")),
-        ("front wheel F", wheel("F")),
-    ];
-    let inertias = bodies.into_iter().filter_map(|(body, moments)| check_moments(body, moments?));
+    let bodies = [("R", wheel("R")), ("B", frame("B")), ("H", frame("H")), ("F", wheel("F"))];
+    let inertias = bodies.into_iter().filter_map(|(letter, moments)| check_moments(&body(info, letter), moments?));
     let tilt = value("lam").filter(|tilt| tilt.abs() >= FRAC_PI_4).map(|tilt| {
         let [tilt, head] = [tilt.to_degrees(), 90.0 - tilt.to_degrees()].map(|angle| fixed(angle, 1));
         format!("`lam` is {tilt} deg: it is the tilt of the steer axis, 90 deg minus the head angle, which would be {head} deg")

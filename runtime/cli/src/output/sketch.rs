@@ -3,7 +3,7 @@
 use anstyle::{AnsiColor, Style};
 use carvallo::Mode;
 
-use super::{FAINT, GOOD, is_stable};
+use super::{FAINT, GOOD};
 use crate::analysis::{Analysis, ModeRow, Rows};
 use crate::failure::Failure;
 use crate::number::shortest;
@@ -58,8 +58,7 @@ pub fn draw_sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
     }
     text.push_str(&format!("       {FAINT}└{FAINT:#}"));
     for speed in speeds.iter().step_by(2) {
-        let stable = is_stable(analysis.stable_ranges(), *speed);
-        let (style, char) = if stable { (GOOD, '━') } else { (FAINT, '─') };
+        let (style, char) = if analysis.is_stable(*speed) { (GOOD, '━') } else { (FAINT, '─') };
         text.push_str(&format!("{style}{char}{style:#}"));
     }
     text.push_str(&format!("\n        0{:>width$}   {GOOD}━ stable{GOOD:#}\n", high, width = COLUMNS - 1));

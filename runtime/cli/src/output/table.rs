@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, StableRange, Verdict};
+use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, Verdict};
 
 use super::columns::{speeds, width};
-use super::{FAINT, GOOD, HEADING, equations, is_stable, sorted};
-use crate::analysis::{Analysis, ModeRow, Rows};
+use super::ranges::write_ranges;
+use super::{FAINT, GOOD, HEADING, equations, sorted};
+use crate::analysis::{Analysis, ModeRow, ROUNDING, Rows};
 use crate::design::Design;
 use crate::number::{fixed, shortest};
 
@@ -46,13 +47,12 @@ fn write_critical_speeds(analysis: &Analysis, text: &mut String) {
     let _ = writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} (m/s)");
     let speeds: Vec<String> = stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
     let width = width(&speeds, 20);
-    let marginal = marginal_from(stability);
     for critical in &stability.critical_speeds {
         let CriticalSpeed { kind, speed, eigenvalue, .. } = critical;
         let (name, at) = match kind {
             CriticalKind::Weave => ("weave", format!("±{} i", fixed(eigenvalue.im.abs(), 4))),
             CriticalKind::Capsize => ("capsize", "0".to_owned()),
-            CriticalKind::DoubleRoot => ("double root", fixed(eigenvalue.re, 4)),
+            CriticalKind::DoubleRoot => ("double root", double_root(*eigenvalue)),
         };
         let change = describe_effect(stability, critical);
         let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
@@ -60,18 +60,18 @@ fn write_critical_speeds(analysis: &Analysis, text: &mut String) {
     if stability.critical_speeds.is_empty() {
         let _ = writeln!(text, "  none");
     }
-    let ranges = &stability.stable_ranges;
-    for StableRange { from, to } in ranges {
-        let _ = match to {
-            Some(to) => writeln!(text, "  {GOOD}self-stable from {} to {} m/s{GOOD:#}", shortest(*from), shortest(*to)),
-            None => writeln!(text, "  {GOOD}self-stable above {} m/s{GOOD:#}", shortest(*from)),
-        };
-    }
-    if let Some(from) = marginal {
-        let _ = writeln!(text, "  marginal above {} m/s: it neither falls nor comes to rest", shortest(from));
-    }
-    if ranges.is_empty() && marginal.is_none() {
-        let _ = writeln!(text, "  stable by itself at no speed");
+    write_ranges(stability, text);
+}
+
+/// Where two eigenvalues meet; off the real axis their conjugates meet as well.
+fn double_root(eigenvalue: Complex<f64>) -> String {
+    let [re, im] = [eigenvalue.re, eigenvalue.im.abs()].map(|part| fixed(part, 4));
+    if eigenvalue.im == 0.0 {
+        re
+    } else if eigenvalue.re.abs() <= ROUNDING * eigenvalue.norm() {
+        format!("±{im} i")
+    } else {
+        format!("{re} ± {im} i")
     }
 }
 
@@ -87,13 +87,6 @@ pub fn describe_effect(stability: &Stability, critical: &CriticalSpeed) -> &'sta
         (Change::Splits, _) => "an oscillation becomes two real eigenvalues",
         (Change::Touches, _) => "nothing changes for longer",
     }
-}
-
-/// The last critical speed, if motions neither grow nor decay above it, as those of a rolling disc.
-fn marginal_from(stability: &Stability) -> Option<f64> {
-    let last = stability.critical_speeds.last()?.speed;
-    // Between critical speeds the verdict does not change, and above the last one it never does.
-    (stability.verdict(2.0 * last) == Ok(Verdict::Marginal)).then_some(last)
 }
 
 fn write_modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
@@ -123,7 +116,7 @@ fn write_modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
     );
     let _ = writeln!(text, "{FAINT}{}{FAINT:#}", title.trim_end());
     for (index, row) in rows.iter().enumerate() {
-        let (style, mark) = match is_stable(analysis.stable_ranges(), row.speed) {
+        let (style, mark) = match analysis.is_stable(row.speed) {
             true => (GOOD, "  stable"),
             false => (anstyle::Style::new(), ""),
         };

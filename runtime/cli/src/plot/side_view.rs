@@ -4,6 +4,7 @@ use super::axes::INK;
 use super::labels::{LINE, Labels};
 use super::marks::{DIMENSION, arc, arrow, center_of_mass};
 use super::scene::{Anchor, Color, Scene, dashed, line};
+use crate::bodies::body;
 use crate::design::Design;
 use crate::number::shortest;
 
@@ -29,7 +30,7 @@ struct Geometry {
     /// 1 where the parameters count lengths forward, -1 where they count them backward.
     forward: f64,
     /// Name, mass and position of each body; the steered frame is the fourth.
-    bodies: Vec<(&'static str, f64, (f64, f64))>,
+    bodies: Vec<(String, f64, (f64, f64))>,
     /// The height of an axis along which an upper body leans, and where that is.
     hip: Option<(f64, f64)>,
 }
@@ -48,17 +49,18 @@ impl Geometry {
         let (wheel_base, rear, front) = (value("w")?, value("rR")?, value("rF")?);
         // The parameters of this model are those of the bicycle that it is when it runs backwards.
         let is_reversed = design.info().name == "RearSteered";
-        let wheels = if is_reversed { ["F", "R"] } else { ["R", "F"] };
+        // There the letters of the wheels alone would mislead.
+        let wheel = |letter: &str| if is_reversed { body(design.info(), letter) } else { letter.to_owned() };
         let mut bodies = vec![
-            (wheels[0], value("mR")?, (0.0, rear)),
-            (wheels[1], value("mF")?, (wheel_base, front)),
-            ("B", value("mB")?, (value("xB")?, -value("zB")?)),
-            ("H", value("mH")?, (value("xH")?, -value("zH")?)),
+            (wheel("R"), value("mR")?, (0.0, rear)),
+            (wheel("F"), value("mF")?, (wheel_base, front)),
+            ("B".to_owned(), value("mB")?, (value("xB")?, -value("zB")?)),
+            ("H".to_owned(), value("mH")?, (value("xH")?, -value("zH")?)),
         ];
         let upper = UPPER_BODY.map(value);
         let mut hip = None;
         if let [Some(x), Some(z), Some(mass), Some(axis)] = upper {
-            bodies.push(("U", mass, (x, -z)));
+            bodies.push(("U".to_owned(), mass, (x, -z)));
             hip = Some((-axis, x));
         }
         Some(Self {
@@ -142,16 +144,16 @@ pub fn side_view(design: &Design) -> Option<(Scene, LeftOut)> {
         labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU), LINE);
     }
     dimensions(&geometry, &scale, &mut scene, &mut labels);
-    for &(_, _, position) in &geometry.bodies {
-        let (x, y) = scale.place(position);
+    for (_, _, position) in &geometry.bodies {
+        let (x, y) = scale.place(*position);
         center_of_mass((x, y), &mut scene);
         labels.avoid_box([x - 7.0, y - 7.0, x + 7.0, y + 7.0]);
     }
     steer_axis(&geometry, &scale, &mut scene, &mut labels);
     hip(&geometry, &scale, &mut scene, &mut labels);
-    for &(name, mass, position) in &geometry.bodies {
-        let (x, y) = scale.place(position);
-        let text = format!("{name}  {} kg", three_decimals(mass));
+    for (name, mass, position) in &geometry.bodies {
+        let (x, y) = scale.place(*position);
+        let text = format!("{name}  {} kg", three_decimals(*mass));
         if let Some(place) = labels.beside(&[(x, y), (x + 1.0, y)], &text, TEXT_SIZE) {
             scene.text(place, Anchor::Start, TEXT_SIZE, INK, &text);
         }

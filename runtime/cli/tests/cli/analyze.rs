@@ -189,6 +189,55 @@ fn the_list_has_every_bicycle_with_its_critical_speeds() {
     assert!(line("benchmark-2005").contains("4.3016 to 6.0570"), "{text}");
 }
 
+/// M = 1, so that λ² + d λ is minus an eigenvalue of Kc + v² K2: 5/2 ± √(1/4 - v⁴ 4) / 2 - v². The two meet at v = 1/2,
+/// where λ = -d/2 ± i √(9/4 - d²/4).
+#[test]
+fn a_double_root_off_the_real_axis_has_its_imaginary_part() {
+    let directory = Directory::of_this_test();
+    for (d, expected) in [("0", "±1.5811 i"), ("1", "-0.5000 ± 1.5000 i")] {
+        directory.write("flutter.json", FLUTTER.replace('d', d));
+        let text = directory.run(&["analyze", "flutter.json", "--gravity", "0"]).ok();
+        let line = text.lines().find(|line| line.trim_start().starts_with("double root")).unwrap();
+        assert!(line.contains(" 0.5 ") && line.ends_with(&format!("at λ = {expected}")), "{text}");
+    }
+    let text = directory.run(&["analyze"]).ok();
+    assert!(text.contains("become an oscillation, at λ = 3.7829\n"), "{text}");
+}
+
+/// Without damping the same flutter is preceded by motion that neither grows nor decays.
+#[test]
+fn a_marginal_range_below_a_critical_speed_is_told() {
+    let directory = Directory::of_this_test();
+    let summary = |d| {
+        directory.write("flutter.json", FLUTTER.replace('d', d));
+        directory.run(&["analyze", "flutter.json", "--gravity", "0"]).ok()
+    };
+    let text = summary("0");
+    assert!(text.contains("\n  marginal from 0 to 0.5 m/s: it neither falls nor comes to rest\n"), "{text}");
+    assert!(!text.contains("at no speed") && !text.contains("marginal above"), "{text}");
+    let text = summary("1");
+    assert!(text.contains("\n  self-stable from 0 to ") && !text.contains("marginal from"), "{text}");
+}
+
+const FLUTTER: &str = r#"{"M":[[1,0],[0,1]],"C0":[[d,0],[0,d]],"Kc":[[3,0],[0,2]],"K2":[[-1,1],[-1,1]]}"#;
+
+/// Below the weave speed, at rest as well: JSON has the real parts that say so.
+#[test]
+fn a_row_is_stable_by_the_verdict_at_its_speed() {
+    let directory = Directory::of_this_test();
+    let settings = ["--set", "zB=0.9", "--set", "zH=0.7", "--set", "k=100", "--set", "d=5", "--speeds", "0,0.0005,1"];
+    let arguments = [&["analyze", "--model", "WhippleSprung"], &settings[..]].concat();
+    let table = directory.run(&arguments).stdout;
+    let json = directory.run(&[&arguments[..], &["--format", "json"]].concat()).stdout;
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let rows: Vec<&str> = table.lines().skip_while(|line| !line.contains("v (m/s)")).skip(1).collect();
+    let is_stable =
+        |row: &Value| row["values"].as_array().unwrap().iter().all(|value| value["re"].as_f64().unwrap() < 0.0);
+    let stable: Vec<bool> = json["eigenvalues"].as_array().unwrap().iter().map(is_stable).collect();
+    assert_eq!(stable, [true, true, false]);
+    assert_eq!(rows.iter().map(|row| row.ends_with("  stable")).collect::<Vec<bool>>(), stable, "{table}");
+}
+
 /// A faired recumbent whose weave splits once it is stable, so that no name goes through all of its double roots. Its
 /// speeds are from Appendix A at 50 digits, where det K and the Hurwitz determinant are zero.
 #[test]

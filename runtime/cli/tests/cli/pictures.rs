@@ -91,9 +91,9 @@ fn a_side_view_has_every_body_and_tells_what_it_leaves_out() {
     let leaning = picture(&["show", "--model", "WhippleLeaning"]);
     assert!(has(&leaning, "U  40 kg") && has(&leaning, "hip axis"), "{leaning:?}");
     assert!(has(&leaning, "Not drawn: moments and products of inertia, kU, dU"), "{leaning:?}");
-    // The steered wheel, of 3 kg, is the rear one.
+    // As `show` says: mR is the mass of the front wheel, of 2 kg, and the steered wheel, of 3 kg, is the rear one.
     let reversed = picture(&["show", "--model", "RearSteered"]);
-    assert!(has(&reversed, "R  3 kg") && has(&reversed, "F  2 kg"), "{reversed:?}");
+    assert!(has(&reversed, "front wheel R  2 kg") && has(&reversed, "rear wheel F  3 kg"), "{reversed:?}");
     let directory = Directory::new("left-out");
     let run = directory.run(&["show", "--model", "WhippleLeaning", "--plot", "picture.svg"]);
     assert!(run.stderr.contains("the side view has no place for kU, dU"), "{}", run.stderr);

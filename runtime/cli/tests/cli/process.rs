@@ -3,7 +3,7 @@
 use std::io::Read as _;
 use std::process::Stdio;
 
-use crate::Directory;
+use crate::{Directory, finished};
 
 #[test]
 fn a_reader_that_closes_the_pipe_is_no_failure() {
@@ -60,6 +60,32 @@ fn a_first_look_needs_no_arguments() {
     assert!(text.contains("━ stable"), "{text}");
     let path = text.lines().find_map(|line| line.strip_prefix("Picture: ")).unwrap();
     assert!(std::fs::read_to_string(path).unwrap().starts_with("<svg "), "{path}");
+}
+
+/// Not from the repository by cargo, but as an installed program is run.
+#[test]
+fn a_first_look_elsewhere_writes_nothing() {
+    let directory = Directory::new("first-look-elsewhere");
+    // A program beside the mark of a build directory, which may be that of another project.
+    std::fs::create_dir(directory.0.join("debug")).unwrap();
+    directory.write("CACHEDIR.TAG", "");
+    let program = directory.0.join("debug/carvallo");
+    std::fs::copy(env!("CARGO_BIN_EXE_carvallo"), &program).unwrap();
+    let run = |package: Option<&str>| {
+        let mut command = std::process::Command::new(&program);
+        command.current_dir(&directory.0).stdin(Stdio::null()).env_remove("CARGO_PKG_NAME");
+        finished(command.envs(package.map(|package| ("CARGO_PKG_NAME", package))).output().unwrap()).ok()
+    };
+    for package in [None, Some("another")] {
+        let text = run(package);
+        assert!(
+            text.ends_with("\nPicture: carvallo analyze --plot benchmark.svg\nMore:    carvallo --help\n"),
+            "{text}"
+        );
+        assert!(!directory.0.join("carvallo").exists());
+    }
+    assert!(run(Some(env!("CARGO_PKG_NAME"))).ends_with("\nMore:    cargo run --release -- --help\n"));
+    assert!(directory.0.join("carvallo/benchmark.svg").exists());
 }
 
 /// A bicycle without any inertia about the lean axis has no equations of motion to solve.

@@ -195,6 +195,28 @@ fn a_parameter_of_zero_is_changed_by_a_marked_scale() {
     assert_eq!(json["parameters"]["lam"]["one_percent"], 0.01);
 }
 
+/// What is told of ranges of speeds is what `carvallo analyze` tells.
+#[test]
+fn ranges_are_told_as_those_of_an_analysis() {
+    let directory = Directory::of_this_test();
+    let ranges = |command: &str, arguments: &[&str]| -> Vec<String> {
+        let text = directory.run(&[&[command], arguments].concat()).ok();
+        let lines = text.lines().filter(|line| line.contains("self-stable ") || line.contains("marginal "));
+        assert!(!text.contains("at no speed"), "{text}");
+        lines.map(str::to_owned).collect()
+    };
+    for arguments in [&["--model", "RollingDisc"][..], &["benchmark"]] {
+        let told = ranges("sensitivity", arguments);
+        assert_eq!(told.len(), 1, "{told:?}");
+        // A table of eigenvalues says `marginal` as well.
+        let analyzed = ranges("analyze", arguments);
+        assert_eq!(
+            analyzed.iter().filter(|line| line.contains(" m/s")).collect::<Vec<_>>(),
+            told.iter().collect::<Vec<_>>()
+        );
+    }
+}
+
 #[test]
 fn a_bicycle_may_lack_either_speed_or_both() {
     let directory = Directory::of_this_test();

@@ -68,6 +68,25 @@ fn inertias_that_no_body_can_have_are_a_warning() {
 }
 
 /// Heights are often measured upwards; here z points down.
+/// In a model that runs backwards the letters of the parameters belong to other bodies.
+#[test]
+fn bodies_are_called_as_the_model_calls_them() {
+    let directory = Directory::of_this_test();
+    for (setting, body) in [
+        ("IRyy=5", "front wheel R"),
+        ("IFyy=5", "rear wheel F"),
+        ("IBxx=50", "main frame B"),
+        ("IHxx=5", "steered frame H"),
+    ] {
+        let run = directory.run(&["show", "--model", "RearSteered", "--set", setting]);
+        let start = format!("warning: backwards: no rigid body has the inertias of the {body}: ");
+        assert!(run.stderr.starts_with(&start), "{}", run.stderr);
+        let [name, letter] = [&body[..body.len() - 2], &body[body.len() - 1..]];
+        let mass = run.stdout.lines().find(|line| line.starts_with(&format!("m{letter} = "))).unwrap();
+        assert!(mass.contains(&format!("Mass of the {name}")), "{mass}");
+    }
+}
+
 #[test]
 fn a_centre_of_mass_below_the_ground_is_a_warning() {
     let run = Directory::new("below").run(&["show", "benchmark", "--set", "zB=0.9"]);

@@ -7,6 +7,7 @@ use carvallo::CriticalKind;
 use super::deviations::write_deviations;
 use crate::number::{fixed, shortest, unit};
 use crate::output::columns::width;
+use crate::output::ranges::write_ranges;
 use crate::output::table::{describe_effect, write_heading};
 use crate::output::{FAINT, HEADING};
 use crate::sensitivity::{Changes, Step};
@@ -43,9 +44,7 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
             let _ = writeln!(text, "  {meaning:<13}{:<column$}{FAINT}there is no such speed{FAINT:#}", "-");
         }
     }
-    if changes.stability.stable_ranges.is_empty() {
-        let _ = writeln!(text, "  stable by itself at no speed");
-    }
+    write_ranges(&changes.stability, text);
 }
 
 fn write_ranking(changes: &Changes, text: &mut String) {
