@@ -5,8 +5,10 @@ use std::str::FromStr;
 use crate::failure::Problem;
 use crate::number::shortest;
 use crate::options::problem;
-use crate::quantity::{self, Context, Reason, no_names};
-use crate::speeds;
+use crate::quantity::{self, Context, Reason, check_units, no_names};
+use crate::speeds::{self, CONTEXT as SPEED};
+
+const EIGENVALUE: Context = Context { unit: "1/s", names: &no_names };
 
 /// The speeds that a picture shows, in m/s, the second above the first.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +22,7 @@ impl FromStr for SpeedLimits {
     type Err = Problem;
 
     fn from_str(text: &str) -> Result<Self, Problem> {
-        let (low, high) = limits(text, "0:10", |text| speeds::number(text, "a speed")).map_err(problem)?;
+        let (low, high) = limits(text, "0:10", SPEED, |text| speeds::number(text, "a speed")).map_err(problem)?;
         Ok(Self(low, high))
     }
 }
@@ -29,15 +31,21 @@ impl FromStr for EigenvalueLimits {
     type Err = Problem;
 
     fn from_str(text: &str) -> Result<Self, Problem> {
-        let (low, high) = limits(text, "-10:10", eigenvalue).map_err(problem)?;
+        let (low, high) = limits(text, "-10:10", EIGENVALUE, eigenvalue).map_err(problem)?;
         Ok(Self(low, high))
     }
 }
 
-fn limits(text: &str, example: &str, number: fn(&str) -> Result<f64, String>) -> Result<(f64, f64), String> {
+fn limits(
+    text: &str,
+    example: &str,
+    context: Context,
+    number: fn(&str) -> Result<f64, String>,
+) -> Result<(f64, f64), String> {
     let [low, high] = text.split(':').collect::<Vec<_>>()[..] else {
         return Err(format!("expected two limits LOW:HIGH, such as {example}"));
     };
+    check_units(&[low, high], context)?;
     let (low, high) = (number(low)?, number(high)?);
     let is_wide = high - low > 4.0 * f64::EPSILON * high.abs().max(low.abs()) && (high - low).is_finite();
     if !is_wide {
@@ -48,8 +56,7 @@ fn limits(text: &str, example: &str, number: fn(&str) -> Result<f64, String>) ->
 }
 
 fn eigenvalue(text: &str) -> Result<f64, String> {
-    let context = Context { unit: "1/s", names: &no_names };
-    quantity::number(text, context).map_err(|mistake| match mistake.reason {
+    quantity::number(text, EIGENVALUE).map_err(|mistake| match mistake.reason {
         Reason::Unit(unit) => {
             format!("a limit is `{}`; `{unit}` is no unit for it: eigenvalues are in 1/s", text.trim())
         }

@@ -1,13 +1,13 @@
 //! The speeds of an analysis: `4`, `3,4.5,6`, `0:10:0.1` or `20 km/h:220 km/h:5 km/h`.
 
 use crate::number::shortest;
-use crate::quantity::{self, Context, Mistake, Reason, Steps, TOO_SMALL, check_units, no_names};
+use crate::quantity::{self, Context, Mistake, Reason, Steps, TOO_SMALL, check_commas, check_units, no_names};
 
 /// More than this many points is taken for a slip in the step.
 const MAX_POINTS: f64 = 100_000.0;
 
 /// What a speed may be written as, other than in m/s: `20 km/h`, `20/3.6`.
-const CONTEXT: Context = Context { unit: "m/s", names: &no_names };
+pub(crate) const CONTEXT: Context = Context { unit: "m/s", names: &no_names };
 
 /// The speeds that `text` stands for, in m/s.
 ///
@@ -18,6 +18,7 @@ pub fn parse(text: &str) -> Result<Vec<f64>, String> {
         [list] => {
             let list: Vec<&str> = list.split(',').collect();
             let speeds = list.iter().map(|speed| number(speed, "a speed")).collect();
+            check_commas(&list)?;
             check_units(&list, CONTEXT).and(speeds)
         }
         [low, high, step] => range(low, high, step),

@@ -11,6 +11,8 @@ pub struct Document {
     pub model: Option<String>,
     /// In the order of the file.
     pub entries: Vec<Entry>,
+    /// What describes the file where its parameters stand in a group of their own.
+    pub outside: Vec<Entry>,
     /// What was wrong with the format itself.
     pub problems: Vec<Problem>,
 }

@@ -1,6 +1,6 @@
 //! Parameter files in JSON: an object of values, alone or under `parameters`, as `--format json` writes it.
 
-use jsonc_parser::ast::{Array, Object, ObjectProp, Value};
+use jsonc_parser::ast::{Array, ObjectProp, Value};
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
 use super::document::{Document, Entry, File, Written};
@@ -45,6 +45,8 @@ pub fn read(file: File) -> Document {
     for property in matrices.unwrap_or(&object).properties.iter().filter(|_| nested.is_none()) {
         if let (Some(matrix), Value::Array(rows)) = (matrices::name(property.name.as_str()), &property.value) {
             document.take_matrix(matrix, &file.line_at(property.range.start), rows_of(rows));
+        } else if matrices.is_some() {
+            take(&mut document, file, property);
         }
     }
     for property in &object.properties {
@@ -58,11 +60,11 @@ pub fn read(file: File) -> Document {
                 document
                     .problem(file.line_at(property.range.start), format!("`{name}` stands outside of `parameters`"));
             }
-            _ => document.entries.push(entry(file, property)),
+            _ => take(&mut document, file, property),
         }
     }
     let properties = nested.map(|object| object.properties.as_slice()).unwrap_or_default();
-    document.entries.extend(properties.iter().map(|property| entry(file, property)));
+    properties.iter().for_each(|property| take(&mut document, file, property));
     document.finish_matrices();
     document
 }
@@ -76,20 +78,21 @@ fn rows_of(rows: &Array) -> Option<Vec<Vec<Written>>> {
     rows.elements.iter().map(row).collect()
 }
 
-/// `"name": value`, or `"name": { "value": …, "std": … }`.
-fn entry(file: File, property: &ObjectProp) -> Entry {
+/// `"name": value`, or `"name": { "value": …, "std": …, "unit": … }`.
+fn take(document: &mut Document, file: File, property: &ObjectProp) {
     let name = property.name.as_str();
     let place = file.line_at(property.range.start);
-    let member = |object: &Object, key: &str| object.get(key).map(|property| written(&property.value));
-    let (value, deviation) = match &property.value {
-        Value::StringLit(text) => return Entry::from_text(name, place, &text.value),
-        Value::Object(object) => match member(object, "value") {
-            Some(value) => (value, member(object, "std")),
-            None => (Written::Other("an object without `value`"), None),
-        },
-        value => (written(value), None),
-    };
-    Entry { name: name.to_owned(), place, value, deviation }
+    match &property.value {
+        Value::StringLit(text) => document.entries.push(Entry::from_text(name, place, &text.value)),
+        Value::Object(object) => {
+            let members = object.properties.iter().map(|member| (member.name.as_str(), written(&member.value)));
+            document.take_members(name, place, members, "an object without `value`");
+        }
+        value => {
+            let value = written(value);
+            document.entries.push(Entry { name: name.to_owned(), place, value, deviation: None });
+        }
+    }
 }
 
 fn written(value: &Value) -> Written {

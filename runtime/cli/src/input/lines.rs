@@ -18,13 +18,19 @@ pub fn read(file: File, separator: char) -> Document {
     let nested = file.text.lines().any(is_table);
     let mut inside = !nested;
     let mut block_indent = None;
+    let mut comments = 0;
+    let lines_behind =
+        |index: usize| file.text.lines().skip(index + 1).filter(|line| !without_comment(line).trim().is_empty());
     for (index, line) in file.text.lines().enumerate() {
         let place = file.line(index + 1);
-        let indent = line.len() - line.trim_start().len();
+        let indent = indent_of(line);
         if block_indent.is_some_and(|block| indent > block || line.trim().is_empty()) {
             continue;
         }
         block_indent = None;
+        if is_matlab && is_in_block(line.trim(), &mut comments) {
+            continue;
+        }
         let content = without_comment(line).trim();
         if content.is_empty() || content == "---" {
             continue;
@@ -44,6 +50,12 @@ pub fn read(file: File, separator: char) -> Document {
                 continue;
             };
             let (name, value) = (unquoted(name.trim()), unquoted(value.trim()));
+            if separator == '=' && name.ends_with(['+', '-', '*', '/', '^', '%']) {
+                let message = format!("`{content}` computes with an earlier value; expected `name = value`");
+                document.problem(place.clone(), message);
+                continue;
+            }
+            let is_group = || lines_behind(index).next().is_some_and(|next| indent_of(next) > indent);
             if value.starts_with(['|', '>']) {
                 block_indent = Some(indent);
             } else if name == "parameterization" {
@@ -51,14 +63,41 @@ pub fn read(file: File, separator: char) -> Document {
                     let message = format!("the parameterization is `{value}`; only `benchmark` can be read");
                     document.problem(place.clone(), message);
                 }
-            } else if document.take_heading(name, value) || !inside {
-                // What describes the file beyond its name and source is of no use here.
+            } else if document.take_heading(name, value) {
+            } else if !inside {
+                if indent == 0 {
+                    document.outside.push(Entry::from_text(name, place.clone(), value));
+                }
+            } else if separator == ':' && value.is_empty() && is_group() {
+                document.problem(place.clone(), format!("`{name}` holds others; only `values:` can"));
+                block_indent = Some(indent);
             } else {
                 document.entries.push(Entry::from_text(name, place.clone(), value));
             }
         }
     }
+    if comments > 0 {
+        document.problem(file.line(file.text.lines().count()), "a comment that begins with `%{` has no end `%}`");
+    }
     document
+}
+
+fn indent_of(line: &str) -> usize {
+    line.len() - line.trim_start().len()
+}
+
+/// Whether a line of a script of MATLAB belongs to a comment between `%{` and `%}`, each alone in its line; `depth` says how
+/// many are open.
+fn is_in_block(line: &str, depth: &mut usize) -> bool {
+    match line {
+        "%{" => *depth += 1,
+        "%}" if *depth > 0 => {
+            *depth -= 1;
+            return true;
+        }
+        _ => {}
+    }
+    *depth > 0
 }
 
 /// In YAML and here, `#` begins a comment at the start of a line or after a space; in scripts of MATLAB, `%` does too.

@@ -6,6 +6,7 @@ use super::document::{Document, Entry, Written};
 use crate::failure::Place;
 use crate::matrices::{MATRICES, names as entry_names};
 use crate::model::Shipped;
+use crate::nearest::nearest;
 
 /// A list as it was written, or what stands in the place of one.
 pub type Rows = Vec<Vec<Written>>;
@@ -39,7 +40,11 @@ impl Document {
         };
         let given = MatrixName::ALL.map(|matrix| (matrix, has(matrix)));
         let is_any = given.iter().any(|(_, is_given)| *is_given);
-        if !is_any || self.model.is_some() {
+        if !is_any {
+            return;
+        }
+        self.refuse_other_arrays();
+        if self.model.is_some() {
             return;
         }
         let holds =
@@ -51,6 +56,22 @@ impl Document {
         for (matrix, _) in absent.filter(|(matrix, _)| *matrix != MatrixName::M) {
             let zero = || vec![vec![Written::Text("0".to_owned()), Written::Text("0".to_owned())]; 2];
             self.take_matrix(*matrix, &place, Some(zero()));
+        }
+    }
+
+    /// A matrix under a name that is none would become zero, and so would one that is no array.
+    fn refuse_other_arrays(&mut self) {
+        let is_matrix =
+            |entry: &mut Entry| matches!(entry.value, Written::Other("an array")) || name(&entry.name).is_some();
+        for Entry { name: found, place, .. } in self.entries.extract_if(.., is_matrix).collect::<Vec<_>>() {
+            if let Some(matrix) = name(&found) {
+                self.take_matrix(matrix, &place, None);
+                continue;
+            }
+            let names = MatrixName::ALL.map(|matrix| matrix.to_string());
+            let hint = nearest(&found, names.iter().map(String::as_str));
+            let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
+            self.problem(place, format!("`{found}` is no matrix; expected `{}`{hint}", names.join("`, `")));
         }
     }
 }

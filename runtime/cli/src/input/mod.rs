@@ -5,6 +5,7 @@ mod entries;
 mod json;
 mod lines;
 mod matrices;
+mod members;
 mod names;
 mod neutral;
 mod parameters;
@@ -23,6 +24,7 @@ use crate::failure::{Failure, Place, Problem};
 use crate::matrices::MATRICES;
 use crate::model::{Shipped, WHIPPLE};
 
+pub use self::names::position;
 pub use self::shipped::DEFAULT_BICYCLE;
 pub use self::value::{evaluated, measured};
 

@@ -9,12 +9,15 @@ use super::entries::{Entries, Missing, Remarks, unknown};
 use super::scope::Scope;
 use super::shipped::{DEFAULT_BICYCLE, default_name};
 use super::value::{self, validate};
-use super::{neutral, plausible};
+use super::{names, neutral, plausible};
 use crate::design::{Design, Given};
 use crate::failure::{Place, Problem};
 use crate::model::{Shipped, WHIPPLE};
 use crate::nearest::nearest;
 use crate::number::shortest;
+
+/// What would change the meaning of all values.
+const UNITS: [&str; 2] = ["unit", "units"];
 
 /// Judges a file together with the values of the command line, which replace those of the file.
 ///
@@ -40,6 +43,8 @@ pub fn resolve(
         let known = info.parameters.iter().map(|parameter| parameter.name);
         remarks.problems.push(unknown(entry, info, nearest(&entry.name, known)));
     }
+
+    check_outside(&document.outside, info, &mut remarks);
 
     let mut zero_radii = Vec::new();
     let mut missing = Vec::new();
@@ -104,6 +109,20 @@ pub fn resolve(
     warnings.extend(plausible::warnings(info, &values));
     let (kind, source) = (document.kind, document.source);
     Ok(Design { name, kind, source, model, parameters, equations, notes, warnings })
+}
+
+/// What stands outside of the group of the parameters may have been meant for one.
+fn check_outside(outside: &[Entry], info: &ModelInfo, remarks: &mut Remarks) {
+    for Entry { name, place, .. } in outside {
+        let message = if UNITS.contains(&name.as_str()) {
+            format!("`{name}` is not read: values are in SI units, or have their own behind them, as in `102 cm`")
+        } else if names::position(name, info).is_some() {
+            format!("`{name}` stands outside of `values:`")
+        } else {
+            continue;
+        };
+        remarks.problems.push(Problem { place: place.clone(), message });
+    }
 }
 
 /// The values of everything in a file that has one.

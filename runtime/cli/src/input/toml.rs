@@ -33,29 +33,30 @@ pub fn read(file: File) -> Document {
             _ if nested.is_some() => {
                 document.problem(file.line_at(key.span().start), format!("`{name}` stands outside of [parameters]"));
             }
-            _ => document.entries.push(entry(file, key.span().start, name, value)),
+            _ => take(&mut document, file, key.span().start, name, value),
         }
     }
     document.finish_matrices();
     for (key, value) in nested.into_iter().flatten() {
-        document.entries.push(entry(file, key.span().start, key.get_ref(), value));
+        take(&mut document, file, key.span().start, key.get_ref(), value);
     }
     document
 }
 
-/// `value`, or `{ value = …, std = … }`.
-fn entry(file: File, offset: usize, name: &str, value: &Spanned<DeValue>) -> Entry {
+/// `value`, or `{ value = …, std = …, unit = … }`.
+fn take(document: &mut Document, file: File, offset: usize, name: &str, value: &Spanned<DeValue>) {
     let place = file.line_at(offset);
-    let named = match value.get_ref() {
-        DeValue::String(text) => return Entry::from_text(name, place, text),
-        DeValue::Table(table) => table.get("value").map(|value| (value, table.get("std"))),
-        _ => Some((value, None)),
-    };
-    let (value, deviation) = match named {
-        Some((value, deviation)) => (written(file, value), deviation.map(|deviation| written(file, deviation))),
-        None => (Written::Other("a table without `value`"), None),
-    };
-    Entry { name: name.to_owned(), place, value, deviation }
+    match value.get_ref() {
+        DeValue::String(text) => document.entries.push(Entry::from_text(name, place, text)),
+        DeValue::Table(table) => {
+            let members = table.iter().map(|(key, value)| (key.get_ref().as_ref(), written(file, value)));
+            document.take_members(name, place, members, "a table without `value`");
+        }
+        _ => {
+            let value = written(file, value);
+            document.entries.push(Entry { name: name.to_owned(), place, value, deviation: None });
+        }
+    }
 }
 
 /// The digits of the file itself: none is lost on the way.

@@ -6,7 +6,7 @@ use super::document::{Entry, Written};
 use crate::design::{Deviation, Given};
 use crate::failure::Problem;
 use crate::number::{self, shortest, with_unit};
-use crate::quantity::{self, Context, Lookup, Measured, Mistake, Part, Reason, no_names};
+use crate::quantity::{self, Context, Lookup, Measured, Mistake, Part, Reason, check_parts, no_names};
 
 const EXPECTED: &str = "expected a number, or an expression such as `pi/10`";
 
@@ -32,7 +32,14 @@ pub fn validate(entry: &Entry, info: &ParameterInfo, names: &Lookup) -> Result<G
     }
     if let Some(deviation) = &entry.deviation {
         match read(deviation, info, names) {
-            Ok(Measured { mean, deviation: None }) if spread.is_none() => spread = Some(mean),
+            Ok(Measured { mean, deviation: None }) if spread.is_none() => {
+                if let (Written::Text(value), Written::Text(deviation)) = (&entry.value, deviation)
+                    && let Err(reason) = check_parts(value, deviation, Context { unit: info.unit, names })
+                {
+                    problem(format!("`{name}` is `{value}` with the standard deviation `{deviation}`; {reason}"));
+                }
+                spread = Some(mean);
+            }
             Ok(_) => problem(format!("{of_deviation} given twice")),
             Err((_, found)) => problem(format!("{of_deviation} {found}")),
         }

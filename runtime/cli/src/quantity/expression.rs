@@ -9,6 +9,9 @@ use super::literal::{self, kept};
 /// Deeper nesting than this is refused, so that no input can exhaust the stack.
 const MAX_DEPTH: usize = 64;
 
+const MIXED: &str = "degrees and numbers without a unit are mixed; write `deg` behind each angle";
+const NOT_LINEAR: &str = "degrees are added, and multiplied or divided by pure numbers, but nothing else";
+
 /// An expression at the beginning of a text.
 #[derive(Debug)]
 pub struct Parsed<'a> {
@@ -24,43 +27,130 @@ pub struct Parsed<'a> {
 /// Reads as much of the text as is an expression: numbers, `pi`, names, `+ - * / ^ **`, parentheses, functions, and `deg`
 /// after an angle in degrees.
 ///
+/// `deg` belongs to the whole product before it, `1/2 deg`, and at the end of a sum of numbers to all of it, `90-72 deg`, as
+/// every other unit does.
+///
 /// # Errors
 /// What is wrong, if it does not begin with one.
 pub fn parse<'a>(text: &'a str, names: &Lookup) -> Result<Parsed<'a>, String> {
-    let mut parser = Parser { rest: text, depth: 0, in_degrees: false, refers: false, names };
-    let value = parser.sum()?;
+    let mut parser = Parser { rest: text, depth: 0, behind_degrees: None, in_degrees: false, refers: false, names };
+    let value = parser.sum()?.in_radians()?.value;
     Ok(Parsed { value, in_degrees: parser.in_degrees, refers: parser.refers, rest: parser.rest.trim() })
+}
+
+/// A part of an expression.
+#[derive(Clone, Copy)]
+struct Operand {
+    value: f64,
+    kind: Kind,
+}
+
+/// What a part of an expression may be added to.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// Nothing but digits: it has the unit that stands behind it, if any.
+    Number,
+    /// `pi`, the value of a function or of a name: it may be an angle in radians.
+    Other,
+    /// An angle of which the value is in degrees.
+    Degrees,
+    /// An angle of which the value is in radians, and in which degrees stand.
+    Angle,
+}
+
+impl Kind {
+    fn has_degrees(self) -> bool {
+        matches!(self, Self::Degrees | Self::Angle)
+    }
+
+    /// Of a product.
+    fn times(self, other: Self) -> Result<Self, String> {
+        match (self, other) {
+            (one, other) if one.has_degrees() && other.has_degrees() => Err(NOT_LINEAR.to_owned()),
+            (angle, _) | (_, angle) if angle.has_degrees() => Ok(angle),
+            (Self::Number, Self::Number) => Ok(Self::Number),
+            _ => Ok(Self::Other),
+        }
+    }
+}
+
+impl Operand {
+    fn in_radians(self) -> Result<Self, String> {
+        match self.kind {
+            Kind::Degrees => {
+                let value = kept(self.value * PI / 180.0, self.value != 0.0)?;
+                Ok(Self { value, kind: Kind::Angle })
+            }
+            _ => Ok(self),
+        }
+    }
+
+    /// The value of what degrees have no meaning in.
+    fn pure(self) -> Result<f64, String> {
+        if self.kind.has_degrees() { Err(NOT_LINEAR.to_owned()) } else { Ok(self.value) }
+    }
+
+    fn negative(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+
+    /// The sum of two, of which none is a number beside degrees.
+    fn plus(self, other: Self) -> Result<Self, String> {
+        let (first, second, kind) = match (self.kind, other.kind) {
+            (one, other) if one.has_degrees() && other == Kind::Number => return Err(MIXED.to_owned()),
+            (Kind::Number, other) if other.has_degrees() => return Err(MIXED.to_owned()),
+            (one, two) if one == two => (self, other, one),
+            (one, two) if one.has_degrees() || two.has_degrees() => {
+                (self.in_radians()?, other.in_radians()?, Kind::Angle)
+            }
+            _ => (self, other, Kind::Other),
+        };
+        Ok(Self { value: first.value + second.value, kind })
+    }
 }
 
 struct Parser<'a, 'n> {
     rest: &'a str,
     depth: usize,
+    /// How long the text was behind the last `deg`.
+    behind_degrees: Option<usize>,
     in_degrees: bool,
     refers: bool,
     names: &'n Lookup<'n>,
 }
 
 impl<'a> Parser<'a, '_> {
-    fn sum(&mut self) -> Result<f64, String> {
+    fn sum(&mut self) -> Result<Operand, String> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             return Err("nested too deeply".to_owned());
         }
-        let mut value = self.product()?;
+        let mut sum = self.product()?;
+        // A number is lost in a sum with `pi`, and yet does not go with degrees.
+        let mut has_number = sum.kind == Kind::Number;
         loop {
-            if self.take("+") {
-                value += self.unsigned()?;
+            let term = if self.take("+") {
+                self.unsigned()?
             } else if self.take("-") {
-                value -= self.unsigned()?;
+                self.unsigned()?.negative()
             } else {
                 self.depth -= 1;
-                return Ok(value);
+                return Ok(sum);
+            };
+            let is_last = self.behind_degrees == Some(self.rest.len()) && !self.rest.starts_with(['+', '-']);
+            if is_last && (sum.kind, term.kind) == (Kind::Number, Kind::Degrees) {
+                // `90-72 deg`
+                sum.kind = Kind::Degrees;
+            } else if has_number && term.kind.has_degrees() {
+                return Err(MIXED.to_owned());
             }
+            has_number |= term.kind == Kind::Number;
+            sum = sum.plus(term)?;
         }
     }
 
     /// What follows a sign: a second one could be a slip, or mean a standard deviation, and is never computed with.
-    fn unsigned(&mut self) -> Result<f64, String> {
+    fn unsigned(&mut self) -> Result<Operand, String> {
         if self.rest.starts_with(['+', '-', '±']) {
             let hint = "a difference has one sign, and a standard deviation `+/-` behind the whole value";
             return Err(format!("a sign after a sign; {hint}"));
@@ -68,51 +158,62 @@ impl<'a> Parser<'a, '_> {
         self.product()
     }
 
-    fn product(&mut self) -> Result<f64, String> {
-        let mut value = self.signed()?;
+    fn product(&mut self) -> Result<Operand, String> {
+        let mut product = self.signed()?;
         loop {
-            if self.take("*") || self.take("×") || self.take("·") {
+            if self.degrees() {
+                let kind = product.kind.times(Kind::Degrees)?;
+                product.kind = kind;
+            } else if self.take("*") || self.take("×") || self.take("·") {
                 let factor = self.signed()?;
-                value = kept(value * factor, value != 0.0 && factor != 0.0)?;
+                let kind = product.kind.times(factor.kind)?;
+                let value = kept(product.value * factor.value, product.value != 0.0 && factor.value != 0.0)?;
+                product = Operand { value, kind };
             } else if self.take("/") {
                 let divisor = self.signed()?;
-                value = kept(value / divisor, value != 0.0 && divisor.is_finite())?;
+                let kind = product.kind.times(divisor.kind)?;
+                let divisor = divisor.pure()?;
+                let value = kept(product.value / divisor, product.value != 0.0 && divisor.is_finite())?;
+                product = Operand { value, kind };
             } else {
-                return Ok(value);
+                return Ok(product);
             }
         }
     }
 
     /// Binds weaker than `^`, so that `-2^2` is -4 as in formulas.
-    fn signed(&mut self) -> Result<f64, String> {
+    fn signed(&mut self) -> Result<Operand, String> {
         let is_negative = self.take("-");
         if is_negative || self.take("+") {
             if self.rest.starts_with(['+', '-', '±']) {
                 return self.unsigned();
             }
-            let value = self.power()?;
-            return Ok(if is_negative { -value } else { value });
+            let power = self.power()?;
+            return Ok(if is_negative { power.negative() } else { power });
         }
         self.power()
     }
 
-    fn power(&mut self) -> Result<f64, String> {
+    fn power(&mut self) -> Result<Operand, String> {
         let base = self.operand()?;
-        let value = if self.take("^") || self.take("**") {
-            // One sign is enough for an exponent; a tower of powers goes in parentheses.
-            let negative = self.take("-");
-            let exponent = self.operand()?;
-            kept(base.powf(if negative { -exponent } else { exponent }), base != 0.0 && base.is_finite())?
-        } else {
-            base
-        };
-        if self.degrees() { kept(value * PI / 180.0, value != 0.0) } else { Ok(value) }
+        if !(self.take("^") || self.take("**")) {
+            return Ok(base);
+        }
+        // One sign is enough for an exponent; a tower of powers goes in parentheses.
+        let negative = self.take("-");
+        let exponent = self.operand()?;
+        let kind = base.kind.times(exponent.kind)?;
+        let (base, exponent) = (base.pure()?, exponent.pure()?);
+        let value = kept(base.powf(if negative { -exponent } else { exponent }), base != 0.0 && base.is_finite())?;
+        Ok(Operand { value, kind })
     }
 
     /// Takes the unit of an angle, if it follows.
     fn degrees(&mut self) -> bool {
         let before = self.rest;
         if self.take("°") || self.word() == "deg" {
+            self.skip_space();
+            self.behind_degrees = Some(self.rest.len());
             self.in_degrees = true;
             return true;
         }
@@ -120,13 +221,15 @@ impl<'a> Parser<'a, '_> {
         false
     }
 
-    fn operand(&mut self) -> Result<f64, String> {
+    fn operand(&mut self) -> Result<Operand, String> {
         if self.take("(") {
             return self.closed();
         }
         if self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
-            return self.number();
+            let value = self.number()?;
+            return Ok(Operand { value, kind: Kind::Number });
         }
+        let other = |value| Operand { value, kind: Kind::Other };
         let word = self.word();
         let name = function::without_module(word);
         if word.is_empty() {
@@ -136,28 +239,29 @@ impl<'a> Parser<'a, '_> {
             });
         }
         if let "pi" | "π" = name {
-            return Ok(PI);
+            return Ok(other(PI));
         }
         // Degrees in the arguments of a function do not make its value an angle.
         let in_degrees = self.in_degrees;
         let (value, is_never_zero) = if let Some(function) = function::of_one(name) {
             self.open(word)?;
-            let argument = self.closed()?;
+            let argument = self.closed()?.in_radians()?.value;
             (function(argument), name == "exp" && argument.is_finite())
         } else if let Some(function) = function::of_two(name) {
             self.open(word)?;
-            let first = self.sum()?;
+            let first = self.sum()?.in_radians()?.value;
             if !self.take(",") {
                 return Err(format!("`{word}` has two arguments"));
             }
-            let second = self.closed()?;
+            let second = self.closed()?.in_radians()?.value;
             (function(first, second), name.starts_with("pow") && first != 0.0 && first.is_finite())
         } else {
             self.refers = true;
-            return (self.names)(word).unwrap_or_else(|| Err(format!("`{word}` is not known")));
+            let found = (self.names)(word).unwrap_or_else(|| Err(format!("`{word}` is not known")));
+            return found.map(other);
         };
         self.in_degrees = in_degrees;
-        kept(value, is_never_zero)
+        kept(value, is_never_zero).map(other)
     }
 
     fn open(&mut self, function: &str) -> Result<(), String> {
@@ -165,7 +269,7 @@ impl<'a> Parser<'a, '_> {
     }
 
     /// The rest of what stands in parentheses, and the closing one.
-    fn closed(&mut self) -> Result<f64, String> {
+    fn closed(&mut self) -> Result<Operand, String> {
         let value = self.sum()?;
         if self.take(")") { Ok(value) } else { Err("a closing parenthesis is missing".to_owned()) }
     }

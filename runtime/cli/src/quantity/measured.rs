@@ -4,8 +4,10 @@ use super::context::Context;
 use super::literal;
 use super::mistake::{Mistake, Reason};
 use super::range::is_plain;
-use super::value::{Value, evaluate, starts_a_unit};
+use super::value::{Value, evaluate, is_unit_alone};
 use crate::number::shortest;
+
+const UNCLEAR: &str = "one part has a unit and the other has none: write it behind both, or `(27 +/- 1) deg`";
 
 /// A value, and its standard deviation where one is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,13 +105,37 @@ fn both(mean: &str, deviation: &str, context: Context) -> Result<Measured, Mista
     let value = evaluate(mean, context).map_err(|reason| Mistake::of_value(mean, reason));
     let spread = evaluate(deviation, context).map_err(|reason| Mistake::of_deviation(deviation, reason));
     let (value, spread) = (value?, spread?);
-    // `27 +/- 1 deg`: in degrees only if both are, which it does not say.
-    let is_unclear = value.is_converted != spread.is_converted && (value.is_converted || is_plain(mean));
-    if is_unclear && spread.value != 0.0 {
-        let reason = "one part has a unit and the other has none: write it behind both, or `(27 +/- 1) deg`";
-        return Err(Mistake::of_value(&format!("{mean} +/- {deviation}"), Reason::Other(reason.to_owned())));
+    if is_unclear(mean, value, spread) {
+        return Err(Mistake::of_value(&format!("{mean} +/- {deviation}"), Reason::Other(UNCLEAR.to_owned())));
+    }
+    if value.refers || spread.refers {
+        // A number without a unit does not go with a part that has one.
+        return Ok(Measured { mean: Part::computed(value.value), deviation: Some(Part::computed(spread.value)) });
     }
     Ok(Measured { mean: Part::of(value, mean), deviation: Some(Part::of(spread, deviation)) })
+}
+
+/// `27 +/- 1 deg`: in degrees only if both are, which it does not say.
+fn is_unclear(mean: &str, value: Value, spread: Value) -> bool {
+    let differs = value.is_converted != spread.is_converted && (value.is_converted || is_plain(mean));
+    differs && spread.value != 0.0
+}
+
+/// Whether a value and a standard deviation that is written apart from it are in one unit.
+///
+/// # Errors
+/// If one of them has a unit and the other has none.
+pub fn check_parts(mean: &str, deviation: &str, context: Context) -> Result<(), &'static str> {
+    let [mean, deviation] = [mean, deviation].map(|text| text.replace('−', "-").trim().to_owned());
+    match (evaluate(&mean, context), evaluate(&deviation, context)) {
+        (Ok(value), Ok(spread)) if is_unclear(&mean, value, spread) => Err(UNCLEAR),
+        _ => Ok(()),
+    }
+}
+
+/// Whether a standard deviation stands behind a value, with a sign.
+pub fn has_deviation(text: &str) -> bool {
+    sign(&text.replace('−', "-")).is_some()
 }
 
 /// `(8.0+/-0.1)e-02`: mean and standard deviation, and the factor or unit that they have in common.
@@ -124,7 +150,7 @@ fn with_common(text: &str) -> Option<(&str, &str, &str)> {
     let common = &inside[end + 1..];
     // With anything else, a deviation is not computed as its mean is.
     let unit = common[literal::exponent(common)..].trim_start();
-    (unit.is_empty() || starts_a_unit(unit)).then_some((mean, deviation, common))
+    (unit.is_empty() || is_unit_alone(unit)).then_some((mean, deviation, common))
 }
 
 /// The exponent behind parentheses belongs to the number in them; a unit, to the whole value.
@@ -166,6 +192,10 @@ fn last_digits(text: &str) -> Option<(String, String)> {
         return None;
     }
     let (exponent, rest) = rest.split_at(literal::exponent(rest));
+    // With anything else, a deviation is not computed as its mean is.
+    if !(rest.trim().is_empty() || is_unit_alone(rest.trim_start())) {
+        return None;
+    }
     let power: i32 = if exponent.is_empty() { 0 } else { exponent[1..].parse().ok()? };
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len() as i32);
     let power = if digits.contains('.') { power } else { power.checked_sub(decimals)? };

@@ -8,6 +8,7 @@
 //! | `pi/10`, `2*(1 + 3)`, `2^-1`, `2**-1` | expressions | `^` and `**` bind as in formulas: `-2^2` is -4 |
 //! | `atan(1/3)`, `math.sqrt(2)`, `np.deg2rad(27)` | functions | with or without `math.`, `np.`, `numpy.`; see [`function`] |
 //! | `18 deg`, `18°` | 18 π/180 | within expressions too: `90 deg - atan(3)` |
+//! | `1/2 deg`, `90-72 deg` | 0.5°, 18° | a unit belongs to the whole of what stands before it |
 //! | `1.02 m`, `1.02 [m]`, `102 cm`, `9.81 m/s/s` | in the unit of the parameter | see [`units`]; another quantity is refused |
 //! | `2*I_Rxx` | the value of another parameter, or of any name of the file | see `input/scope.rs` |
 //! | `0.08+/-0.001`, `0.08 ± 0.001`, `0.08+-0.001`, `0.08 + - 0.001` | a value and its standard deviation | |
@@ -16,7 +17,7 @@
 //! | `1.02+/-0.01, 1.03+/-0.01` | their mean, 1.025 ± 0.00707 | as BicycleParameters does: sqrt(Σσ²)/n |
 //!
 //! What would be read in two ways is refused: `1,02` (a comma for decimals, or two values), `0.3-+0.1`, `2*(3+-1)` (a
-//! sign after a sign), `27 +/- 1 deg` (degrees or radians).
+//! sign after a sign), `27 +/- 1 deg` and `18.5 deg - 0.5` (degrees or radians).
 
 mod context;
 mod expression;
@@ -30,9 +31,10 @@ mod value;
 
 pub use self::context::{Context, Lookup, no_names};
 pub use self::literal::TOO_SMALL;
-pub use self::measured::{Measured, Part, measured, number};
+pub use self::measured::{Measured, Part, check_parts, has_deviation, measured, number};
 pub use self::mistake::{Mistake, Reason};
-pub use self::range::{Steps, check_units};
+pub use self::range::{Steps, check_commas, check_units};
+pub use self::value::is_unit_alone;
 
 #[cfg(test)]
 mod tests;

@@ -15,6 +15,19 @@ pub fn check_units(texts: &[&str], context: Context) -> Result<(), String> {
     }
 }
 
+/// # Errors
+/// If what stands behind a comma are decimals rather than the next number of a list: `1,02`.
+pub fn check_commas(texts: &[&str]) -> Result<(), String> {
+    let are_decimals =
+        |text: &&&str| text.len() > 1 && text.starts_with('0') && text.bytes().all(|found| found.is_ascii_digit());
+    match texts.iter().skip(1).find(are_decimals) {
+        Some(text) => {
+            Err(format!("`{text}` stands behind a comma; decimals are written with a point, and a list as 1, 2"))
+        }
+        None => Ok(()),
+    }
+}
+
 /// Whether it is a number and nothing else.
 pub fn is_plain(text: &str) -> bool {
     literal::take(text.trim().trim_start_matches(['+', '-'])).is_ok_and(|(_, rest)| rest.trim().is_empty())

@@ -98,12 +98,41 @@ fn units_of_another_quantity_are_refused() {
     }
 }
 
+/// A unit at the end belongs to the whole value, degrees as all others: 1 deg is pi/180.
+#[test]
+fn units_behind_expressions() {
+    let degree = std::f64::consts::PI / 180.0;
+    for (text, degrees) in [
+        ("1/2 deg", 0.5),
+        ("1/100°", 0.01),
+        ("90-72 deg", 18.0),
+        ("90 deg - 72 deg", 18.0),
+        ("36 deg/2", 18.0),
+        ("2*9 deg", 18.0),
+        ("(90 - 72) deg", 18.0),
+        ("-18 deg", -18.0),
+        ("18 deg - 1/2 deg", 17.5),
+    ] {
+        let found = read(text, "rad").map(|(value, _)| value).unwrap_or(f64::NAN);
+        assert!((found - degrees * degree).abs() < 1e-15, "{text} is {found}");
+    }
+    let (value, deviation) = read("18 deg +/- 1/2 deg", "rad").expect("a measurement");
+    assert!((value - 18.0 * degree).abs() < 1e-15);
+    assert!((deviation.unwrap_or(f64::NAN) - degree / 2.0).abs() < 1e-15);
+    let (value, _) = read("pi/2 - 72 deg", "rad").expect("a difference of angles");
+    assert!((value - 18.0 * degree).abs() < 1e-15);
+    check("1/2 m", "m", 0.5, None);
+    check("100-2 cm", "m", 0.98, None);
+}
+
 #[test]
 fn what_has_two_meanings_is_refused() {
     let comma = "decimals are written with a point, and a list has measurements such as `1.02+/-0.01, 1.03+/-0.01`";
     let units = "one part has a unit and the other has none: write it behind both, or `(27 +/- 1) deg`";
     let some = "of a list, each measurement has a standard deviation or none has";
     let signs = "a sign after a sign; a difference has one sign, and a standard deviation `+/-` behind the whole value";
+    let mixed = "degrees and numbers without a unit are mixed; write `deg` behind each angle";
+    let linear = "degrees are added, and multiplied or divided by pure numbers, but nothing else";
     for (text, expected) in [
         ("1,02", format!("1,02: {comma}")),
         ("1,02+/-0,01", format!("1,02+/-0,01: {comma}")),
@@ -119,6 +148,16 @@ fn what_has_two_meanings_is_refused() {
         ("(1.02+-0.01)+1", format!("(1.02+-0.01)+1: {signs}")),
         ("1+-2+-3", format!("deviation 2+-3: {signs}")),
         ("1 +/- 2 +/- 3", "deviation 2 +/- 3: unexpected `/`".to_owned()),
+        ("0.020(3)+1", "0.020(3)+1: unexpected `(`".to_owned()),
+        ("1.020(3)^2", "1.020(3)^2: unexpected `(`".to_owned()),
+        ("18(1) deg + 3 deg", "18(1) deg + 3 deg: unexpected `(`".to_owned()),
+        ("18.5 deg - 0.5", format!("18.5 deg - 0.5: {mixed}")),
+        ("90 - 72 deg - 3 deg", format!("90 - 72 deg - 3 deg: {mixed}")),
+        ("0.3 + atan(1) - 5 deg", format!("0.3 + atan(1) - 5 deg: {mixed}")),
+        ("90 - (72 deg)", format!("90 - (72 deg): {mixed}")),
+        ("1/(2 deg)", format!("1/(2 deg): {linear}")),
+        ("(18 deg)^2", format!("(18 deg)^2: {linear}")),
+        ("36 deg/2 deg", format!("36 deg/2 deg: {linear}")),
         ("3 deg/s", "3 deg/s: `s` is not known".to_owned()),
         ("5 +/- 10 %", "deviation 10 %: unexpected `%`".to_owned()),
         ("+/-5", ": a value is missing at the end".to_owned()),
@@ -155,7 +194,8 @@ fn texts_read_back() {
     let plain = |mean: &str, deviation: &str| Ok((mean.to_owned(), Some(deviation.to_owned())));
     assert_eq!(written(" 1.020 +/- 0.010 "), plain("1.020", "0.010"));
     assert_eq!(written("1.020(3)"), plain("1.020", "3e-3"));
-    assert_eq!(written("2*IRxx +/- 1 mm"), plain("0.12", "1 mm"));
+    // Beside a unit, a number without one would be refused.
+    assert_eq!(written("2*IRxx +/- 1 mm"), plain("0.12", "0.001"));
     assert_eq!(written("−0.9"), Ok(("-0.9".to_owned(), None)));
 }
 

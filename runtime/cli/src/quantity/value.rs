@@ -40,6 +40,13 @@ pub fn evaluate(text: &str, Context { unit, names }: Context) -> Result<Value, R
     }
 }
 
+/// Whether what follows a number and its standard deviation is a unit and nothing else, as far as degrees are concerned:
+/// `deg` may stand within an expression.
+pub fn is_unit_alone(rest: &str) -> bool {
+    let behind = rest.strip_prefix('°').or_else(|| rest.strip_prefix("deg").filter(|rest| !rest.starts_with("ree")));
+    starts_a_unit(rest) && behind.is_none_or(|behind| behind.trim().is_empty())
+}
+
 /// Whether what follows a number is meant for a unit.
 pub fn starts_a_unit(rest: &str) -> bool {
     rest.starts_with(|c: char| c.is_alphabetic() || c == '[' || c == '°') && {

@@ -2,7 +2,7 @@
 
 use carvallo::{ModelInfo, ParameterInfo};
 
-use crate::input::evaluated;
+use crate::input::{evaluated, position};
 use crate::nearest::nearest;
 use crate::number::with_unit;
 use crate::quantity::{self, Context, no_names};
@@ -26,7 +26,7 @@ pub fn split<'a>(
 /// # Errors
 /// If there is none: that, and the one that was probably meant.
 pub fn find(name: &str, info: &ModelInfo) -> Result<usize, String> {
-    info.position(name).ok_or_else(|| {
+    position(name, info).ok_or_else(|| {
         let hint = nearest(name, info.parameters.iter().map(|parameter| parameter.name));
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
         format!("`{name}` is not a parameter of {}{hint}", info.name)

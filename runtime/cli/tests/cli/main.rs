@@ -10,6 +10,7 @@ mod models;
 mod numbers;
 mod pictures;
 mod process;
+mod readings;
 mod sensitivity;
 mod shapes;
 mod show;

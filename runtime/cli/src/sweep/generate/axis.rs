@@ -4,7 +4,7 @@ use carvallo::{ModelInfo, ParameterInfo};
 
 use crate::input::evaluated;
 use crate::number::with_unit;
-use crate::quantity::Steps;
+use crate::quantity::{Steps, check_commas};
 use crate::sweep::parameter::{any_possible, check_units, number, split, too_wide};
 
 /// More than this many values of one parameter are taken for a slip in the step.
@@ -28,6 +28,7 @@ impl Axis {
             [list] => {
                 let list: Vec<&str> = list.split(',').collect();
                 let values = list.iter().map(|value| number(value, parameter)).collect::<Result<Vec<f64>, _>>()?;
+                check_commas(&list)?;
                 check_units(&list, parameter)?;
                 values
             }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use carvallo::ModelInfo;
 
 use crate::failure::{Failure, Place, Problem};
-use crate::input::is_same_file;
+use crate::input::{is_same_file, position};
 use crate::number::shortest;
 use crate::speeds;
 use crate::sweep::generate::{Axis, Random};
@@ -79,9 +79,12 @@ impl Problems {
         let base = options.base.request();
         let settings = base.overrides.iter().map(|(option, name, _)| (option.clone(), name.as_str()));
         let mut given: Vec<(String, &str)> = settings.collect();
+        let is_same = |first: &str, second| {
+            first == second || position(first, info).is_some_and(|at| position(second, info) == Some(at))
+        };
         for (option, text) in varied.chain(options.random.iter().map(|text| ("--random", text))) {
             let name = text.split('=').next().unwrap_or_default().trim();
-            if let Some((first, _)) = given.iter().find(|(_, other)| *other == name) {
+            if let Some((first, _)) = given.iter().find(|(_, other)| is_same(other, name)) {
                 let message = format!("`{name}` is given twice; first at {first}");
                 self.option(option, text, message);
             }

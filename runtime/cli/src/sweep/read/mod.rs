@@ -67,6 +67,10 @@ impl File {
                     None
                 }
             };
+            let other = columns.iter().find(|other| position.is_some() && other.position == position);
+            if let Some(other) = other.filter(|other| other.name != name) {
+                problem(format!("columns `{}` and `{name}` are the same parameter", other.name));
+            }
             columns.push(Named { name, position });
         }
         if columns.iter().all(|column| column.position.is_none()) && problems.is_empty() {
