@@ -189,8 +189,8 @@ fn the_list_has_every_bicycle_with_its_critical_speeds() {
     assert!(line("benchmark-2005").contains("4.3016 to 6.0570"), "{text}");
 }
 
-/// M = 1, so that λ² + d λ is minus an eigenvalue of Kc + v² K2: 5/2 ± √(1/4 - v⁴ 4) / 2 - v². The two meet at v = 1/2,
-/// where λ = -d/2 ± i √(9/4 - d²/4).
+/// M = 1 and C0 = d, so that -λ² - d λ is an eigenvalue of Kc + v² K2: 5/2 ± √(1/4 - v²). The two meet at v = 1/2, where
+/// λ = -d/2 ± i √(5/2 - d²/4).
 #[test]
 fn a_double_root_off_the_real_axis_has_its_imaginary_part() {
     let directory = Directory::of_this_test();
@@ -204,7 +204,7 @@ fn a_double_root_off_the_real_axis_has_its_imaginary_part() {
     assert!(text.contains("become an oscillation, at λ = 3.7829\n"), "{text}");
 }
 
-/// Without damping the same flutter is preceded by motion that neither grows nor decays.
+/// Without damping, flutter comes after motion that neither grows nor decays.
 #[test]
 fn a_marginal_range_below_a_critical_speed_is_told() {
     let directory = Directory::of_this_test();
