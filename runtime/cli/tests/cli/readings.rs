@@ -124,6 +124,7 @@ fn decimals_behind_a_comma_are_no_list() {
 fn sweeps_know_the_names_of_files() {
     let directory = Directory::of_this_test();
     let expected = directory.run(&["sweep", "--vary", "IBxz=2.3,2.4"]).stdout;
+    assert_eq!(expected.lines().count(), 3);
     assert_eq!(directory.run(&["sweep", "--vary", "I_Bzx=2.3,2.4"]).stdout, expected);
     directory.write("a.csv", "IBzx\n2.3\n2.4\n");
     let read = directory.run(&["sweep", "--designs", "a.csv"]).stdout;
