@@ -1,10 +1,10 @@
 //! The formulas of a model in exact fractions.
 
-use carvallo_compiler::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
+use carvallo_compiler::formula::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
 use carvallo_compiler::model::Model;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Pow, Zero};
+use num_traits::{One, Pow};
 
 /// The entries of the matrices of a model by name and position, exactly.
 ///
@@ -56,18 +56,14 @@ impl Algebra for Fractions<'_> {
         self.definitions[index].clone()
     }
 
-    fn sum(&self, terms: Vec<Term<BigRational>>) -> Result<BigRational, Self::Error> {
-        Ok(terms.into_iter().fold(BigRational::zero(), |sum, Term { negative, value }| match negative {
-            true => sum - value,
-            false => sum + value,
-        }))
+    fn sum(&self, terms: impl Values<Term<BigRational>, Self::Error>) -> Result<BigRational, Self::Error> {
+        terms.map(|term| term.map(|Term { negative, value }| if negative { -value } else { value })).sum()
     }
 
-    fn product(&self, factors: Vec<Factor<BigRational>>) -> Result<BigRational, Self::Error> {
-        Ok(factors.into_iter().fold(BigRational::one(), |product, Factor { inverse, value }| match inverse {
-            true => product / value,
-            false => product * value,
-        }))
+    fn product(&self, factors: impl Values<Factor<BigRational>, Self::Error>) -> Result<BigRational, Self::Error> {
+        factors
+            .map(|factor| factor.map(|Factor { inverse, value }| if inverse { value.recip() } else { value }))
+            .product()
     }
 
     fn power(&self, base: BigRational, exponent: i32) -> Result<BigRational, Self::Error> {

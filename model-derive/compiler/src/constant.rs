@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 
-use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
+use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
 
 /// Bits of the calculation: enough that the nearest `f64` of the result is the nearest of the exact value.
 const PRECISION: usize = 320;
@@ -238,12 +238,12 @@ impl Algebra for Constants<'_> {
         self.definitions[index].clone()
     }
 
-    fn sum(&self, terms: Vec<Term<Constant>>) -> Result<Constant, NoValue> {
-        Constant::sum(terms)
+    fn sum(&self, terms: impl Values<Term<Constant>, NoValue>) -> Result<Constant, NoValue> {
+        Constant::sum(terms.collect::<Result<Vec<_>, _>>()?)
     }
 
-    fn product(&self, factors: Vec<Factor<Constant>>) -> Result<Constant, NoValue> {
-        Constant::product(factors)
+    fn product(&self, factors: impl Values<Factor<Constant>, NoValue>) -> Result<Constant, NoValue> {
+        Constant::product(factors.collect::<Result<Vec<_>, _>>()?)
     }
 
     fn power(&self, base: Constant, exponent: i32) -> Result<Constant, NoValue> {

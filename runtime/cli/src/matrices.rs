@@ -2,19 +2,31 @@
 
 use carvallo::{Coefficients, CoordinateInfo, Domain, Matrix, MatrixName, ModelInfo, ParameterInfo, Sensitivity};
 
-use crate::model::{Equations, Shipped, Visitor};
+use crate::model::Shipped;
 
 /// The form of the benchmark: M q'' + v C1 q' + (g K0 + v² K2) q = f.
-static BENCHMARK: Shipped = shipped(&ModelInfo {
+static BENCHMARK: Shipped = Shipped::new(
+    &BENCHMARK_INFO,
+    |parameters| Ok(Box::new(coefficients(&BENCHMARK_INFO, parameters))),
+    |parameters, visitor| visitor(&coefficients(&BENCHMARK_INFO, parameters)),
+    differentiate,
+);
+
+const BENCHMARK_INFO: ModelInfo = ModelInfo {
     name: "Matrices",
     parameters: &entries::<17>(&[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2]),
     matrices: &[MatrixName::M, MatrixName::C1, MatrixName::K0, MatrixName::K2],
     gravity: Some(16),
     ..GENERAL_INFO
-});
+};
 
 /// All matrices.
-static GENERAL: Shipped = shipped(&GENERAL_INFO);
+static GENERAL: Shipped = Shipped::new(
+    &GENERAL_INFO,
+    |parameters| Ok(Box::new(coefficients(&GENERAL_INFO, parameters))),
+    |parameters, visitor| visitor(&coefficients(&GENERAL_INFO, parameters)),
+    differentiate,
+);
 
 const GENERAL_INFO: ModelInfo = ModelInfo {
     name: "AllMatrices",
@@ -30,10 +42,6 @@ const GENERAL_INFO: ModelInfo = ModelInfo {
 
 /// They are no models that ship, but can be named like them.
 pub static MATRICES: [&Shipped; 2] = [&BENCHMARK, &GENERAL];
-
-const fn shipped(info: &'static ModelInfo) -> Shipped {
-    Shipped::new(info, equations, visit, differentiate)
-}
 
 const fn coordinate(name: &'static str) -> CoordinateInfo {
     CoordinateInfo { name, label: name, docs: "", unit: "1" }
@@ -71,23 +79,14 @@ pub const fn names(matrix: MatrixName) -> [&'static str; 4] {
     }
 }
 
-/// Any number of parameters of one of the two, in their order.
-fn coefficients(parameters: &[f64]) -> Coefficients<f64, 2> {
-    let info = if parameters.len() == BENCHMARK.info.parameters.len() { BENCHMARK.info } else { GENERAL.info };
+/// The matrices with these entries; those that the form does not have are zero.
+fn coefficients(info: &ModelInfo, entries: &[f64]) -> Coefficients<f64, 2> {
     let matrix = |matrix: MatrixName| match info.matrices.iter().position(|name| *name == matrix) {
-        Some(at) => Matrix::from_row_slice(&parameters[4 * at..4 * at + 4]),
+        Some(at) => Matrix::from_row_slice(&entries[4 * at..4 * at + 4]),
         None => Matrix::zeros(),
     };
     let [m, c0, c1, kc, k0, k2] = MatrixName::ALL.map(matrix);
     Coefficients { m, c0, c1, kc, k0, k2 }
-}
-
-fn equations(parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
-    Ok(Box::new(coefficients(parameters)))
-}
-
-fn visit(parameters: &[f64], visitor: Visitor) -> Result<(), String> {
-    visitor(&coefficients(parameters))
 }
 
 fn differentiate(_: &[f64]) -> Result<Option<Sensitivity<2>>, String> {

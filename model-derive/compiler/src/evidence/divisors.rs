@@ -97,7 +97,7 @@ struct Search<'a> {
     known: Vec<Vec<Interval>>,
     found: Vec<Requirement>,
     /// What the matrices take the root of, with where they do.
-    radicands: Vec<(Region, Formula, String)>,
+    radicands: Vec<(Region, Subject<'a>)>,
 }
 
 impl<'a> Search<'a> {
@@ -139,10 +139,9 @@ impl<'a> Search<'a> {
         let parts: Vec<Need<'a>> = needs.into_iter().flat_map(|need| self.open(need, &mut visited)).collect();
         for Need { subject, region, domain } in parts {
             let value = subject.formula();
-            let text = subject.text(&self.derived.names);
             let values = self.ranges.of(&value);
             if !domain.nonzero && origin == Origin::Matrices {
-                self.radicands.push((region, value.clone(), text.clone()));
+                self.radicands.push((region, subject));
             }
             if meets(values, domain) {
                 continue;
@@ -154,6 +153,7 @@ impl<'a> Search<'a> {
             } else if !self.is_implied(&value, domain) {
                 self.ranges.add_fact(&value, domain.into());
                 self.known.push(self.samples.of(&value));
+                let text = subject.text(&self.derived.names);
                 self.found.push(Requirement { text, region, value, domain, origin });
             }
         }
@@ -161,8 +161,10 @@ impl<'a> Search<'a> {
 
     /// Reports roots of what nothing keeps from zero: they have no derivative there.
     fn refuse_roots_of_zero(&mut self) {
-        for (region, value, text) in std::mem::take(&mut self.radicands) {
+        for (region, subject) in std::mem::take(&mut self.radicands) {
+            let value = subject.formula();
             if !self.ranges.of(&value).excludes_zero() && !self.is_implied(&value, Domain::NONZERO) {
+                let text = subject.text(&self.derived.names);
                 let message = format!(
                     "the root of `{text}` has no derivative where that is 0: expected a domain or `require {text} > 0;`, \
                      since the model asks for `derivatives`"

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use super::intervals::Interval;
 use crate::domain::{Bound, Domain};
-use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
+use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
 
 /// What is known of the values of parameters, definitions and other formulas.
 #[derive(Debug)]
@@ -78,17 +78,16 @@ impl Algebra for Ranges {
         self.definitions[index]
     }
 
-    fn sum(&self, terms: Vec<Term<Interval>>) -> Result<Interval, Infallible> {
-        Ok(terms.into_iter().map(|Term { negative, value }| if negative { -value } else { value }).sum())
+    fn sum(&self, terms: impl Values<Term<Interval>, Infallible>) -> Result<Interval, Infallible> {
+        Ok(terms.map(|Ok(Term { negative, value })| if negative { -value } else { value }).sum())
     }
 
-    fn product(&self, factors: Vec<Factor<Interval>>) -> Result<Interval, Infallible> {
-        let factor = |Factor { inverse, value }: Factor<Interval>| if inverse { value.power(-1) } else { value };
-        Ok(factors.into_iter().map(factor).product())
+    fn product(&self, factors: impl Values<Factor<Interval>, Infallible>) -> Result<Interval, Infallible> {
+        Ok(factors.map(|Ok(Factor { inverse, value })| if inverse { value.power(-1) } else { value }).product())
     }
 
     fn product_of(&self, factors: &[Factor]) -> Result<Interval, Infallible> {
-        self.product(powers(factors).into_iter().map(|(base, n)| Factor::times(self.of(base).power(n))).collect())
+        self.product(powers(factors).into_iter().map(|(base, n)| Ok(Factor::times(self.of(base).power(n)))))
     }
 
     fn power(&self, base: Interval, exponent: i32) -> Result<Interval, Infallible> {

@@ -4,6 +4,12 @@ use std::convert::Infallible;
 
 use super::{Decimal, Factor, Formula, Function, Term};
 
+/// The values of the parts of a formula, in their order. They are not gathered: a formula in doubles is evaluated a thousand
+/// times for one claim.
+pub trait Values<V, E>: Iterator<Item = Result<V, E>> {}
+
+impl<V, E, I: Iterator<Item = Result<V, E>>> Values<V, E> for I {}
+
 /// What formulas are calculated with.
 pub trait Algebra {
     /// The values of formulas.
@@ -19,10 +25,10 @@ pub trait Algebra {
     fn parameter(&self, index: usize) -> Self::Value;
     /// The definition at a position.
     fn definition(&self, index: usize) -> Self::Value;
-    /// A sum.
-    fn sum(&self, terms: Vec<Term<Self::Value>>) -> Result<Self::Value, Self::Error>;
-    /// A product.
-    fn product(&self, factors: Vec<Factor<Self::Value>>) -> Result<Self::Value, Self::Error>;
+    /// A sum of terms, each with its value as soon as it is asked for.
+    fn sum(&self, terms: impl Values<Term<Self::Value>, Self::Error>) -> Result<Self::Value, Self::Error>;
+    /// A product of factors, each with its value as soon as it is asked for.
+    fn product(&self, factors: impl Values<Factor<Self::Value>, Self::Error>) -> Result<Self::Value, Self::Error>;
     /// A whole power.
     fn power(&self, base: Self::Value, exponent: i32) -> Result<Self::Value, Self::Error>;
     /// A function of an argument.
@@ -30,8 +36,9 @@ pub trait Algebra {
 
     /// A product by its factors as formulas, for what learns more from equal ones than from their values.
     fn product_of(&self, factors: &[Factor]) -> Result<Self::Value, Self::Error> {
-        let fold = |Factor { inverse, value }: &Factor| Ok(Factor { inverse: *inverse, value: value.fold(self)? });
-        self.product(factors.iter().map(fold).collect::<Result<_, _>>()?)
+        self.product(
+            factors.iter().map(|Factor { inverse, value }| Ok(Factor { inverse: *inverse, value: value.fold(self)? })),
+        )
     }
 
     /// The value of a formula with what else is known of it.
@@ -54,7 +61,7 @@ impl Formula {
             Self::Sum(terms) => {
                 let fold =
                     |Term { negative, value }: &Term| Ok(Term { negative: *negative, value: value.fold(algebra)? });
-                algebra.sum(terms.iter().map(fold).collect::<Result<_, _>>()?)?
+                algebra.sum(terms.iter().map(fold))?
             }
             Self::Product(factors) => algebra.product_of(factors)?,
             Self::Power(base, exponent) => algebra.power(base.fold(algebra)?, *exponent)?,
@@ -96,12 +103,21 @@ impl Algebra for Doubles<'_> {
         self.definitions[index]
     }
 
-    fn sum(&self, terms: Vec<Term<f64>>) -> Result<f64, Infallible> {
-        Ok(terms.into_iter().map(|Term { negative, value }| if negative { -value } else { value }).sum())
+    // Loops, since in a build without optimization adapters of iterators take most of the time.
+    fn sum(&self, terms: impl Values<Term<f64>, Infallible>) -> Result<f64, Infallible> {
+        let mut sum = 0.0;
+        for Ok(Term { negative, value }) in terms {
+            sum += if negative { -value } else { value };
+        }
+        Ok(sum)
     }
 
-    fn product(&self, factors: Vec<Factor<f64>>) -> Result<f64, Infallible> {
-        Ok(factors.into_iter().map(|Factor { inverse, value }| if inverse { value.recip() } else { value }).product())
+    fn product(&self, factors: impl Values<Factor<f64>, Infallible>) -> Result<f64, Infallible> {
+        let mut product = 1.0;
+        for Ok(Factor { inverse, value }) in factors {
+            product *= if inverse { value.recip() } else { value };
+        }
+        Ok(product)
     }
 
     fn power(&self, base: f64, exponent: i32) -> Result<f64, Infallible> {

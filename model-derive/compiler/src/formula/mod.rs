@@ -8,7 +8,7 @@ mod fold;
 mod text;
 
 pub use self::decimal::Decimal;
-pub use self::fold::Algebra;
+pub use self::fold::{Algebra, Values};
 pub use self::text::{Names, Text};
 
 /// A formula in parameters and definitions, by position. Sums and products are flat.

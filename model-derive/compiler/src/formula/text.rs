@@ -5,7 +5,7 @@ use std::fmt;
 
 use proc_macro2::Ident;
 
-use super::{Algebra, Decimal, Factor, Formula, Function, Term};
+use super::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
 
 /// A formula as text, with what its outermost operation is: on that depends where it needs parentheses.
 #[derive(Clone, Debug)]
@@ -124,12 +124,12 @@ impl Algebra for Names {
         Text::single(&self.definitions[index])
     }
 
-    fn sum(&self, terms: Vec<Term<Text>>) -> Result<Text, Infallible> {
-        Ok(Text::sum(terms))
+    fn sum(&self, terms: impl Values<Term<Text>, Infallible>) -> Result<Text, Infallible> {
+        Ok(Text::sum(terms.map(|Ok(term)| term)))
     }
 
-    fn product(&self, factors: Vec<Factor<Text>>) -> Result<Text, Infallible> {
-        Ok(Text::product(factors))
+    fn product(&self, factors: impl Values<Factor<Text>, Infallible>) -> Result<Text, Infallible> {
+        Ok(Text::product(factors.map(|Ok(factor)| factor)))
     }
 
     fn power(&self, base: Text, exponent: i32) -> Result<Text, Infallible> {

@@ -9,7 +9,7 @@ use symbolica::transcendental::TranscendentalFunctions;
 use super::atoms::{parameter, pi, symbol_at};
 use super::failure::Undefined;
 use super::form::Form;
-use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
+use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
 
 /// The engine, as long as its thread lives. Only the door makes one.
 ///
@@ -87,14 +87,19 @@ impl Algebra for Forms<'_> {
         self.definitions[index].clone()
     }
 
-    fn sum(&self, terms: Vec<Term<Form>>) -> Result<Form, Undefined> {
-        let terms = terms.into_iter().map(|Term { negative, value: Form(term) }| if negative { -term } else { term });
-        Ok(Form(Atom::add_many(terms.collect::<Vec<_>>())))
+    fn sum(&self, terms: impl Values<Term<Form>, Undefined>) -> Result<Form, Undefined> {
+        let terms = terms.map(|term| {
+            let Term { negative, value: Form(term) } = term?;
+            Ok(if negative { -term } else { term })
+        });
+        Ok(Form(Atom::add_many(terms.collect::<Result<Vec<_>, _>>()?)))
     }
 
-    fn product(&self, factors: Vec<Factor<Form>>) -> Result<Form, Undefined> {
-        let factors =
-            factors.into_iter().map(|Factor { inverse, value }| if inverse { value.power(-1) } else { Ok(value.0) });
+    fn product(&self, factors: impl Values<Factor<Form>, Undefined>) -> Result<Form, Undefined> {
+        let factors = factors.map(|factor| {
+            let Factor { inverse, value } = factor?;
+            if inverse { value.power(-1) } else { Ok(value.0) }
+        });
         Ok(Form(Atom::mul_many(factors.collect::<Result<Vec<_>, _>>()?)))
     }
 

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term};
+use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
 
 /// A value, and a bound on the error that rounding can have left in it.
 #[derive(Clone, Copy, Debug)]
@@ -84,22 +84,24 @@ impl Algebra for Sampler<'_> {
         self.definitions[index]
     }
 
-    fn sum(&self, terms: Vec<Term<Sample>>) -> Result<Sample, Infallible> {
-        Ok(terms.into_iter().fold(Sample { value: 0.0, error: 0.0 }, |sum, Term { negative, value: term }| {
+    fn sum(&self, mut terms: impl Values<Term<Sample>, Infallible>) -> Result<Sample, Infallible> {
+        terms.try_fold(Sample { value: 0.0, error: 0.0 }, |sum, term| {
+            let Term { negative, value: term } = term?;
             let value = if negative { sum.value - term.value } else { sum.value + term.value };
-            Sample::rounded(value, sum.error + term.error)
-        }))
+            Ok(Sample::rounded(value, sum.error + term.error))
+        })
     }
 
-    fn product(&self, factors: Vec<Factor<Sample>>) -> Result<Sample, Infallible> {
-        Ok(factors.into_iter().fold(Sample { value: 1.0, error: 0.0 }, |product, Factor { inverse, value: factor }| {
+    fn product(&self, mut factors: impl Values<Factor<Sample>, Infallible>) -> Result<Sample, Infallible> {
+        factors.try_fold(Sample { value: 1.0, error: 0.0 }, |product, factor| {
+            let Factor { inverse, value: factor } = factor?;
             let (value, slope) = match inverse {
                 true => (product.value / factor.value, product.value / factor.value.powi(2)),
                 false => (product.value * factor.value, product.value),
             };
             let share = if inverse { product.error / factor.value } else { product.error * factor.value };
-            Sample::rounded(value, share.abs() + slope.abs() * factor.error)
-        }))
+            Ok(Sample::rounded(value, share.abs() + slope.abs() * factor.error))
+        })
     }
 
     fn power(&self, Sample { value, error }: Sample, exponent: i32) -> Result<Sample, Infallible> {
