@@ -1,6 +1,6 @@
 //! Prints what each kind of operation costs in straight-line code, in additions: the weights of the compiler's cost model.
 //!
-//! `cargo run --release -p carvallo-tools --no-default-features --bin calibrate`
+//! `cargo run --profile bench -p carvallo-tools --no-default-features --bin calibrate`
 //!
 //! A kernel of sixteen chains of multiplications and additions, much like the matrices of a model, is timed as it is and
 //! with more operations of one kind in it. What they add to the time is their cost: it is that of throughput, among other

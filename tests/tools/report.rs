@@ -3,7 +3,7 @@
 //! Two models come out of the compiler: from the formulas of Appendix A, and from the bodies of the mechanism. What they
 //! take in time is in the benchmark `summary`.
 //!
-//! `cargo run --release -p carvallo-tools --no-default-features --bin report`
+//! `cargo run --profile bench -p carvallo-tools --no-default-features --bin report`
 
 use carvallo_models::Whipple;
 use carvallo_tests::designs;

@@ -4,7 +4,6 @@
 use core::ops::Neg;
 use core::ops::{Add, Mul, Sub};
 
-use crate::number::Scalar;
 use crate::system::Matrix;
 
 /// The entries of a matrix of two coordinates, by rows.
@@ -15,8 +14,8 @@ pub(crate) type ByPower<T> = [T; 3];
 
 /// The rows of a matrix.
 #[inline(always)]
-pub(crate) fn rows<T: Scalar>(matrix: &Matrix<T, 2>) -> Rows {
-    [[matrix.m11.to_f64(), matrix.m12.to_f64()], [matrix.m21.to_f64(), matrix.m22.to_f64()]]
+pub(crate) fn rows(matrix: &Matrix<f64, 2>) -> Rows {
+    [[matrix.m11, matrix.m12], [matrix.m21, matrix.m22]]
 }
 
 /// `det(X)`.

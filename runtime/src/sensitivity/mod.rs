@@ -95,9 +95,11 @@ impl<const N: usize> Sensitivity<N> {
             let (expected, found) = (position + 1, derivatives.len());
             return Err(SensitivityError::TooFew { quantity: "derivatives", expected, found });
         }
-        let coefficients = coefficients.finite()?;
-        let derivatives: Result<_, _> = derivatives.iter().map(Coefficients::finite).collect();
-        let derivatives = derivatives.map_err(|_| SystemError::OutOfRange { quantity: "a derivative of a matrix" })?;
+        let coefficients = coefficients.widen();
+        coefficients.require_finite()?;
+        let derivatives: Vec<_> = derivatives.iter().map(Coefficients::widen).collect();
+        let finite: Result<(), _> = derivatives.iter().try_for_each(Coefficients::require_finite);
+        finite.map_err(|_| SystemError::OutOfRange { quantity: "a derivative of a matrix" })?;
         Ok(Self { coefficients, derivatives, gravity, gravity_parameter })
     }
 

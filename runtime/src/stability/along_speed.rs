@@ -7,7 +7,6 @@ use crate::characteristic::determinant::rows;
 use crate::characteristic::powers::{InSpeed, Matrices, Powers};
 use crate::characteristic::units::{Units, ldexp_complex};
 use crate::eigenvalues::Quartic;
-use crate::number::Scalar;
 use crate::numeric::{DoubleDouble, Polynomial, Tracked, ldexp};
 use crate::system::{Coefficients, SystemError, require_finite};
 
@@ -23,12 +22,12 @@ pub(super) struct Characteristic {
 }
 
 impl Characteristic {
-    pub(super) fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
+    pub(super) fn new(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Result<Self, SystemError> {
         require_finite("gravity", gravity)?;
-        let coefficients = coefficients.finite()?;
-        let units = Units::of_coefficients(&coefficients, gravity)?;
+        coefficients.require_finite()?;
+        let units = Units::of_coefficients(coefficients, gravity)?;
         let matrices = {
-            let Coefficients { m, c0, c1, kc, k0, k2 } = units.scale_coefficients(&coefficients);
+            let Coefficients { m, c0, c1, kc, k0, k2 } = units.scale_coefficients(coefficients);
             Matrices::new([m, c0, c1, kc, k0, k2].map(|matrix| rows(&matrix)), units.scale_gravity(gravity))
         };
         if matrices.mass.value.to_f64().abs() <= 8.0 * f64::EPSILON * matrices.mass.size {

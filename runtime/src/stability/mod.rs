@@ -72,10 +72,15 @@ impl Stability {
     /// If gravity or an entry is not finite, if the mass matrix is singular, or if a critical speed leaves the range of
     /// `f64`.
     pub fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
-        if let Some(stability) = Self::fast(coefficients, gravity) {
-            return Ok(stability);
+        Self::of(&coefficients.widen(), gravity)
+    }
+
+    /// Not generic, so that it is compiled with this crate, as a whole, and not with each that uses it.
+    fn of(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Result<Self, SystemError> {
+        match Self::fast(coefficients, gravity) {
+            Some(stability) => Ok(stability),
+            None => Self::careful(coefficients, gravity),
         }
-        Self::careful(coefficients, gravity)
     }
 
     /// What [`Stability::new`] gives where it is certain in `f64`.
@@ -83,13 +88,13 @@ impl Stability {
     /// Nobody has to choose between this and [`Stability::careful`]. Both are public, but hidden, for the tests that hold
     /// them against each other and against exact arithmetic: these need crates that depend on this one.
     #[doc(hidden)]
-    pub fn fast<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Option<Self> {
+    pub fn fast(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Option<Self> {
         fast::find_stability(coefficients, gravity).map(Self::from_verdicts)
     }
 
     /// What [`Stability::new`] gives where `f64` is not enough.
     #[doc(hidden)]
-    pub fn careful<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
+    pub fn careful(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Result<Self, SystemError> {
         let characteristic = Characteristic::new(coefficients, gravity)?;
         careful::find_stability(&characteristic).map(Self::from_verdicts)
     }

@@ -81,9 +81,13 @@ impl Modes {
     /// # Errors
     /// As [`Stability::new`], and if there are no eigenvalues in the range of `f64` at a speed next to a double-root speed.
     pub fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
-        let stretches = stretches(&Characteristic::new(coefficients, gravity)?)?;
-        let critical_speeds = Stability::new(coefficients, gravity)?.critical_speeds;
-        let mut modes = Self { coefficients: coefficients.finite()?, gravity, stretches: Vec::new() };
+        Self::of(coefficients.widen(), gravity)
+    }
+
+    fn of(coefficients: Coefficients<f64, 2>, gravity: f64) -> Result<Self, SystemError> {
+        let stretches = stretches(&Characteristic::new(&coefficients, gravity)?)?;
+        let critical_speeds = Stability::new(&coefficients, gravity)?.critical_speeds;
+        let mut modes = Self { coefficients, gravity, stretches: Vec::new() };
         let courses = modes.courses(&stretches, &critical_speeds)?;
         modes.stretches = stretches.into_iter().zip(naming::names(&courses)).collect();
         Ok(modes)

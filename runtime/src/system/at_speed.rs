@@ -1,6 +1,6 @@
 //! The equations of motion at one speed and one gravity.
 
-use super::coefficients::{Coefficients, Matrix};
+use super::coefficients::{Coefficients, Matrix, MatrixName};
 use super::error::SystemError;
 use crate::number::Scalar;
 
@@ -46,7 +46,8 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
     /// # Errors
     /// If the speed, the gravity or an entry is not finite, or if C or K leaves the range of `f64`.
     pub fn at(&self, speed: f64, gravity: f64) -> Result<System<N>, SystemError> {
-        let coefficients = self.finite()?;
+        let coefficients = self.widen();
+        coefficients.require_finite()?;
         require_finite("speed", speed)?;
         require_finite("gravity", gravity)?;
         let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
@@ -57,21 +58,15 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         require_in_range("Kc + g K0 + v^2 K2", &k)?;
         Ok(System { m, c, k })
     }
+}
 
-    /// The coefficients as `f64`, every entry checked to be finite.
-    pub(crate) fn finite(&self) -> Result<Coefficients<f64, N>, SystemError> {
-        let wide = |quantity: &'static str, matrix: &Matrix<T, N>| {
-            let wide = matrix.map(Scalar::to_f64);
-            wide.iter().try_for_each(|&entry| require_finite(quantity, entry)).map(|()| wide)
-        };
-        Ok(Coefficients {
-            m: wide("M", &self.m)?,
-            c0: wide("C0", &self.c0)?,
-            c1: wide("C1", &self.c1)?,
-            kc: wide("Kc", &self.kc)?,
-            k0: wide("K0", &self.k0)?,
-            k2: wide("K2", &self.k2)?,
-        })
+impl<const N: usize> Coefficients<f64, N> {
+    /// Whether every entry is finite.
+    pub(crate) fn require_finite(&self) -> Result<(), SystemError> {
+        for name in MatrixName::ALL {
+            self.matrix(name).iter().try_for_each(|&entry| require_finite(name.name(), entry))?;
+        }
+        Ok(())
     }
 }
 

@@ -1,6 +1,6 @@
 //! The coefficient matrices of the linearized equations of motion.
 
-use core::{array, fmt};
+use core::fmt;
 
 use nalgebra::SMatrix;
 
@@ -37,6 +37,13 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         Self { m: matrix(m), c0: matrix(c0), c1: matrix(c1), kc: matrix(kc), k0: matrix(k0), k2: matrix(k2) }
     }
 
+    /// The same numbers as `f64`, exactly.
+    pub(crate) fn widen(&self) -> Coefficients<f64, N> {
+        let wide = |matrix: &Matrix<T, N>| matrix.map(Scalar::to_f64);
+        let Self { m, c0, c1, kc, k0, k2 } = self;
+        Coefficients { m: wide(m), c0: wide(c0), c1: wide(c1), kc: wide(kc), k0: wide(k0), k2: wide(k2) }
+    }
+
     /// One of the matrices.
     pub fn matrix(&self, name: MatrixName) -> &Matrix<T, N> {
         let Self { m, c0, c1, kc, k0, k2 } = self;
@@ -68,13 +75,18 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
 ///
 /// Compiled models make their matrices by it. Rows of two `f32` that are written where they are used, or taken from an
 /// array at places known there, are for LLVM one whole number of 64 bits each, and then it puts no loop over designs into
-/// lanes; so the rows are taken by a function that learns the place.
+/// lanes; so the rows are taken by a function that learns the place. It counts, since what iterates would be a call for
+/// each entry wherever a profile has `lto = "off"`.
 ///
 /// # Panics
 /// If the array ends before the matrix.
 #[inline(always)]
 pub fn rows<T: Copy, const N: usize, const ENTRIES: usize>(entries: &[T; ENTRIES], first: usize) -> [[T; N]; N] {
-    array::from_fn(|row| array::from_fn(|column| entries[first + N * row + column]))
+    let mut rows = [[entries[first]; N]; N];
+    for index in 0..N * N {
+        rows[index / N][index % N] = entries[first + index];
+    }
+    rows
 }
 
 /// One of the coefficient matrices.

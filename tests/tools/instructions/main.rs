@@ -3,7 +3,7 @@
 //! Every evaluator runs in a process of its own, n times and 2 n times: the difference leaves out what a process takes to
 //! start. valgrind 3.19 hides AVX-512 from programs, so batches are counted up to AVX2.
 //!
-//! `cargo run --release -p carvallo-tools --no-default-features --bin instructions`
+//! `cargo run --profile bench -p carvallo-tools --no-default-features --bin instructions`
 
 mod baseline;
 mod count;
@@ -14,7 +14,7 @@ use std::process::ExitCode;
 use baseline::Baseline;
 use evaluators::EVALUATORS;
 
-const COMMAND: &str = "cargo run --release -p carvallo-tools --no-default-features --bin instructions";
+const COMMAND: &str = "cargo run --profile bench -p carvallo-tools --no-default-features --bin instructions";
 const OPTIONS: &str = "options:
   (nothing)  counts, beside those of the baseline in tests/data/instructions.tsv
   --check    the same, and fails if one has grown by more than 2 %

@@ -57,7 +57,7 @@ impl Counts {
 }
 
 // What operations cost among others in straight-line code, in additions, measured on an Intel Xeon with AVX-512 by
-// `cargo run --release -p carvallo-tools --no-default-features --bin calibrate`, in `f64` and in `f32`:
+// `cargo run --profile bench -p carvallo-tools --no-default-features --bin calibrate`, in `f64` and in `f32`:
 //
 // multiplication 1.0 and 1.0, change of sign 1.3 and 1.2, division 2.6 and 2.3, square root 2.6 and 1.8, sine alone 50 and
 // 25, sine and cosine of one angle together 63 and 37.

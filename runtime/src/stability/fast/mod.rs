@@ -16,15 +16,14 @@ use arrayvec::ArrayVec;
 use super::critical::CriticalSpeed;
 use super::ranges::Verdicts;
 use super::verdict::Verdict;
-use crate::number::Scalar;
 use crate::system::Coefficients;
 use certain_speeds::CertainSpeeds;
 use conditions::{Conditions, Variable};
 use signs::Signs;
 
 /// All critical speeds, ascending, and the verdicts between and at them; `None` if they are not certain.
-pub(super) fn find_stability<T: Scalar>(
-    coefficients: &Coefficients<T, 2>,
+pub(super) fn find_stability(
+    coefficients: &Coefficients<f64, 2>,
     gravity: f64,
 ) -> Option<(Vec<CriticalSpeed>, Verdicts)> {
     let matrices = conditions::moderate_matrices(coefficients, gravity)?;
