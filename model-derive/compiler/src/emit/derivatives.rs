@@ -3,7 +3,8 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::evaluator::{self, Body};
+use super::body::Body;
+use super::evaluator;
 use super::names::GeneratedNames;
 use super::{derive, docs};
 use crate::derivatives::{Derivatives, Partial, entry_names};

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::evaluator::Body;
+use super::body::Body;
 use super::names::GeneratedNames;
 use super::{derive, docs};
 use crate::formula::Formula;

@@ -1,5 +1,6 @@
 //! A checked model and its programs to Rust.
 
+mod body;
 mod derivatives;
 mod evaluator;
 mod fields;

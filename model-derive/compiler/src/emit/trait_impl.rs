@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::evaluator::Body;
+use super::body::Body;
 use super::info;
 use super::names::GeneratedNames;
 use crate::model::Model;

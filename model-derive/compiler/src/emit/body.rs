@@ -1,0 +1,202 @@
+//! A program as the statements of a function.
+
+use std::collections::HashMap;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::names::GeneratedNames;
+use super::number;
+use crate::model::Model;
+use crate::program::{Instruction, Program, Value};
+
+/// A program as statements, and each value as an expression.
+pub struct Body {
+    /// Variables, one or a pair, and what is bound to them.
+    bindings: Vec<(Vec<Ident>, TokenStream)>,
+    pub values: Vec<TokenStream>,
+    /// How deep each value's expression nests; zero for names and numbers.
+    depths: Vec<usize>,
+    /// What each value's expression is to the operators around it.
+    strengths: Vec<Strength>,
+}
+
+/// How strongly an expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Product,
+    Negation,
+    /// Names, numbers and calls.
+    Atom,
+}
+
+impl Strength {
+    fn of(instruction: Instruction) -> Self {
+        match instruction {
+            Instruction::Add(..) | Instruction::Sub(..) => Self::Sum,
+            Instruction::Mul(..) | Instruction::Div(..) | Instruction::Square(_) | Instruction::Reciprocal(_) => {
+                Self::Product
+            }
+            Instruction::Neg(_) => Self::Negation,
+            _ => Self::Atom,
+        }
+    }
+}
+
+/// Values that are used once and have no name nest into the expression that uses them, up to this depth.
+const MAX_DEPTH: usize = 6;
+
+/// A program of more variables than this declares so many of them at once.
+const MAX_SCOPES: usize = 250;
+
+impl Body {
+    /// With names for some of the values, as far as nothing else has them.
+    pub fn new(program: &Program, model: &Model, names: &GeneratedNames, results: &[(Value, String)]) -> Self {
+        let mut uses = program.uses();
+        for instruction in &program.instructions {
+            if let Instruction::Square(a) = instruction {
+                // It is written twice.
+                uses[*a] += 1;
+            }
+        }
+        let mut named = vec![false; program.instructions.len()];
+        for value in program.labels.iter().map(|(value, _)| value).chain(&program.outputs) {
+            named[*value] = true;
+        }
+        let zeros =
+            program.outputs.iter().filter(|value| program.instructions[**value] == Instruction::Constant(0.0)).count();
+        let variable = names.values(program, model, results);
+        let pairs = pairs(program);
+        let mut body = Self { bindings: Vec::new(), values: Vec::new(), depths: Vec::new(), strengths: Vec::new() };
+        for (value, instruction) in program.instructions.iter().enumerate() {
+            if let Instruction::Sin(angle) | Instruction::Cos(angle) = instruction
+                && let Some(&(sine, cosine)) = pairs.get(angle)
+            {
+                let name = variable(value);
+                // The first of the two stands for both.
+                if value == sine.min(cosine) {
+                    let (s, c) = (variable(sine), variable(cosine));
+                    let both = body.call("sin_cos", *angle, names);
+                    body.bindings.push((vec![s, c], both));
+                }
+                body.push(quote!(#name), 0, Strength::Atom);
+                continue;
+            }
+            let expression = body.expression(*instruction, model, names);
+            let depth = instruction.operands().map(|value| body.depths[value] + 1).max().unwrap_or(0);
+            let repeated = *instruction == Instruction::Constant(0.0) && zeros > 1;
+            if depth == 0 && !repeated || uses[value] == 1 && !named[value] && depth < MAX_DEPTH {
+                body.push(expression, depth, Strength::of(*instruction));
+            } else {
+                let name = variable(value);
+                body.push(quote!(#name), 0, Strength::Atom);
+                body.bindings.push((vec![name], expression));
+            }
+        }
+        body
+    }
+
+    /// The bindings as statements.
+    ///
+    /// Each `let` opens a scope inside the one before it, and thousands of them exhaust the stack of the compiler where
+    /// it writes debug information. So long programs declare their variables in groups, and assign to them.
+    pub fn statements(&self) -> TokenStream {
+        let pattern = |names: &[Ident]| if let [name] = names { quote!(#name) } else { quote!((#(#names),*)) };
+        if self.bindings.len() <= MAX_SCOPES {
+            let bindings = self.bindings.iter().map(|(names, expression)| {
+                let pattern = pattern(names);
+                quote! { let #pattern = #expression; }
+            });
+            return bindings.collect();
+        }
+        let groups = self.bindings.chunks(MAX_SCOPES).map(|group| {
+            let names = group.iter().flat_map(|(names, _)| names);
+            let assignments = group.iter().map(|(names, expression)| {
+                let pattern = pattern(names);
+                quote! { #pattern = #expression; }
+            });
+            quote! { let (#(#names,)*); #(#assignments)* }
+        });
+        groups.collect()
+    }
+
+    fn push(&mut self, expression: TokenStream, depth: usize, strength: Strength) {
+        self.values.push(expression);
+        self.depths.push(depth);
+        self.strengths.push(strength);
+    }
+
+    /// A value as an operand: in parentheses if it holds together less than is needed there.
+    fn operand(&self, value: Value, needed: Strength) -> TokenStream {
+        let expression = &self.values[value];
+        if self.strengths[value] >= needed { quote!(#expression) } else { quote!((#expression)) }
+    }
+
+    fn call(&self, function: &str, argument: Value, names: &GeneratedNames) -> TokenStream {
+        // What stands between the parentheses of a call needs none of its own.
+        let argument =
+            if names.among_items { self.values[argument].clone() } else { self.operand(argument, Strength::Atom) };
+        names.call(function, &argument, None)
+    }
+
+    fn expression(&self, instruction: Instruction, model: &Model, names: &GeneratedNames) -> TokenStream {
+        // Operators of one strength are applied from the left.
+        let sum = |a, sign: TokenStream, b| {
+            let (a, b) = (self.operand(a, Strength::Sum), self.operand(b, Strength::Product));
+            quote!(#a #sign #b)
+        };
+        let product = |a, sign: TokenStream, b| {
+            let (a, b) = (self.operand(a, Strength::Product), self.operand(b, Strength::Atom));
+            quote!(#a #sign #b)
+        };
+        let call = |function, argument| self.call(function, argument, names);
+        match instruction {
+            Instruction::Parameter(index) => {
+                let name = &model.parameters[index].name;
+                quote!(self.#name)
+            }
+            Instruction::Constant(value) => constant(value, model, names),
+            Instruction::Add(a, b) => sum(a, quote!(+), b),
+            Instruction::Sub(a, b) => sum(a, quote!(-), b),
+            Instruction::Mul(a, b) => product(a, quote!(*), b),
+            Instruction::Div(a, b) => product(a, quote!(/), b),
+            Instruction::Square(a) => product(a, quote!(*), a),
+            Instruction::Neg(a) => {
+                let a = self.operand(a, Strength::Atom);
+                quote!(-#a)
+            }
+            Instruction::Reciprocal(a) => {
+                let (one, a) = (constant(1.0, model, names), self.operand(a, Strength::Atom));
+                quote!(#one / #a)
+            }
+            Instruction::Sqrt(a) => call("sqrt", a),
+            Instruction::Sin(a) => call("sin", a),
+            Instruction::Cos(a) => call("cos", a),
+            Instruction::Tan(a) => call("tan", a),
+            Instruction::Power(..) => unreachable!("the pass `powers` leaves none"),
+        }
+    }
+}
+
+/// A number, in as many lanes as the parameters have.
+fn constant(value: f64, model: &Model, names: &GeneratedNames) -> TokenStream {
+    let value = number(value);
+    let some = model.parameters.iter().find(|parameter| parameter.used).or(model.parameters.first());
+    let some = some.map(|parameter| &parameter.name);
+    names.call("like", &quote!(self.#some), Some(&value))
+}
+
+/// For each angle of which sine and cosine are both wanted, the values that they are: they come from one call.
+fn pairs(program: &Program) -> HashMap<Value, (Value, Value)> {
+    let instructions = || program.instructions.iter().enumerate();
+    let sines: HashMap<Value, Value> = instructions()
+        .filter_map(|(value, i)| if let Instruction::Sin(angle) = i { Some((*angle, value)) } else { None })
+        .collect();
+    instructions()
+        .filter_map(|(value, instruction)| match instruction {
+            Instruction::Cos(angle) => Some((*angle, (*sines.get(angle)?, value))),
+            _ => None,
+        })
+        .collect()
+}
