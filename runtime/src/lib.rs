@@ -60,7 +60,7 @@ mod system;
 
 pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, LengthError, Model, ModelInfo, ParameterError,
-    ParameterInfo, Partial, Rate, SetInfo,
+    ParameterInfo, Partial, Rate, RequirementInfo, SetInfo,
 };
 pub use nalgebra::Complex;
 pub use number::{Number, Scalar};

@@ -21,40 +21,40 @@ use carvallo::{
 ///
 /// Derived from a mechanism: body `lower`, body `upper`.
 ///
-/// The fields are the parameters. The coordinates are `theta1` (lower link) in rad, `theta2` (upper link) in rad.
+/// The fields are the parameters. The coordinates are `theta1` (lower link) in `rad`, `theta2` (upper link) in `rad`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulum<T = f64> {
     /// Length of the lower link, from hinge to hinge.
     ///
-    /// `l1` in m: > 0.
+    /// `l1` in `m`: `> 0`.
     pub l1: T,
     /// Centre of mass of the lower link, above its hinge.
     ///
-    /// `a1` in m: any finite value.
+    /// `a1` in `m`: any finite value.
     pub a1: T,
     /// Mass of the lower link.
     ///
-    /// `m1` in kg: >= 0.
+    /// `m1` in `kg`: `>= 0`.
     pub m1: T,
     /// Moment of inertia of the lower link about its centre of mass.
     ///
-    /// `I1` in kg*m^2: >= 0.
+    /// `I1` in `kg*m^2`: `>= 0`.
     pub I1: T,
     /// Centre of mass of the upper link, above its hinge.
     ///
-    /// `a2` in m: any finite value.
+    /// `a2` in `m`: any finite value.
     pub a2: T,
     /// Mass of the upper link.
     ///
-    /// `m2` in kg: >= 0.
+    /// `m2` in `kg`: `>= 0`.
     pub m2: T,
     /// Moment of inertia of the upper link about its centre of mass.
     ///
-    /// `I2` in kg*m^2: >= 0.
+    /// `I2` in `kg*m^2`: `>= 0`.
     pub I2: T,
     /// Gravitational field strength.
     ///
-    /// `g` in N/kg: >= 0.
+    /// `g` in `N/kg`: `>= 0`.
     pub g: T,
 }
 
@@ -100,7 +100,7 @@ impl<T: Number> DoublePendulum<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulumKinematics<T = f64> {
     /// The forces f on the coordinates that applied forces make: a row for each coordinate,
-    /// a column for each of `T1` (torque at the lower hinge) in N*m, `T2` (torque between the links) in N*m.
+    /// a column for each of `T1` (torque at the lower hinge) in `N*m`, `T2` (torque between the links) in `N*m`.
     pub forces: [[T; 2]; 2],
 }
 
@@ -175,6 +175,17 @@ impl DoublePendulum<f64> {
     /// The parameter set `rods`.
     ///
     /// Source: Two slender rods of 1 m and 1 kg
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `l1` | 1 | `m` |
+    /// | `a1` | 0.5 | `m` |
+    /// | `m1` | 1 | `kg` |
+    /// | `I1` | 0.08333333333333333 | `kg*m^2` |
+    /// | `a2` | 0.5 | `m` |
+    /// | `m2` | 1 | `kg` |
+    /// | `I2` | 0.08333333333333333 | `kg*m^2` |
+    /// | `g` | 9.81 | `N/kg` |
     pub const RODS: Self = Self {
         l1: 1.0, a1: 0.5, m1: 1.0, I1: 0.08333333333333333, a2: 0.5, m2: 1.0,
         I2: 0.08333333333333333, g: 9.81,
@@ -282,6 +293,7 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
                 values: &DoublePendulum::to_array(&DoublePendulum::<f64>::RODS),
             },
         ],
+        requirements: &[],
         gravity: Some(7),
     };
 

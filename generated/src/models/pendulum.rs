@@ -18,24 +18,24 @@ use carvallo::{
 ///
 /// Source: Newton's second law about the joint
 ///
-/// The fields are the parameters. The coordinates are `theta` (swing) in rad.
+/// The fields are the parameters. The coordinates are `theta` (swing) in `rad`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum<T = f64> {
     /// Mass of the bob.
     ///
-    /// `m` in kg: > 0.
+    /// `m` in `kg`: `> 0`.
     pub m: T,
     /// Length of the rod.
     ///
-    /// `l` in m: > 0.
+    /// `l` in `m`: `> 0`.
     pub l: T,
     /// Damping of the joint.
     ///
-    /// `c` in N*m*s: >= 0.
+    /// `c` in `N*m*s`: `>= 0`.
     pub c: T,
     /// Gravitational field strength.
     ///
-    /// `g` in N/kg: >= 0.
+    /// `g` in `N/kg`: `>= 0`.
     pub g: T,
 }
 
@@ -105,6 +105,13 @@ impl Pendulum<f64> {
     /// The parameter set `seconds`.
     ///
     /// Source: a bob of 2 kg that passes its lowest point once a second, nearly
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `m` | 2 | `kg` |
+    /// | `l` | 0.994 | `m` |
+    /// | `c` | 0.1 | `N*m*s` |
+    /// | `g` | 9.81 | `N/kg` |
     pub const SECONDS: Self = Self {
         m: 2.0, l: 0.994, c: 0.1, g: 9.81,
     };
@@ -196,6 +203,7 @@ impl<T: Scalar> Model<1> for Pendulum<T> {
                 values: &Pendulum::to_array(&Pendulum::<f64>::SECONDS),
             },
         ],
+        requirements: &[],
         gravity: Some(3),
     };
 

@@ -21,28 +21,28 @@ use carvallo::{
 ///
 /// Derived from a mechanism: wheel `D` (disc).
 ///
-/// The fields are the parameters. The coordinates are `phi` (lean) in rad, `psi` (yaw) in rad.
+/// The fields are the parameters. The coordinates are `phi` (lean) in `rad`, `psi` (yaw) in `rad`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDisc<T = f64> {
     /// Radius.
     ///
-    /// `r` in m: > 0.
+    /// `r` in `m`: `> 0`.
     pub r: T,
     /// Mass.
     ///
-    /// `m` in kg: > 0.
+    /// `m` in `kg`: `> 0`.
     pub m: T,
     /// Axial moment of inertia, about the axle.
     ///
-    /// `Ia` in kg*m^2: >= 0.
+    /// `Ia` in `kg*m^2`: `>= 0`.
     pub Ia: T,
     /// Transverse moment of inertia, about a diameter.
     ///
-    /// `It` in kg*m^2: > 0.
+    /// `It` in `kg*m^2`: `> 0`.
     pub It: T,
     /// Gravitational field strength.
     ///
-    /// `g` in N/kg: >= 0.
+    /// `g` in `N/kg`: `>= 0`.
     pub g: T,
 }
 
@@ -88,9 +88,9 @@ impl<T: Number> RollingDisc<T> {
 /// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDiscKinematics<T = f64> {
-    /// Lateral velocity, to the right, in m/s: of the point of `D` that is at the origin.
+    /// Lateral velocity, to the right, in `m/s`: of the point of `D` that is at the origin.
     pub lateral: Rate<T, 2>,
-    /// Spin of the wheel `D`, disc: about the y axis, so negative in forward motion, in rad/s.
+    /// Spin of the wheel `D`, disc: about the y axis, so negative in forward motion, in `rad/s`.
     pub wheel_D: Rate<T, 2>,
 }
 
@@ -165,6 +165,14 @@ impl RollingDisc<f64> {
     /// The parameter set `uniform`.
     ///
     /// Source: A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `r` | 0.3 | `m` |
+    /// | `m` | 1 | `kg` |
+    /// | `Ia` | 0.045 | `kg*m^2` |
+    /// | `It` | 0.0225 | `kg*m^2` |
+    /// | `g` | 9.81 | `N/kg` |
     pub const UNIFORM: Self = Self {
         r: 0.3, m: 1.0, Ia: 0.045, It: 0.0225, g: 9.81,
     };
@@ -172,6 +180,14 @@ impl RollingDisc<f64> {
     /// The parameter set `hoop`.
     ///
     /// Source: A hoop of 1 kg: Ia = m r^2, It = m r^2/2
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `r` | 0.3 | `m` |
+    /// | `m` | 1 | `kg` |
+    /// | `Ia` | 0.09 | `kg*m^2` |
+    /// | `It` | 0.045 | `kg*m^2` |
+    /// | `g` | 9.81 | `N/kg` |
     pub const HOOP: Self = Self {
         r: 0.3, m: 1.0, Ia: 0.09, It: 0.045, g: 9.81,
     };
@@ -274,6 +290,7 @@ impl<T: Scalar> Model<2> for RollingDisc<T> {
                 values: &RollingDisc::to_array(&RollingDisc::<f64>::HOOP),
             },
         ],
+        requirements: &[],
         gravity: Some(4),
     };
 

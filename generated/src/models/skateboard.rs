@@ -23,68 +23,68 @@ use carvallo::{
 ///
 /// Derived from a mechanism: body `B` (board and rider), body `TF` (front truck), body `TR` (rear truck), wheel `FL` (front left), wheel `FR` (front right), wheel `RL` (rear left), wheel `RR` (rear right).
 ///
-/// The fields are the parameters. The coordinates are `gamma` (tilt) in rad.
+/// The fields are the parameters. The coordinates are `gamma` (tilt) in `rad`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Skateboard<T = f64> {
     /// Wheel base, from axle to axle.
     ///
-    /// `L` in m: > 0.
+    /// `L` in `m`: `> 0`.
     pub L: T,
     /// Half of the track, from the middle of an axle to a wheel.
     ///
-    /// `b` in m: > 0.
+    /// `b` in `m`: `> 0`.
     pub b: T,
     /// Radius of the wheels.
     ///
-    /// `r` in m: > 0.
+    /// `r` in `m`: `> 0`.
     pub r: T,
     /// Angle of the front king pin above the horizontal, rising forward.
     ///
-    /// `lamF`, λF, in rad: > 0 and < 1.5707963267948966.
+    /// `lamF`, λF, in `rad`: `> 0 and < 1.5707963267948966`.
     pub lamF: T,
     /// Angle of the rear king pin above the horizontal, rising backward.
     ///
-    /// `lamR`, λR, in rad: > 0 and < 1.5707963267948966.
+    /// `lamR`, λR, in `rad`: `> 0 and < 1.5707963267948966`.
     pub lamR: T,
     /// Stiffness of the front truck about its king pin.
     ///
-    /// `kF` in N*m: >= 0.
+    /// `kF` in `N*m`: `>= 0`.
     pub kF: T,
     /// Stiffness of the rear truck about its king pin.
     ///
-    /// `kR` in N*m: >= 0.
+    /// `kR` in `N*m`: `>= 0`.
     pub kR: T,
     /// Mass of board and rider.
     ///
-    /// `m` in kg: > 0.
+    /// `m` in `kg`: `> 0`.
     pub m: T,
     /// Centre of mass, forward of the rear axle.
     ///
-    /// `x` in m: any finite value.
+    /// `x` in `m`: any finite value.
     pub x: T,
     /// Centre of mass, above the axles.
     ///
-    /// `h` in m: any finite value.
+    /// `h` in `m`: any finite value.
     pub h: T,
     /// Moment of inertia of board and rider about their centre of mass, in roll.
     ///
-    /// `Ixx` in kg*m^2: >= 0.
+    /// `Ixx` in `kg*m^2`: `>= 0`.
     pub Ixx: T,
     /// Moment of inertia of board and rider about their centre of mass, in pitch.
     ///
-    /// `Iyy` in kg*m^2: >= 0. No matrix depends on it.
+    /// `Iyy` in `kg*m^2`: `>= 0`. No matrix depends on it.
     pub Iyy: T,
     /// Moment of inertia of board and rider about their centre of mass, in yaw.
     ///
-    /// `Izz` in kg*m^2: >= 0. No matrix depends on it.
+    /// `Izz` in `kg*m^2`: `>= 0`. No matrix depends on it.
     pub Izz: T,
     /// Product of inertia of board and rider about their centre of mass.
     ///
-    /// `Ixz` in kg*m^2: any finite value.
+    /// `Ixz` in `kg*m^2`: any finite value.
     pub Ixz: T,
     /// Gravitational field strength.
     ///
-    /// `g` in N/kg: >= 0.
+    /// `g` in `N/kg`: `>= 0`.
     pub g: T,
 }
 
@@ -139,24 +139,24 @@ impl<T: Number> Skateboard<T> {
 /// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkateboardKinematics<T = f64> {
-    /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
+    /// Lateral velocity, to the right, in `m/s`: of the point of `B` that is at the origin.
     pub lateral: Rate<T, 1>,
-    /// Yaw rate, to the right, in rad/s: of `B`.
+    /// Yaw rate, to the right, in `rad/s`: of `B`.
     pub yaw: Rate<T, 1>,
-    /// Rate of `deltaF`, in rad/s.
+    /// Rate of `deltaF`, in `rad/s`.
     pub deltaF: Rate<T, 1>,
-    /// Rate of `deltaR`, in rad/s.
+    /// Rate of `deltaR`, in `rad/s`.
     pub deltaR: Rate<T, 1>,
-    /// Spin of the wheel `FL`, front left: about the y axis, so negative in forward motion, in rad/s.
+    /// Spin of the wheel `FL`, front left: about the y axis, so negative in forward motion, in `rad/s`.
     pub wheel_FL: Rate<T, 1>,
-    /// Spin of the wheel `FR`, front right: about the y axis, so negative in forward motion, in rad/s.
+    /// Spin of the wheel `FR`, front right: about the y axis, so negative in forward motion, in `rad/s`.
     pub wheel_FR: Rate<T, 1>,
-    /// Spin of the wheel `RL`, rear left: about the y axis, so negative in forward motion, in rad/s.
+    /// Spin of the wheel `RL`, rear left: about the y axis, so negative in forward motion, in `rad/s`.
     pub wheel_RL: Rate<T, 1>,
-    /// Spin of the wheel `RR`, rear right: about the y axis, so negative in forward motion, in rad/s.
+    /// Spin of the wheel `RR`, rear right: about the y axis, so negative in forward motion, in `rad/s`.
     pub wheel_RR: Rate<T, 1>,
     /// The forces f on the coordinates that applied forces make: a row for each coordinate,
-    /// a column for each of `T` (tilt torque) in N*m.
+    /// a column for each of `T` (tilt torque) in `N*m`.
     pub forces: [[T; 1]; 1],
 }
 
@@ -299,6 +299,24 @@ impl Skateboard<f64> {
     /// The parameter set `example`.
     ///
     /// Source: An adult on a board; the figures are an example
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `L` | 0.8 | `m` |
+    /// | `b` | 0.1 | `m` |
+    /// | `r` | 0.03 | `m` |
+    /// | `lamF` | 0.7853981633974483 | `rad` |
+    /// | `lamR` | 0.7853981633974483 | `rad` |
+    /// | `kF` | 50 | `N*m` |
+    /// | `kR` | 50 | `N*m` |
+    /// | `m` | 75 | `kg` |
+    /// | `x` | 0.42 | `m` |
+    /// | `h` | 0.9 | `m` |
+    /// | `Ixx` | 9 | `kg*m^2` |
+    /// | `Iyy` | 9 | `kg*m^2` |
+    /// | `Izz` | 1 | `kg*m^2` |
+    /// | `Ixz` | 0 | `kg*m^2` |
+    /// | `g` | 9.81 | `N/kg` |
     pub const EXAMPLE: Self = Self {
         L: 0.8, b: 0.1, r: 0.03, lamF: 0.7853981633974483, lamR: 0.7853981633974483, kF: 50.0,
         kR: 50.0, m: 75.0, x: 0.42, h: 0.9, Ixx: 9.0, Iyy: 9.0, Izz: 1.0, Ixz: 0.0, g: 9.81,
@@ -435,6 +453,7 @@ impl<T: Scalar> Model<1> for Skateboard<T> {
                 values: &Skateboard::to_array(&Skateboard::<f64>::EXAMPLE),
             },
         ],
+        requirements: &[],
         gravity: Some(14),
     };
 

@@ -20,32 +20,32 @@ use carvallo::{
 ///
 /// Source: Hamilton's principle for a fluid that leaves the system, as Benjamin (1961) has it: Proc. R. Soc. A 261, 457-486
 ///
-/// The fields are the parameters. The coordinates are `first` in rad, `second` in rad.
+/// The fields are the parameters. The coordinates are `first` in `rad`, `second` in `rad`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoPipes<T = f64> {
     /// Length of each pipe.
     ///
-    /// `l` in m: > 0.
+    /// `l` in `m`: `> 0`.
     pub l: T,
     /// Mass of a pipe for each metre.
     ///
-    /// `m` in kg/m: > 0.
+    /// `m` in `kg/m`: `> 0`.
     pub m: T,
     /// Mass of the fluid in it for each metre.
     ///
-    /// `f` in kg/m: >= 0.
+    /// `f` in `kg/m`: `>= 0`.
     pub f: T,
     /// Stiffness of each hinge.
     ///
-    /// `k` in N*m/rad: >= 0.
+    /// `k` in `N*m/rad`: `>= 0`.
     pub k: T,
     /// Damping of each hinge.
     ///
-    /// `c` in N*m*s/rad: >= 0.
+    /// `c` in `N*m*s/rad`: `>= 0`.
     pub c: T,
     /// Gravitational field strength.
     ///
-    /// `g` in N/kg: >= 0.
+    /// `g` in `N/kg`: `>= 0`.
     pub g: T,
 }
 
@@ -173,6 +173,15 @@ impl TwoPipes<f64> {
     /// The parameter set `hose`.
     ///
     /// Source: a hose of rubber, by estimate
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `l` | 0.5 | `m` |
+    /// | `m` | 0.2 | `kg/m` |
+    /// | `f` | 0.3 | `kg/m` |
+    /// | `k` | 0.5 | `N*m/rad` |
+    /// | `c` | 0.01 | `N*m*s/rad` |
+    /// | `g` | 9.81 | `N/kg` |
     pub const HOSE: Self = Self {
         l: 0.5, m: 0.2, f: 0.3, k: 0.5, c: 0.01, g: 9.81,
     };
@@ -285,6 +294,7 @@ impl<T: Scalar> Model<2> for TwoPipes<T> {
                 values: &TwoPipes::to_array(&TwoPipes::<f64>::HOSE),
             },
         ],
+        requirements: &[],
         gravity: Some(5),
     };
 

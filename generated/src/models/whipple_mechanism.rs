@@ -25,112 +25,112 @@ use carvallo::{
 ///
 /// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
-/// The fields are the parameters. The coordinates are `phi` (lean) in rad, `delta` (steer) in rad.
+/// The fields are the parameters. The coordinates are `phi` (lean) in `rad`, `delta` (steer) in `rad`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleMechanism<T = f64> {
     /// Wheel base.
     ///
-    /// `w` in m: > 0.
+    /// `w` in `m`: `> 0`.
     pub w: T,
     /// Trail: positive when the front contact is behind the point where the steer axis meets the ground.
     ///
-    /// `c` in m: any finite value.
+    /// `c` in `m`: any finite value.
     pub c: T,
     /// Steer axis tilt: 90 degrees minus the head angle.
     ///
-    /// `lam`, λ, in rad: > -1.5707963267948966 and < 1.5707963267948966.
+    /// `lam`, λ, in `rad`: `> -1.5707963267948966 and < 1.5707963267948966`.
     pub lam: T,
     /// Gravitational field strength.
     ///
-    /// `g` in N/kg: >= 0.
+    /// `g` in `N/kg`: `>= 0`.
     pub g: T,
     /// Radius of the rear wheel.
     ///
-    /// `rR` in m: > 0.
+    /// `rR` in `m`: `> 0`.
     pub rR: T,
     /// Mass of the rear wheel.
     ///
-    /// `mR` in kg: >= 0.
+    /// `mR` in `kg`: `>= 0`.
     pub mR: T,
     /// Radial moment of inertia of the rear wheel; by symmetry also about the vertical.
     ///
-    /// `IRxx` in kg*m^2: >= 0.
+    /// `IRxx` in `kg*m^2`: `>= 0`.
     pub IRxx: T,
     /// Axial moment of inertia of the rear wheel.
     ///
-    /// `IRyy` in kg*m^2: >= 0.
+    /// `IRyy` in `kg*m^2`: `>= 0`.
     pub IRyy: T,
     /// Centre of mass of the rear frame and rider, forward of the rear contact.
     ///
-    /// `xB` in m: any finite value.
+    /// `xB` in `m`: any finite value.
     pub xB: T,
     /// Centre of mass of the rear frame and rider, downward.
     ///
-    /// `zB` in m: any finite value.
+    /// `zB` in `m`: any finite value.
     pub zB: T,
     /// Mass of the rear frame and rider.
     ///
-    /// `mB` in kg: >= 0.
+    /// `mB` in `kg`: `>= 0`.
     pub mB: T,
     /// Moment of inertia of the rear frame and rider about its centre of mass, in roll.
     ///
-    /// `IBxx` in kg*m^2: >= 0.
+    /// `IBxx` in `kg*m^2`: `>= 0`.
     pub IBxx: T,
     /// Moment of inertia of the rear frame and rider about its centre of mass, in pitch.
     ///
-    /// `IByy` in kg*m^2: >= 0. No matrix depends on it.
+    /// `IByy` in `kg*m^2`: `>= 0`. No matrix depends on it.
     pub IByy: T,
     /// Moment of inertia of the rear frame and rider about its centre of mass, in yaw.
     ///
-    /// `IBzz` in kg*m^2: >= 0.
+    /// `IBzz` in `kg*m^2`: `>= 0`.
     pub IBzz: T,
     /// Product of inertia of the rear frame and rider about its centre of mass.
     ///
-    /// `IBxz` in kg*m^2: any finite value.
+    /// `IBxz` in `kg*m^2`: any finite value.
     pub IBxz: T,
     /// Centre of mass of the front frame, forward of the rear contact.
     ///
-    /// `xH` in m: any finite value.
+    /// `xH` in `m`: any finite value.
     pub xH: T,
     /// Centre of mass of the front frame, downward.
     ///
-    /// `zH` in m: any finite value.
+    /// `zH` in `m`: any finite value.
     pub zH: T,
     /// Mass of the front frame.
     ///
-    /// `mH` in kg: >= 0.
+    /// `mH` in `kg`: `>= 0`.
     pub mH: T,
     /// Moment of inertia of the front frame about its centre of mass, in roll.
     ///
-    /// `IHxx` in kg*m^2: >= 0.
+    /// `IHxx` in `kg*m^2`: `>= 0`.
     pub IHxx: T,
     /// Moment of inertia of the front frame about its centre of mass, in pitch.
     ///
-    /// `IHyy` in kg*m^2: >= 0. No matrix depends on it.
+    /// `IHyy` in `kg*m^2`: `>= 0`. No matrix depends on it.
     pub IHyy: T,
     /// Moment of inertia of the front frame about its centre of mass, in yaw.
     ///
-    /// `IHzz` in kg*m^2: >= 0.
+    /// `IHzz` in `kg*m^2`: `>= 0`.
     pub IHzz: T,
     /// Product of inertia of the front frame about its centre of mass.
     ///
-    /// `IHxz` in kg*m^2: any finite value.
+    /// `IHxz` in `kg*m^2`: any finite value.
     pub IHxz: T,
     /// Radius of the front wheel.
     ///
-    /// `rF` in m: > 0.
+    /// `rF` in `m`: `> 0`.
     pub rF: T,
     /// Mass of the front wheel.
     ///
-    /// `mF` in kg: >= 0.
+    /// `mF` in `kg`: `>= 0`.
     pub mF: T,
     /// Radial moment of inertia of the front wheel; by symmetry also about the vertical.
     ///
-    /// `IFxx` in kg*m^2: >= 0.
+    /// `IFxx` in `kg*m^2`: `>= 0`.
     pub IFxx: T,
     /// Axial moment of inertia of the front wheel.
     ///
-    /// `IFyy` in kg*m^2: >= 0.
+    /// `IFyy` in `kg*m^2`: `>= 0`.
     pub IFyy: T,
 }
 
@@ -220,16 +220,16 @@ impl<T: Number> WhippleMechanism<T> {
 /// to first order and in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleMechanismKinematics<T = f64> {
-    /// Lateral velocity, to the right, in m/s: of the point of `B` that is at the origin.
+    /// Lateral velocity, to the right, in `m/s`: of the point of `B` that is at the origin.
     pub lateral: Rate<T, 2>,
-    /// Yaw rate, to the right, in rad/s: of `B`.
+    /// Yaw rate, to the right, in `rad/s`: of `B`.
     pub yaw: Rate<T, 2>,
-    /// Spin of the wheel `R`, rear wheel: about the y axis, so negative in forward motion, in rad/s.
+    /// Spin of the wheel `R`, rear wheel: about the y axis, so negative in forward motion, in `rad/s`.
     pub wheel_R: Rate<T, 2>,
-    /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in rad/s.
+    /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in `rad/s`.
     pub wheel_F: Rate<T, 2>,
     /// The forces f on the coordinates that applied forces make: a row for each coordinate,
-    /// a column for each of `Tphi` (lean torque) in N*m, `Tdelta` (steer torque) in N*m.
+    /// a column for each of `Tphi` (lean torque) in `N*m`, `Tdelta` (steer torque) in `N*m`.
     pub forces: [[T; 2]; 2],
 }
 
@@ -543,6 +543,35 @@ impl WhippleMechanism<f64> {
     /// The parameter set `benchmark`.
     ///
     /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `w` | 1.02 | `m` |
+    /// | `c` | 0.08 | `m` |
+    /// | `lam` | 0.3141592653589793 | `rad` |
+    /// | `g` | 9.81 | `N/kg` |
+    /// | `rR` | 0.3 | `m` |
+    /// | `mR` | 2 | `kg` |
+    /// | `IRxx` | 0.0603 | `kg*m^2` |
+    /// | `IRyy` | 0.12 | `kg*m^2` |
+    /// | `xB` | 0.3 | `m` |
+    /// | `zB` | -0.9 | `m` |
+    /// | `mB` | 85 | `kg` |
+    /// | `IBxx` | 9.2 | `kg*m^2` |
+    /// | `IByy` | 11 | `kg*m^2` |
+    /// | `IBzz` | 2.8 | `kg*m^2` |
+    /// | `IBxz` | 2.4 | `kg*m^2` |
+    /// | `xH` | 0.9 | `m` |
+    /// | `zH` | -0.7 | `m` |
+    /// | `mH` | 4 | `kg` |
+    /// | `IHxx` | 0.05892 | `kg*m^2` |
+    /// | `IHyy` | 0.06 | `kg*m^2` |
+    /// | `IHzz` | 0.00708 | `kg*m^2` |
+    /// | `IHxz` | -0.00756 | `kg*m^2` |
+    /// | `rF` | 0.35 | `m` |
+    /// | `mF` | 3 | `kg` |
+    /// | `IFxx` | 0.1405 | `kg*m^2` |
+    /// | `IFyy` | 0.28 | `kg*m^2` |
     pub const BENCHMARK: Self = Self {
         w: 1.02, c: 0.08, lam: 0.3141592653589793, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.0603,
         IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
@@ -553,6 +582,35 @@ impl WhippleMechanism<f64> {
     /// The parameter set `benchmark_2005`.
     ///
     /// Source: Schwab, Meijaard & Papadopoulos (2005), ENOC 2005
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `w` | 1.02 | `m` |
+    /// | `c` | 0.08 | `m` |
+    /// | `lam` | 0.3217505543966422 | `rad` |
+    /// | `g` | 9.81 | `N/kg` |
+    /// | `rR` | 0.3 | `m` |
+    /// | `mR` | 2 | `kg` |
+    /// | `IRxx` | 0.06 | `kg*m^2` |
+    /// | `IRyy` | 0.12 | `kg*m^2` |
+    /// | `xB` | 0.3 | `m` |
+    /// | `zB` | -0.9 | `m` |
+    /// | `mB` | 85 | `kg` |
+    /// | `IBxx` | 9.2 | `kg*m^2` |
+    /// | `IByy` | 11 | `kg*m^2` |
+    /// | `IBzz` | 2.8 | `kg*m^2` |
+    /// | `IBxz` | 2.4 | `kg*m^2` |
+    /// | `xH` | 0.9 | `m` |
+    /// | `zH` | -0.7 | `m` |
+    /// | `mH` | 4 | `kg` |
+    /// | `IHxx` | 0.0546 | `kg*m^2` |
+    /// | `IHyy` | 0.06 | `kg*m^2` |
+    /// | `IHzz` | 0.0114 | `kg*m^2` |
+    /// | `IHxz` | -0.0162 | `kg*m^2` |
+    /// | `rF` | 0.35 | `m` |
+    /// | `mF` | 3 | `kg` |
+    /// | `IFxx` | 0.14 | `kg*m^2` |
+    /// | `IFyy` | 0.28 | `kg*m^2` |
     pub const BENCHMARK_2005: Self = Self {
         w: 1.02, c: 0.08, lam: 0.3217505543966422, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.06,
         IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
@@ -563,6 +621,35 @@ impl WhippleMechanism<f64> {
     /// A bicycle that balances itself without gyroscopic effects and without trail: two points of mass on skates.
     ///
     /// Source: Kooijman, Meijaard, Papadopoulos, Ruina & Schwab (2011), Science 332, 339-342
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `w` | 1 | `m` |
+    /// | `c` | 0 | `m` |
+    /// | `lam` | 0.08726646259971647 | `rad` |
+    /// | `g` | 9.81 | `N/kg` |
+    /// | `rR` | 0.1 | `m` |
+    /// | `mR` | 0 | `kg` |
+    /// | `IRxx` | 0 | `kg*m^2` |
+    /// | `IRyy` | 0 | `kg*m^2` |
+    /// | `xB` | 1.2 | `m` |
+    /// | `zB` | -0.4 | `m` |
+    /// | `mB` | 10 | `kg` |
+    /// | `IBxx` | 0 | `kg*m^2` |
+    /// | `IByy` | 0 | `kg*m^2` |
+    /// | `IBzz` | 0 | `kg*m^2` |
+    /// | `IBxz` | 0 | `kg*m^2` |
+    /// | `xH` | 1.02 | `m` |
+    /// | `zH` | -0.2 | `m` |
+    /// | `mH` | 1 | `kg` |
+    /// | `IHxx` | 0 | `kg*m^2` |
+    /// | `IHyy` | 0 | `kg*m^2` |
+    /// | `IHzz` | 0 | `kg*m^2` |
+    /// | `IHxz` | 0 | `kg*m^2` |
+    /// | `rF` | 0.1 | `m` |
+    /// | `mF` | 0 | `kg` |
+    /// | `IFxx` | 0 | `kg*m^2` |
+    /// | `IFyy` | 0 | `kg*m^2` |
     pub const TWO_MASS_SKATE: Self = Self {
         w: 1.0, c: 0.0, lam: 0.08726646259971647, g: 9.81, rR: 0.1, mR: 0.0, IRxx: 0.0, IRyy: 0.0,
         xB: 1.2, zB: -0.4, mB: 10.0, IBxx: 0.0, IByy: 0.0, IBzz: 0.0, IBxz: 0.0, xH: 1.02, zH: -0.2,
@@ -740,6 +827,7 @@ impl<T: Scalar> Model<2> for WhippleMechanism<T> {
                 values: &WhippleMechanism::to_array(&WhippleMechanism::<f64>::TWO_MASS_SKATE),
             },
         ],
+        requirements: &[],
         gravity: Some(3),
     };
 

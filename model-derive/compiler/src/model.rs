@@ -123,6 +123,8 @@ pub struct ParameterSet {
 pub struct Requirement {
     /// The expression as it was written.
     pub text: String,
+    /// The unit of its value; empty where it is not known.
+    pub unit: String,
     /// Where it stands.
     pub region: Region,
     /// The same, resolved.

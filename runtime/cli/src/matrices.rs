@@ -37,6 +37,7 @@ const GENERAL_INFO: ModelInfo = ModelInfo {
     matrices: &MatrixName::ALL,
     entries: &[],
     sets: &[],
+    requirements: &[],
     gravity: Some(24),
 };
 

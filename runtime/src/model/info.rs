@@ -26,6 +26,9 @@ pub struct ModelInfo {
     pub entries: &'static [EntryInfo],
     /// The named parameter sets that the declaration carries.
     pub sets: &'static [SetInfo],
+    /// What the model requires of several parameters at once: what its formulas need to have a value, then what its
+    /// declaration requires.
+    pub requirements: &'static [RequirementInfo],
     /// The position of the parameter that is the gravitational field strength g, if there is one.
     pub gravity: Option<usize>,
 }
@@ -53,11 +56,23 @@ impl ModelInfo {
         Ok(())
     }
 
+    /// Whether each of `values`, those of the expressions of the requirements in their order, is one that is allowed.
+    ///
+    /// # Errors
+    /// The first requirement that does not hold.
+    pub fn validate_requirements(&self, values: &[f64]) -> Result<(), ParameterError> {
+        for (requirement, value) in self.requirements.iter().zip(values) {
+            let RequirementInfo { expression, unit, domain } = *requirement;
+            self.require(expression, *value, unit, domain)?;
+        }
+        Ok(())
+    }
+
     /// Whether a value lies in a domain; `subject` is the parameter or expression that has the value.
     ///
     /// # Errors
     /// If it does not.
-    pub fn require(
+    fn require(
         &self,
         subject: &'static str,
         value: f64,
@@ -131,6 +146,24 @@ impl ParameterInfo {
     /// The same, but no matrix depends on it.
     pub const fn unused(self) -> Self {
         Self { used: false, ..self }
+    }
+}
+
+/// What a model requires of several parameters at once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RequirementInfo {
+    /// An expression in the parameters and the definitions, as the declaration has it, such as `mH + mF`.
+    pub expression: &'static str,
+    /// The unit of its value, such as `kg`; `1` for pure numbers, empty where it is not known.
+    pub unit: &'static str,
+    /// The values that are allowed.
+    pub domain: Domain,
+}
+
+impl RequirementInfo {
+    /// An expression whose value must lie in a domain.
+    pub const fn new(expression: &'static str, unit: &'static str, domain: Domain) -> Self {
+        Self { expression, unit, domain }
     }
 }
 

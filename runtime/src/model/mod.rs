@@ -12,6 +12,6 @@ mod traits;
 pub use derivatives::{Differentiable, Partial};
 pub use domain::{Bound, Domain};
 pub use error::{LengthError, ParameterError};
-pub use info::{CoordinateInfo, EntryInfo, ModelInfo, ParameterInfo, SetInfo};
+pub use info::{CoordinateInfo, EntryInfo, ModelInfo, ParameterInfo, RequirementInfo, SetInfo};
 pub use rate::Rate;
 pub use traits::{Evaluator, Model};

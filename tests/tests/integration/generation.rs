@@ -103,7 +103,58 @@ fn validation_names_parameter_value_and_requirement() {
         error(Whipple { lam: 2.0, ..bike }),
         "Whipple: `lam` is 2 rad; it must be > -1.5707963267948966 and < 1.5707963267948966"
     );
-    assert_eq!(error(Whipple { mH: 0.0, mF: 0.0, ..bike }), "Whipple: `mH + mF` is 0; it must be > 0");
+    assert_eq!(error(Whipple { mH: 0.0, mF: 0.0, ..bike }), "Whipple: `mH + mF` is 0 kg; it must be > 0");
+}
+
+/// The documentation that is generated for a declaration, line by line.
+fn documentation(declaration: &str) -> Vec<String> {
+    let code = expand(declaration.parse().expect("tokens"), &Driver::File).expect("the model compiles");
+    let file = syn::parse2::<syn::File>(code).expect("items");
+    let mut found = Documentation::default();
+    syn::visit::visit_file(&mut found, &file);
+    found.0
+}
+
+#[derive(Default)]
+struct Documentation(Vec<String>);
+
+impl syn::visit::Visit<'_> for Documentation {
+    fn visit_attribute(&mut self, attribute: &syn::Attribute) {
+        if let syn::Meta::NameValue(syn::MetaNameValue { path, value, .. }) = &attribute.meta
+            && let syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) = value
+            && path.is_ident("doc")
+        {
+            self.0.push(text.value().trim().into());
+        }
+    }
+}
+
+/// Between asterisks and underscores Markdown would emphasize what stands there.
+#[test]
+fn documentation_has_units_requirements_and_sets_as_code() {
+    let found = documentation(
+        "model Arm { parameters { I: kg*m^2, > 0; c: N*m*s, >= 0; b: N*m*s; f: 1, in [0.5, 2]; } \
+         require c + b > 0; coordinates { q \"swing\": rad; } \
+         M = [[I/f]]; C0 = [[c + b]]; set light { I = 1e-9; c = 0.25; b = -1/8; f = 1; } }",
+    );
+    let expected = [
+        "The fields are the parameters. The coordinates are `q` (swing) in `rad`.",
+        "- `c + b` in `kg*m^2/s`: `> 0`.",
+        "`I` in `kg*m^2`: `> 0`.",
+        "`b` in `N*m*s`: any finite value.",
+        "`f` a pure number: `>= 0.5 and <= 2`.",
+        "| `I` | 1e-9 | `kg*m^2` |",
+        "| `c` | 0.25 | `N*m*s` |",
+        "| `b` | -0.125 | `N*m*s` |",
+        "| `f` | 1 |  |",
+    ];
+    for line in expected {
+        assert!(found.iter().any(|known| known == line), "no line reads {line}: {found:#?}");
+    }
+    for line in &found {
+        let outside: String = line.split('`').step_by(2).collect();
+        assert!(!outside.contains(['*', '_']), "{line}");
+    }
 }
 
 /// What the program of a formula in one parameter gives at 256.

@@ -1,7 +1,7 @@
 //! A model among items that have the names of everything its code might reach for.
 
 #![deny(warnings, missing_docs)]
-#![allow(non_camel_case_types)]
+#![allow(non_camel_case_types, non_upper_case_globals)]
 
 #[allow(dead_code)]
 mod names {
@@ -22,6 +22,9 @@ mod names {
     impl<X> Scalar for X {}
     pub fn sin() {}
     pub fn sqrt() {}
+    pub const values: u8 = 0;
+    pub static parameter: u8 = 0;
+    pub struct element;
     pub mod core {}
     pub mod std {}
     pub mod carvallo {}
@@ -45,6 +48,7 @@ mod model {
             let d0 = E + I;
             require e + I > 0;
             coordinates { T: rad; f64: m; }
+            derivatives;
             M = [[d0*1 [kg*m^2], E*1 [kg*m]], [E*1 [kg*m], 2 [kg]]];
             C1 = [[0, e*1 [kg]], [0.5 [kg], 0]];
             set ok { e = 1; I = 2; Gamma = 0; x_ = 0; t5 = 1; }

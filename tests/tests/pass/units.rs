@@ -50,7 +50,12 @@ carvallo::model! {
 fn main() {
     let example = Units::EXAMPLE;
     assert_eq!(example.to_array(), [1.5, 2.5, 0.261_799_387_799_149_44, 1.5, 2000.0, 2.0, 0.0, 9.81]);
-    assert!(carvallo::Model::validate(&Units { m: 0.4, ..example }).is_err());
+    let said = |result: Result<(), carvallo::ParameterError>| result.map_err(|error| error.to_string());
+    let small = carvallo::Model::validate(&Units { m: 0.4, ..example });
+    assert_eq!(said(small), Err("Units: `m` is 0.4 kg; it must be > 0.5".into()));
+    let requirements: &[carvallo::RequirementInfo] = <Units as carvallo::Model<2>>::INFO.requirements;
+    let required: Vec<_> = requirements.iter().map(|r| format!("{} [{}] {}", r.expression, r.unit, r.domain)).collect();
+    assert_eq!(required, ["f [] not 0", "m [kg] > 0.5", "l + b [m] > 0"]);
     let [[m11, _], [_, m22]] = example.matrices().m;
     assert!((m11 - 3.0).abs() < 1e-15 && (m22 - 0.375 * core::f64::consts::FRAC_1_SQRT_2).abs() < 1e-16);
 }

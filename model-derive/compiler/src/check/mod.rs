@@ -90,11 +90,12 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     let definitions = order.declared.iter().map(formula).map(|f| resolve::resolve(f, &mut scope, report)).collect();
     // Of definitions in a cycle the first mistake is the cycle.
     let ordered = if order.is_cyclic { &[] } else { &order.declared[..] };
-    let defined = units::check(declaration, &dimensions, &scope, ordered, report);
+    let units::Found { definitions: defined, requirements: required } =
+        units::check(declaration, &dimensions, &scope, ordered, report);
     // Mistakes so far keep a mechanism from being derived; those behind it do not concern it.
     let (attributes, assembly) = check_mechanism(declaration, tree, &dimensions, &defined, &mut scope, report);
 
-    let requirements = resolve_requirements(declaration, &mut scope, report);
+    let requirements = resolve_requirements(declaration, &required, &mut scope, report);
     let (assertions, asserted) = resolve_assertions(declaration, &mut scope, report);
     let (matrices, entries) = matrices::resolve_matrices(declaration, is_complete, &mut scope, report);
 
@@ -145,9 +146,16 @@ fn check_mechanism(
     (attributes, assembly)
 }
 
-fn resolve_requirements(declaration: &Declaration, scope: &mut Scope, report: &mut Report) -> Vec<Requirement> {
-    let requirements = declaration.requirements.iter().map(|requirement| Requirement {
+/// `dimensions` are those of the requirements.
+fn resolve_requirements(
+    declaration: &Declaration,
+    dimensions: &[Option<Dimension>],
+    scope: &mut Scope,
+    report: &mut Report,
+) -> Vec<Requirement> {
+    let requirements = declaration.requirements.iter().zip(dimensions).map(|(requirement, dimension)| Requirement {
         text: requirement.value.to_string(),
+        unit: dimension.map(|dimension| dimension.to_string()).unwrap_or_default(),
         region: requirement.value.region,
         value: resolve::resolve(&requirement.value, scope, report),
         domain: domains::read_domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),

@@ -48,9 +48,9 @@ fn name_rate(role: Role, mechanism: &Mechanism) -> Option<(String, String)> {
         Role::Freedom(freedom) => {
             let body = mechanism.free.first().map(|free| free.body.to_string()).unwrap_or_default();
             let (name, what) = match freedom {
-                Freedom::Lateral => ("lateral", "Lateral velocity, to the right, in m/s: of the point of"),
-                Freedom::Yaw => ("yaw", "Yaw rate, to the right, in rad/s: of"),
-                _ => (freedom.word(), "Rate, in rad/s: of"),
+                Freedom::Lateral => ("lateral", "Lateral velocity, to the right, in `m/s`: of the point of"),
+                Freedom::Yaw => ("yaw", "Yaw rate, to the right, in `rad/s`: of"),
+                _ => (freedom.word(), "Rate, in `rad/s`: of"),
             };
             let at = if freedom == Freedom::Lateral { " that is at the origin" } else { "" };
             Some((name.into(), format!("{what} `{body}`{at}.")))
@@ -58,12 +58,12 @@ fn name_rate(role: Role, mechanism: &Mechanism) -> Option<(String, String)> {
         Role::Joint(index) => {
             let joint = &mechanism.joints[index];
             let unit = if joint.kind == JointKind::Revolute { "rad/s" } else { "m/s" };
-            Some((joint.name.to_string(), format!("Rate of `{}`, in {unit}.", joint.name)))
+            Some((joint.name.to_string(), format!("Rate of `{}`, in `{unit}`.", joint.name)))
         }
         Role::Spin(index) => {
             let wheel = &mechanism.wheels[index];
             let label = wheel.label.clone().map(|label| format!(", {label}")).unwrap_or_default();
-            let what = "about the y axis, so negative in forward motion, in rad/s";
+            let what = "about the y axis, so negative in forward motion, in `rad/s`";
             Some((format!("wheel_{}", wheel.name), format!("Spin of the wheel `{}`{label}: {what}.", wheel.name)))
         }
     }

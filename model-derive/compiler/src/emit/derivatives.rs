@@ -61,11 +61,15 @@ pub fn emit(model: &Model, names: &GeneratedNames, computed: Option<&Derivatives
             }
         }
     };
-    let assigned = quote! {
+    let with_respect_to = quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #derivatives<#scalar> {
             #with_respect_to
         }
+    };
+    let with_respect_to = names.with_arguments(&["parameter"], with_respect_to);
+    let assigned = quote! {
+        #with_respect_to
 
         #differentiable
 
@@ -114,8 +118,9 @@ fn body(model: &Model, names: &GeneratedNames, computed: &Derivatives) -> TokenS
 /// All matrices derived with respect to one parameter.
 fn with_respect_to(model: &Model, names: &GeneratedNames, count: usize) -> TokenStream {
     let GeneratedNames { runtime, matrices: all, derivatives, scalar, .. } = names;
-    let [parameter, matrices, position, partial, matrix, zero] =
-        ["parameter", "matrices", "position", "partial", "matrix", "zero"].map(|name| names.variable(name));
+    let parameter = format_ident!("parameter");
+    let [matrices, position, partial, matrix, zero] =
+        ["matrices", "position", "partial", "matrix", "zero"].map(|name| names.variable(name));
     let [n, parameters, count] =
         [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);
     let fields = evaluator::fields(model);

@@ -9,7 +9,7 @@ use super::number;
 use super::structure::constant;
 use crate::domain::{Bound, Domain};
 use crate::matrix_name::MatrixName;
-use crate::model::Model;
+use crate::model::{Model, Requirement};
 use crate::program::Program;
 
 pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -> TokenStream {
@@ -36,6 +36,10 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
         let set = quote!(#model_name::<::core::primitive::f64>::#constant);
         let values = quote!(&#model_name::to_array(&#set));
         quote! { #runtime::SetInfo { name: #name, docs: #docs, source: #source, values: #values } }
+    });
+    let requirements = model.requirements.iter().map(|Requirement { text, unit, domain: required, .. }| {
+        let domain = domain(*required, names);
+        quote!(#runtime::RequirementInfo::new(#text, #unit, #domain))
     });
     let matrix_name = |matrix: MatrixName| {
         let matrix = format_ident!("{}", matrix.name());
@@ -68,12 +72,13 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
             matrices: &[#(#names_of_matrices),*],
             entries: &[#(#entries),*],
             sets: &[#(#sets),*],
+            requirements: &[#(#requirements),*],
             gravity: #gravity,
         }
     }
 }
 
-pub fn domain(domain: Domain, names: &GeneratedNames) -> TokenStream {
+fn domain(domain: Domain, names: &GeneratedNames) -> TokenStream {
     let runtime = &names.runtime;
     let bound = |bound| match bound {
         Bound::Unbounded => quote!(#runtime::Bound::Unbounded),

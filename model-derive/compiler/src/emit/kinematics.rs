@@ -33,7 +33,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
         coordinates.join(", "),
     ));
     let force_field = (forces > 0).then(|| {
-        let what = kinematics.applied.iter().map(|[name, label, unit]| format!("`{name}` ({label}) in {unit}"));
+        let what = kinematics.applied.iter().map(|[name, label, unit]| format!("`{name}` ({label}) in `{unit}`"));
         let what: Vec<String> = what.collect();
         let docs = docs(&format!(
             "The forces f on the coordinates that applied forces make: a row for each coordinate,\na column for each of \

@@ -17,7 +17,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
     let fields: Vec<_> = model.parameters.iter().map(|parameter| &parameter.name).collect();
     let positions = (0..fields.len()).map(Literal::usize_unsuffixed);
     let size = Literal::usize_unsuffixed(n);
-    let [parameter, matrices] = ["parameter", "matrices"].map(|name| names.variable(name));
+    let (parameter, matrices) = (format_ident!("parameter"), names.variable("matrices"));
     let declared: Vec<MatrixName> = model.matrices.iter().map(|(matrix, _)| *matrix).collect();
     let entries: Vec<TokenStream> = program
         .map(entries)
@@ -31,7 +31,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
         })
         .collect();
     let count = Literal::usize_unsuffixed(entries.len());
-    quote! {
+    let implementation = quote! {
         #allow
         impl<#scalar: #runtime::Number> #runtime::Evaluator<#scalar, #size> for #name<#scalar> {
             type Entries = [#scalar; #count];
@@ -52,5 +52,6 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
                 #all::rows(&self.matrices())
             }
         }
-    }
+    };
+    names.with_arguments(&["parameter"], implementation)
 }

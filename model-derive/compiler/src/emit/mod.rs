@@ -2,6 +2,7 @@
 
 mod body;
 mod derivatives;
+mod documentation;
 mod evaluator;
 mod fields;
 mod info;

@@ -56,6 +56,22 @@ impl GeneratedNames {
         if self.among_items { format_ident!("__{name}") } else { format_ident!("{name}") }
     }
 
+    /// Items with functions whose parameters have these names, for their documentation: whatever has the name in the
+    /// user's scope, here it is that of a function, which a pattern may shadow.
+    pub fn with_arguments(&self, arguments: &[&str], items: TokenStream) -> TokenStream {
+        if !self.among_items {
+            return items;
+        }
+        let allow = self.allow();
+        let arguments = arguments.iter().map(|name| format_ident!("{name}"));
+        quote! {
+            const _: () = {
+                #(#allow fn #arguments() {})*
+                #items
+            };
+        }
+    }
+
     /// A call of a method of the runtime's trait `Number`; among a user's items another trait could have a method of that
     /// name for all types.
     pub fn call(&self, method: &str, receiver: &TokenStream, argument: Option<&TokenStream>) -> TokenStream {

@@ -3,9 +3,10 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::documentation::{model_docs, parameter_docs, set_docs};
 use super::names::GeneratedNames;
-use super::{derive, docs, number, or};
-use crate::model::{Model, Parameter, ParameterSet};
+use super::{derive, docs, number};
+use crate::model::{Model, ParameterSet};
 
 /// The struct, its parameter sets if there are any, and the conversions.
 pub fn emit(model: &Model, names: &GeneratedNames) -> (TokenStream, Option<TokenStream>, TokenStream) {
@@ -37,8 +38,8 @@ fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
     let fields = fields(model);
     let count = Literal::usize_unsuffixed(fields.len());
     let positions = (0..fields.len()).map(Literal::usize_unsuffixed);
-    let [values, value] = ["values", "value"].map(|name| names.variable(name));
-    quote! {
+    let (values, value) = (format_ident!("values"), names.variable("value"));
+    let conversions = quote! {
         #allow
         impl<#scalar: #runtime::Number> #name<#scalar> {
             /// The parameters from an array in declared order.
@@ -63,7 +64,8 @@ fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
                 #name::from_array(#values.map(|#value| #runtime::Scalar::from_f64(#runtime::Scalar::to_f64(#value))))
             }
         }
-    }
+    };
+    names.with_arguments(&["values"], conversions)
 }
 
 fn fields(model: &Model) -> Vec<&Ident> {
@@ -74,13 +76,7 @@ fn emit_sets(model: &Model, names: &GeneratedNames) -> TokenStream {
     let (name, allow, fields) = (&names.model, names.allow(), fields(model));
     let constants = model.sets.iter().map(|set| {
         let constant = constant(set);
-        let text = match (&*set.docs, &*set.source) {
-            ("", "") => format!("The parameter set `{}`.", set.name),
-            ("", source) => format!("The parameter set `{}`.\n\nSource: {source}", set.name),
-            (text, "") => text.to_string(),
-            (text, source) => format!("{text}\n\nSource: {source}"),
-        };
-        let text = docs(&text);
+        let text = docs(&set_docs(set, model));
         let values = set.values.iter().map(|value| number(*value));
         quote! { #text pub const #constant: Self = Self { #(#fields: #values,)* }; }
     });
@@ -93,40 +89,4 @@ fn emit_sets(model: &Model, names: &GeneratedNames) -> TokenStream {
 /// The name of the constant that holds a parameter set.
 pub fn constant(set: &ParameterSet) -> Ident {
     format_ident!("{}", set.name.to_string().to_uppercase(), span = set.name.span())
-}
-
-fn model_docs(model: &Model) -> String {
-    let mut text = or(&model.docs, &format!("The model `{}`.", model.name)).to_string();
-    if !model.source.is_empty() {
-        text.push_str(&format!("\n\nSource: {}", model.source));
-    }
-    if let Some(kinematics) = &model.kinematics {
-        text.push_str(&format!("\n\nDerived from a mechanism: {}.", kinematics.parts.join(", ")));
-    }
-    text.push_str("\n\nThe fields are the parameters. The coordinates are");
-    for (index, coordinate) in model.coordinates.iter().enumerate() {
-        text.push_str(if index == 0 { " " } else { ", " });
-        text.push_str(&format!("`{}`", coordinate.name));
-        if coordinate.label != coordinate.name {
-            text.push_str(&format!(" ({})", coordinate.label));
-        }
-        text.push_str(&format!(" in {}", coordinate.unit));
-    }
-    text.push('.');
-    text
-}
-
-/// The text of the declaration, then symbol, unit and domain.
-fn parameter_docs(parameter: &Parameter) -> String {
-    let name = parameter.name.to_string();
-    let unit = if parameter.unit == "1" { "a pure number".to_string() } else { format!("in {}", parameter.unit) };
-    let mut facts = format!("`{name}`");
-    if parameter.symbol != name {
-        facts.push_str(&format!(", {},", parameter.symbol));
-    }
-    facts.push_str(&format!(" {unit}: {}.", parameter.domain));
-    if !parameter.used {
-        facts.push_str(" No matrix depends on it.");
-    }
-    if parameter.docs.is_empty() { facts } else { format!("{}\n\n{facts}", parameter.docs) }
 }

@@ -1,7 +1,7 @@
 //! The implementation of the runtime's trait.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::body::Body;
 use super::info;
@@ -21,7 +21,8 @@ pub fn emit(
     let count = Literal::usize_unsuffixed(model.parameters.len());
     let text = model.name.to_string();
     let description = info::emit(model, names, program);
-    let [values, position, info] = ["values", "position", "info"].map(|name| names.variable(name));
+    let [position, info] = ["position", "info"].map(|name| names.variable(name));
+    let [values, element] = ["values", "element"].map(|name| format_ident!("{name}"));
     let length_check = quote!(#runtime::LengthError::check(#text, #count, #values)?;);
     let gravity = match model.gravity {
         Some(index) => {
@@ -30,8 +31,9 @@ pub fn emit(
         }
         None => quote!(::core::option::Option::None),
     };
+    let requirements = requirements.filter(|_| !model.requirements.is_empty());
     let requirements = requirements.map(|program| validate_requirements(model, names, &info, program));
-    quote! {
+    let implementation = quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #runtime::Model<#n> for #name<#scalar> {
             type Scalar = #scalar;
@@ -57,9 +59,9 @@ pub fn emit(
 
             #[inline(always)]
             fn array<#other: ::core::marker::Copy>(
-                element: impl ::core::ops::FnMut(::core::primitive::usize) -> #other,
+                #element: impl ::core::ops::FnMut(::core::primitive::usize) -> #other,
             ) -> Self::Array<#other> {
-                ::core::array::from_fn(element)
+                ::core::array::from_fn(#element)
             }
 
             #[inline(always)]
@@ -83,20 +85,17 @@ pub fn emit(
                 #gravity
             }
         }
-    }
+    };
+    names.with_arguments(&["values", "element"], implementation)
 }
 
 fn validate_requirements(model: &Model, names: &GeneratedNames, info: &Ident, program: &Program) -> TokenStream {
     let runtime = &names.runtime;
     let body = Body::new(program, model, names, &[]);
     let statements = body.statements();
-    let checks = model.requirements.iter().zip(&program.outputs).map(|(requirement, value)| {
-        let value = &body.values[*value];
-        let subject = &requirement.text;
-        let domain = info::domain(requirement.domain, names);
-        quote! {
-            #info.require(#subject, #runtime::Scalar::to_f64(#value), "", #domain)?;
-        }
-    });
-    quote! { #statements #(#checks)* }
+    let values = program.outputs.iter().map(|value| &body.values[*value]);
+    quote! {
+        #statements
+        #info.validate_requirements(&[#(#runtime::Scalar::to_f64(#values)),*])?;
+    }
 }

@@ -154,7 +154,7 @@ impl<'a> Search<'a> {
                 self.ranges.add_fact(&value, domain.into());
                 self.known.push(self.samples.of(&value));
                 let text = subject.text(&self.derived.names);
-                self.found.push(Requirement { text, region, value, domain, origin });
+                self.found.push(Requirement { text, unit: String::new(), region, value, domain, origin });
             }
         }
     }

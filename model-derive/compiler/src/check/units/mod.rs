@@ -21,24 +21,31 @@ use crate::matrix_name::MatrixName;
 use crate::report::Report;
 use crate::syntax::{Coordinate, Declaration, Direction, Matrix, Requirement};
 
-/// Reports formulas whose units or mirrors do not fit, and returns the dimensions of the definitions, as far as they are
-/// known, in their order; `order` has their positions in the declaration, each behind those that it uses.
+/// The dimensions of formulas, as far as they are known.
+pub struct Found {
+    /// Of the definitions, in their order.
+    pub definitions: Vec<Option<Dimension>>,
+    /// Of the requirements, as they are declared.
+    pub requirements: Vec<Option<Dimension>>,
+}
+
+/// Reports formulas whose units or mirrors do not fit, and returns what was found of them; `order` has the positions of
+/// the definitions in the declaration, each behind those that it uses.
 pub fn check(
     declaration: &Declaration,
     dimensions: &Dimensions,
     scope: &Scope,
     order: &[usize],
     report: &mut Report,
-) -> Vec<Option<Dimension>> {
+) -> Found {
     gravity(declaration, dimensions, report);
     let definitions = vec![None; declaration.definitions.len()];
     let mut analysis = Analysis { declaration, scope, dimensions, definitions };
     for (position, declared) in order.iter().enumerate() {
         analysis.definitions[position] = analysis.dimension(&declaration.definitions[*declared].value, report);
     }
-    for requirement in &declaration.requirements {
-        check_requirement(&analysis, requirement, report);
-    }
+    let requirements = declaration.requirements.iter();
+    let requirements = requirements.map(|requirement| check_requirement(&analysis, requirement, report)).collect();
     for assertion in &declaration.assertions {
         analysis.check_equal(assertion, report);
     }
@@ -49,7 +56,7 @@ pub fn check(
     for matrix in declaration.matrices.iter().filter(|_| declaration.mechanism.is_none()) {
         check_matrix(&analysis, matrix, report);
     }
-    analysis.definitions
+    Found { definitions: analysis.definitions, requirements }
 }
 
 fn gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Report) {
@@ -63,11 +70,14 @@ fn gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Repo
     }
 }
 
-fn check_requirement(analysis: &Analysis<'_>, requirement: &Requirement, report: &mut Report) {
-    let Requirement { value, bound } = requirement;
-    let Some(dimension) = analysis.dimension(value, report) else { return };
+fn check_requirement(
+    analysis: &Analysis<'_>,
+    Requirement { value, bound }: &Requirement,
+    report: &mut Report,
+) -> Option<Dimension> {
+    let dimension = analysis.dimension(value, report)?;
     // The bound is read again, with its other mistakes reported, where the domain is made.
-    let Ok(number) = evaluate(&bound.value.number) else { return };
+    let number = evaluate(&bound.value.number).ok()?;
     let fits = match bound.value.unit.as_ref().map(Quantity::new) {
         None => number.is_zero() || dimension.is_number(),
         Some(Ok(unit)) => unit.dimension.same_unit(dimension),
@@ -79,6 +89,7 @@ fn check_requirement(analysis: &Analysis<'_>, requirement: &Requirement, report:
             format!("`{text}` is {}: expected a bound in its unit, such as `1 {dimension}`", dimension.place());
         report.error(bound.value.region(), message);
     }
+    Some(dimension)
 }
 
 /// An entry has the unit and the mirrors that make the work of its force on the coordinate of its row an energy.

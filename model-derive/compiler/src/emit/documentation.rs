@@ -1,0 +1,80 @@
+//! What is written above the parameters of a model and above its parameter sets, for the pages of its documentation.
+
+use super::or;
+use crate::domain::Domain;
+use crate::formula::Decimal;
+use crate::model::{Model, Origin, Parameter, ParameterSet, Requirement};
+
+/// The text of the declaration, then where the model comes from, its coordinates and its requirements.
+pub fn model_docs(model: &Model) -> String {
+    let mut text = or(&model.docs, &format!("The model `{}`.", model.name)).to_string();
+    if !model.source.is_empty() {
+        text.push_str(&format!("\n\nSource: {}", model.source));
+    }
+    if let Some(kinematics) = &model.kinematics {
+        text.push_str(&format!("\n\nDerived from a mechanism: {}.", kinematics.parts.join(", ")));
+    }
+    let coordinates = model.coordinates.iter().map(|coordinate| {
+        let label =
+            if coordinate.label == coordinate.name { String::new() } else { format!(" ({})", coordinate.label) };
+        format!("`{}`{label} in `{}`", coordinate.name, coordinate.unit)
+    });
+    let coordinates: Vec<String> = coordinates.collect();
+    text.push_str(&format!("\n\nThe fields are the parameters. The coordinates are {}.", coordinates.join(", ")));
+    if !model.requirements.is_empty() {
+        text.push_str("\n\nBeside what is said of each field, `validate` requires of them:\n\n");
+        let requirements: Vec<String> = model.requirements.iter().map(requirement_docs).collect();
+        text.push_str(&requirements.join(";\n"));
+        text.push('.');
+    }
+    text
+}
+
+/// The item of a list.
+fn requirement_docs(Requirement { text, unit, domain, origin, .. }: &Requirement) -> String {
+    let unit = if matches!(&**unit, "" | "1") { String::new() } else { format!(" in `{unit}`") };
+    let why = match (origin, domain.nonzero) {
+        (Origin::Declared, _) => "",
+        (Origin::Matrices, true) => ", since the matrices divide by it",
+        (Origin::Matrices, false) => ", since the matrices take its root",
+        (Origin::Requirements, true) => ", since a requirement divides by it",
+        (Origin::Requirements, false) => ", since a requirement takes its root",
+    };
+    format!("- `{text}`{unit}: {}{why}", bounds(domain))
+}
+
+/// The text of the declaration, then symbol, unit and domain.
+pub fn parameter_docs(parameter: &Parameter) -> String {
+    let name = parameter.name.to_string();
+    let unit = if parameter.unit == "1" { "a pure number".to_string() } else { format!("in `{}`", parameter.unit) };
+    let mut facts = format!("`{name}`");
+    if parameter.symbol != name {
+        facts.push_str(&format!(", {},", parameter.symbol));
+    }
+    facts.push_str(&format!(" {unit}: {}.", bounds(&parameter.domain)));
+    if !parameter.used {
+        facts.push_str(" No matrix depends on it.");
+    }
+    if parameter.docs.is_empty() { facts } else { format!("{}\n\n{facts}", parameter.docs) }
+}
+
+/// A domain, with signs that Markdown leaves alone.
+fn bounds(domain: &Domain) -> String {
+    let text = domain.to_string();
+    if text.starts_with(['<', '>']) { format!("`{text}`") } else { text }
+}
+
+/// The text of the declaration, then the source and the values.
+pub fn set_docs(set: &ParameterSet, model: &Model) -> String {
+    let mut text = or(&set.docs, &format!("The parameter set `{}`.", set.name)).to_string();
+    if !set.source.is_empty() {
+        text.push_str(&format!("\n\nSource: {}", set.source));
+    }
+    text.push_str("\n\n| parameter | value | unit |\n| --- | ---: | --- |");
+    for (Parameter { name, unit, .. }, value) in model.parameters.iter().zip(&set.values) {
+        let sign = if *value < 0.0 { "-" } else { "" };
+        let unit = if unit == "1" { String::new() } else { format!("`{unit}`") };
+        text.push_str(&format!("\n| `{name}` | {sign}{} | {unit} |", Decimal::nearest(value.abs())));
+    }
+    text
+}
