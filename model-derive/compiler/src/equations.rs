@@ -3,12 +3,14 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
+use nanoserde::{DeBin, SerBin};
+
 use crate::formula::{Decimal, Factor, Formula, Function, Term};
 use crate::model::Model;
 use crate::program::{Instruction, Program, Value};
 
 /// Formulas to be evaluated together, as one program.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, DeBin, PartialEq, SerBin)]
 pub struct Equations {
     /// The number of parameters.
     pub parameters: usize,

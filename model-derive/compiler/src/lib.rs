@@ -34,6 +34,7 @@ pub use crate::equations::Equations;
 use crate::model::Model;
 use crate::pipeline::Refusal;
 pub use crate::pipeline::{Compiled, Programs};
+pub use crate::symbolic::{Kept, with_answers};
 
 /// Checks a declaration, and makes no programs of it.
 ///
@@ -60,14 +61,15 @@ pub fn expand(declaration: TokenStream, driver: &Driver) -> syn::Result<TokenStr
 }
 
 /// What the macro leaves in the place of a declaration, before which stands in parentheses the path of the runtime:
-/// its Rust, or its mistakes, and beside them the types that the rest of the file uses.
+/// its Rust, or its mistakes, and beside them the types that the rest of the file uses. What the engine finds is kept for
+/// the next build.
 pub fn declare(input: TokenStream) -> TokenStream {
     let mut tokens = input.into_iter();
     let Some(TokenTree::Group(runtime)) = tokens.next() else {
         return report::error(Span::call_site(), "expected a call by `carvallo::model!`").into_compile_error();
     };
     let driver = Driver::Macro { runtime: runtime.stream() };
-    match pipeline::compile(tokens.collect()) {
+    match with_answers(Kept::of_this_build(), || pipeline::compile(tokens.collect())) {
         Ok(compiled) => emit::emit(&compiled, &driver),
         Err(Refusal { error, model }) => {
             let outline = model.map(|model| emit::outline(*model, &driver));

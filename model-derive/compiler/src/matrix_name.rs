@@ -1,8 +1,10 @@
 //! The names of the matrices of the equation of motion, which all stages use.
 
+use nanoserde::{DeBin, SerBin};
+
 /// A coefficient matrix of the equation of motion `M q'' + (C0 + v C1) q' + (Kc + g K0 + v^2 K2) q = f`, with the
 /// forward speed v and the gravitational field strength g.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, Eq, PartialOrd, Ord, Hash, SerBin)]
 pub enum MatrixName {
     M,
     C0,

@@ -17,6 +17,7 @@ mod events;
 mod fast_stability;
 #[cfg(feature = "compiler")]
 mod generation;
+mod kept;
 mod many_coordinates;
 mod mechanisms;
 mod modes;

@@ -1,11 +1,12 @@
 //! Decimal literals, kept exactly.
 
+use nanoserde::{DeBin, SerBin};
 use proc_macro2::Literal;
 
 /// An unsigned decimal number `digits * 10^exponent`.
 ///
 /// `digits` has no leading or trailing zeros, and is `0` for zero.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, DeBin, PartialEq, Eq, Hash, SerBin)]
 pub struct Decimal {
     /// Decimal digits of the integer mantissa.
     pub digits: String,

@@ -11,8 +11,10 @@ pub use self::decimal::Decimal;
 pub use self::fold::{Algebra, Values};
 pub use self::text::{Names, Text};
 
+use nanoserde::{DeBin, SerBin};
+
 /// A formula in parameters and definitions, by position. Sums and products are flat.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, DeBin, PartialEq, SerBin)]
 pub enum Formula {
     /// A decimal number, exact.
     Number(Decimal),
@@ -33,7 +35,7 @@ pub enum Formula {
 }
 
 /// One term of a sum.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, DeBin, PartialEq, SerBin)]
 pub struct Term<V = Formula> {
     /// Whether it is subtracted.
     pub negative: bool,
@@ -42,7 +44,7 @@ pub struct Term<V = Formula> {
 }
 
 /// One factor of a product.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, DeBin, PartialEq, SerBin)]
 pub struct Factor<V = Formula> {
     /// Whether it divides.
     pub inverse: bool,
@@ -85,7 +87,7 @@ impl<V> Factor<V> {
 }
 
 /// The functions that formulas may use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, Eq, Hash, SerBin)]
 pub enum Function {
     /// Sine.
     Sin,

@@ -1,8 +1,10 @@
 //! A mechanism in its reference configuration: what is derived from.
 
+use nanoserde::SerBin;
+
 /// Bodies in a tree of joints, with formulas of type `V`. The axes are x forward, y to the right, z down; the ground is
 /// at z = 0.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, SerBin)]
 pub struct Mechanism<V> {
     /// Each behind the one that it hangs on.
     pub joints: Vec<Joint<V>>,
@@ -19,7 +21,7 @@ pub struct Mechanism<V> {
 }
 
 /// One freedom between two bodies, or between a body and the ground.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, SerBin)]
 pub struct Joint<V> {
     /// The name of the coordinate.
     pub name: String,
@@ -36,14 +38,14 @@ pub struct Joint<V> {
     pub damping: Option<V>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, SerBin)]
 pub enum Motion {
     Turns,
     Slides,
 }
 
 /// A rigid body, or a part of one.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, SerBin)]
 pub struct Body<V> {
     /// The joint that moves it.
     pub joint: usize,
@@ -55,7 +57,7 @@ pub struct Body<V> {
 
 /// What rolls without slip: a disc about an axle along y, with a rim that is a knife edge or a part of a torus. Its mass
 /// is that of the body on its spin joint.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, SerBin)]
 pub struct Wheel<V> {
     /// The joint that is its axle.
     pub spin: usize,
@@ -69,7 +71,7 @@ pub struct Wheel<V> {
 }
 
 /// The freedoms of a body that nothing holds to the ground: the first joints, each on the one before.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, SerBin)]
 pub struct Root {
     pub count: usize,
     /// The displacement along x, whose rate is the speed v.

@@ -20,6 +20,8 @@ mod vectors;
 
 pub use self::mechanism::{Body, Joint, Mechanism, Motion, Root, Wheel};
 
+use nanoserde::{DeBin, SerBin};
+
 use self::contact::Contact;
 use self::formulas::Formulas;
 use self::motion::Motions;
@@ -34,7 +36,7 @@ type Matrices<V = Form> = Vec<(MatrixName, Vec<Vec<V>>)>;
 
 /// What is derived from a mechanism: formulas in the parameters, the definitions of the model, and behind these in those
 /// of the derivation.
-#[derive(Debug)]
+#[derive(Debug, DeBin, SerBin)]
 pub struct Derivation {
     /// Names and formulas; names may occur twice.
     pub definitions: Vec<(String, Formula)>,
@@ -46,7 +48,7 @@ pub struct Derivation {
 }
 
 /// The rate of a joint, `v speed + rates · q' + v (coordinates · q + heading psi)`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, DeBin, SerBin)]
 pub struct Rate {
     pub joint: usize,
     pub speed: Formula,
@@ -90,6 +92,7 @@ pub enum Ground {
 }
 
 /// The formulas of a declaration.
+#[derive(SerBin)]
 pub struct Declared {
     /// The number of parameters.
     pub parameters: usize,
@@ -105,7 +108,26 @@ pub struct Declared {
 /// If a formula that is written has no value, with attributes as the outputs; if the engine fails; and if the mechanism
 /// has faults.
 pub fn derive(mechanism: Mechanism<Formula>, declared: Declared) -> Result<Result<Derivation, Vec<Fault>>, Failure> {
-    symbolic::enter(move |engine| derive_with(engine, &mechanism, &declared))?
+    let derive = |engine: &Engine, (mechanism, declared): &(Mechanism<Formula>, Declared)| {
+        derive_with(engine, mechanism, declared)?.map_err(Obstacle::Faults)
+    };
+    match symbolic::ask("equations of motion", (mechanism, declared), derive) {
+        Ok(derivation) => Ok(Ok(derivation)),
+        Err(Obstacle::Faults(faults)) => Ok(Err(faults)),
+        Err(Obstacle::Failure(failure)) => Err(failure),
+    }
+}
+
+/// Why nothing is derived.
+enum Obstacle {
+    Faults(Vec<Fault>),
+    Failure(Failure),
+}
+
+impl<E: Into<Failure>> From<E> for Obstacle {
+    fn from(failure: E) -> Self {
+        Self::Failure(failure.into())
+    }
 }
 
 fn derive_with(

@@ -5,12 +5,13 @@ mod interpret;
 pub mod passes;
 
 pub use counts::Counts;
+use nanoserde::{DeBin, SerBin};
 
 /// A value: the position of the instruction that computes it.
 pub type Value = usize;
 
 /// One step of a program. It uses only earlier values.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, SerBin)]
 pub enum Instruction {
     /// The parameter at a position.
     Parameter(usize),
@@ -81,7 +82,7 @@ impl Instruction {
 }
 
 /// A straight-line program in single assignment.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, DeBin, Default, PartialEq, SerBin)]
 pub struct Program {
     /// The number of parameters that it may read.
     pub parameters: usize,

@@ -6,7 +6,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::door::enter;
+use nanoserde::{DeBin, SerBin};
+
+use super::door::ask;
 use super::engine::Engine;
 use super::failure::{Failure, Place, Undefined};
 use super::form::Form;
@@ -17,7 +19,7 @@ use crate::equations::Equations;
 use crate::formula::{Factor, Formula, Function};
 
 /// Formulas together with those of their derivatives.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, DeBin, SerBin)]
 pub struct Differentiated {
     /// The outputs of the equations, then their derivatives.
     pub equations: Equations,
@@ -28,7 +30,7 @@ pub struct Differentiated {
 }
 
 /// What the chain rule leads through.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, Eq, PartialOrd, Ord, SerBin)]
 pub enum Node {
     /// The parameter at a position.
     Parameter(usize),
@@ -44,13 +46,13 @@ pub enum Node {
 /// # Errors
 /// If the engine cannot be had or fails, or if a formula has no value.
 pub fn derive(equations: Vec<Equations>, beyond: usize) -> Result<Vec<Differentiated>, Failure> {
-    enter(move |engine| {
-        let differentiate = |(index, equations)| match Chain::new(engine, equations, beyond) {
+    ask("derivatives", (equations, beyond), |engine, (equations, beyond)| {
+        let differentiate = |(index, equations)| match Chain::new(engine, equations, *beyond) {
             Ok(chain) => Ok(chain.differentiate()),
             Err((place, why)) => Err(Failure::Undefined { equations: index, place, why }),
         };
         equations.iter().enumerate().map(differentiate).collect()
-    })?
+    })
 }
 
 /// Partial derivatives that are left to be multiplied along the ways from outputs to parameters.

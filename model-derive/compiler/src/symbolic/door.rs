@@ -9,8 +9,11 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Mutex, Once, PoisonError};
 use std::thread;
 
+use nanoserde::{DeBin, SerBin};
+
 use super::engine::Engine;
 use super::failure::EngineFailure;
+use super::kept::{Kept, Question};
 use super::lock::Lock;
 
 /// Formulas nest, and the engine walks them by recursion.
@@ -18,6 +21,27 @@ const STACK: usize = 256 << 20;
 const THREAD: &str = "carvallo-symbolic";
 
 static TURN: Mutex<()> = Mutex::new(());
+
+/// Asks the engine what `work` finds in something, or whoever keeps its answers. `asked` is what other work is not called.
+///
+/// # Errors
+/// Those of the work, of which none is kept; and if the lock cannot be had, or if the engine panics.
+pub fn ask<Q, A, E>(asked: &str, of: Q, work: impl FnOnce(&Engine, &Q) -> Result<A, E> + Send + 'static) -> Result<A, E>
+where
+    Q: SerBin + Send + 'static,
+    A: SerBin + DeBin + Send + 'static,
+    E: From<EngineFailure> + Send + 'static,
+{
+    let Some(kept) = Kept::now() else { return enter(move |engine| work(engine, &of))? };
+    let question = Question::new(asked, &of);
+    if let Some(answer) = kept.find(&question) {
+        return Ok(answer);
+    }
+    enter(move |engine| {
+        // Whoever had the engine before may have asked the same: cargo and an editor do.
+        kept.find(&question).map_or_else(|| work(engine, &of).inspect(|answer| kept.keep(&question, answer)), Ok)
+    })?
+}
 
 /// Runs `work` with the engine, once it is free.
 ///
@@ -57,6 +81,11 @@ fn quiet_panics() {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use super::super::kept::with_answers;
     use super::*;
 
     #[test]
@@ -77,5 +106,56 @@ mod tests {
         let failure = enter(|_| panic!("no {}", "way")).expect_err("it panicked");
         assert_eq!(failure.to_string(), "the symbolic engine failed on this model: no way");
         assert!(enter(|engine| engine.parameter(0).is_zero()).is_ok());
+    }
+
+    /// What comes of a question, and how often the engine was asked for it.
+    fn asked(kept: &Kept, question: Vec<usize>, succeeds: bool) -> (Result<Vec<usize>, String>, usize) {
+        let count = Arc::new(AtomicUsize::new(0));
+        let counted = count.clone();
+        let answer = with_answers(Some(kept.clone()), || {
+            ask("doubles", question, move |_, numbers: &Vec<usize>| {
+                counted.fetch_add(1, Ordering::Relaxed);
+                if succeeds { Ok(numbers.iter().map(|number| 2 * number).collect()) } else { Err(Wrong("no".into())) }
+            })
+        });
+        (answer.map_err(|Wrong(why)| why), count.load(Ordering::Relaxed))
+    }
+
+    struct Wrong(String);
+
+    impl From<EngineFailure> for Wrong {
+        fn from(failure: EngineFailure) -> Self {
+            Self(failure.to_string())
+        }
+    }
+
+    #[test]
+    fn a_question_is_asked_once_and_again_where_its_answer_is_damaged_or_failed() {
+        let folder = std::env::temp_dir().join(format!("carvallo-asked-{}", std::process::id()));
+        let kept = Kept::in_folder(&folder);
+        assert_eq!(asked(&kept, vec![1], false), (Err("no".into()), 1));
+        assert_eq!(asked(&kept, vec![1], true), (Ok(vec![2]), 1), "failures are not kept");
+        assert_eq!(asked(&kept, vec![1], true), (Ok(vec![2]), 0));
+        assert_eq!(asked(&kept, vec![1, 3], true), (Ok(vec![2, 6]), 1), "another question");
+        for entry in fs::read_dir(&folder).expect("answers are there") {
+            let path = entry.expect("an answer").path();
+            let mut bytes = fs::read(&path).expect("it can be read");
+            let last = bytes.len() - 1;
+            bytes[last] ^= 1;
+            fs::write(&path, bytes).expect("it can be written");
+        }
+        assert_eq!(asked(&kept, vec![1], true), (Ok(vec![2]), 1), "the answer is damaged");
+        assert_eq!(asked(&kept, vec![1], true), (Ok(vec![2]), 0), "and is mended");
+        fs::remove_dir_all(folder).expect("it is there");
+    }
+
+    #[test]
+    fn without_a_folder_to_write_to_answers_are_given_all_the_same() {
+        let file = std::env::temp_dir().join(format!("carvallo-no-folder-{}", std::process::id()));
+        fs::write(&file, "").expect("temporary files can be written");
+        let kept = Kept::in_folder(file.join("in a file"));
+        assert_eq!(asked(&kept, vec![5], true), (Ok(vec![10]), 1));
+        assert_eq!(asked(&kept, vec![5], true), (Ok(vec![10]), 1));
+        fs::remove_file(file).expect("it is there");
     }
 }

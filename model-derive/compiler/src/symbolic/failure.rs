@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use nanoserde::{DeBin, SerBin};
+
 /// Why nothing came out of the engine.
 #[derive(Debug)]
 pub enum EngineFailure {
@@ -52,7 +54,7 @@ impl fmt::Display for Failure {
 }
 
 /// A formula among equations: the definition of the model, or the output, at a position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, Eq, SerBin)]
 pub enum Place {
     /// The definition at a position of the model.
     Definition(usize),
@@ -61,7 +63,7 @@ pub enum Place {
 }
 
 /// Why a formula has no value, whatever the parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, Eq, SerBin)]
 pub enum Undefined {
     /// A divisor that is identically zero, or a power of zero that is not positive.
     DivisionByZero,

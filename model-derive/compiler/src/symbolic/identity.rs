@@ -1,5 +1,6 @@
 //! Whether formulas are equal for all values of the parameters.
 
+use nanoserde::{DeBin, SerBin};
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::domains::integer::Z;
 use symbolica::domains::rational::{Q, Rational};
@@ -76,7 +77,7 @@ fn without_cosines(expanded: &Atom) -> Atom {
 }
 
 /// The sign of a number that is not zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, Eq, SerBin)]
 pub enum Sign {
     /// Above zero.
     Positive,

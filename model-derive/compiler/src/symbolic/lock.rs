@@ -63,8 +63,12 @@ impl Drop for Lock {
 /// every process of the user must come to the same folder.
 fn folders() -> impl Iterator<Item = PathBuf> {
     let user = std::env::var("USER").or_else(|_| std::env::var("USERNAME")).unwrap_or_else(|_| "anyone".into());
-    let home = std::env::home_dir().map(|home| home.join(".cache").join("carvallo"));
-    home.into_iter().chain([std::env::temp_dir().join(format!("carvallo-{user}"))])
+    home_folder().into_iter().chain([std::env::temp_dir().join(format!("carvallo-{user}"))])
+}
+
+/// The user's cache folder.
+pub fn home_folder() -> Option<PathBuf> {
+    std::env::home_dir().map(|home| home.join(".cache").join("carvallo"))
 }
 
 /// The locked file of a folder.

@@ -1,6 +1,8 @@
 //! Proofs of what a declaration claims.
 
-use super::door::enter;
+use nanoserde::{DeBin, SerBin};
+
+use super::door::ask;
 use super::engine::Engine;
 use super::failure::{EngineFailure, Place, Undefined};
 use super::form::Form;
@@ -9,7 +11,7 @@ use super::sample::Sample;
 use crate::equations::Equations;
 
 /// How hard to try.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, Eq, SerBin)]
 pub enum Depth {
     /// With definitions as they stand, whatever their values: quick, and enough for most claims that are true.
     Names,
@@ -18,7 +20,7 @@ pub enum Depth {
 }
 
 /// What came of an attempt.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, DeBin, PartialEq, Eq, SerBin)]
 pub enum Proof {
     /// It holds for all parameters.
     Found,
@@ -35,9 +37,9 @@ pub enum Proof {
 /// # Errors
 /// If the engine cannot be had or stops.
 pub fn prove_equal(pairs: Vec<Equations>, depth: Depth) -> Result<Vec<Proof>, EngineFailure> {
-    enter(move |engine| {
-        let proof = |pair| prove(engine, pair, depth).unwrap_or_else(|(place, why)| Proof::Undefined(place, why));
-        pairs.iter().map(proof).collect()
+    ask("proofs", (pairs, depth), |engine, (pairs, depth)| {
+        let proof = |pair| prove(engine, pair, *depth).unwrap_or_else(|(place, why)| Proof::Undefined(place, why));
+        Ok(pairs.iter().map(proof).collect())
     })
 }
 
@@ -73,17 +75,17 @@ const MAX_OPERATIONS: usize = 5_000;
 /// # Errors
 /// If the engine cannot be had or stops.
 pub fn find_multiples(equations: Equations) -> Result<Vec<Option<Sign>>, EngineFailure> {
-    enter(move |engine| {
-        let Ok(system) = NamedForms::new(engine, &equations) else { return Vec::new() };
+    ask("multiples", equations, |engine, equations| {
+        let Ok(system) = NamedForms::new(engine, equations) else { return Ok(Vec::new()) };
         let mut outputs = system.outputs;
         for (name, value) in system.definitions.iter().rev() {
             outputs = outputs.iter().map(|output| output.replace(name, value)).collect();
             if outputs.iter().any(|output| output.operations() > MAX_OPERATIONS) {
-                return Vec::new();
+                return Ok(Vec::new());
             }
         }
-        let Some((first, others)) = outputs.split_first() else { return Vec::new() };
-        others.iter().map(|other| first.multiple_of(other)).collect()
+        let Some((first, others)) = outputs.split_first() else { return Ok(Vec::new()) };
+        Ok(others.iter().map(|other| first.multiple_of(other)).collect())
     })
 }
 

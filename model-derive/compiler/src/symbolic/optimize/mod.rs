@@ -4,7 +4,7 @@ mod search;
 mod shapes;
 mod system;
 
-use super::door::enter;
+use super::door::ask;
 use super::failure::Failure;
 use crate::equations::Equations;
 use crate::program::Program;
@@ -14,19 +14,19 @@ use crate::program::Program;
 /// # Errors
 /// If the engine cannot be had or fails, or if a formula has no value.
 pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
-    enter(move |engine| {
+    ask("programs", equations, |engine, equations| {
         let numbered = equations.iter().enumerate();
         let programs = numbered.map(|(index, equations)| {
             let found = search::cheapest(engine, equations);
             found.map_err(|(place, why)| Failure::Undefined { equations: index, place, why })
         });
         programs.collect()
-    })?
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Engine, Form};
+    use super::super::{Engine, Form, enter};
     use super::shapes::shapes_of;
     use super::*;
     use crate::formula::{Factor, Formula, Function, Term};
