@@ -4,6 +4,7 @@
 //! The YAML that is read is this flat list, alone or indented under `values:`, with comments, quotes and block texts.
 
 use super::document::{Document, Entry, File};
+use super::texts::{Folded, fold_python, fold_yaml, without_prefix};
 
 /// What lines of scripts begin with that parameters do not depend on.
 const STATEMENTS: [&str; 8] = ["import", "from", "class", "def", "clear", "clc", "close", "format"];
@@ -11,7 +12,18 @@ const STATEMENTS: [&str; 8] = ["import", "from", "class", "def", "clear", "clc",
 /// Reads lines `name: value`, as in YAML, or `name = value+/-deviation`, as in text files and scripts.
 pub fn read(file: File, separator: char) -> Document {
     let mut document = Document::default();
-    let is_matlab = file.label.ends_with(".m") || file.text.lines().any(|line| line.starts_with('%'));
+    let is_matlab = is_matlab(file);
+    let folded = match separator {
+        ':' => fold_yaml(file.text),
+        _ if is_matlab => Folded { text: file.text.to_owned(), open: None },
+        _ => fold_python(file.text),
+    };
+    // An apostrophe may begin a value of YAML that is no text.
+    if let Some((line, quotes)) = folded.open.filter(|_| separator == '=') {
+        document.problem(file.line(line), format!("a text that begins with `{quotes}` has no end"));
+        return document;
+    }
+    let file = File { text: &folded.text, ..file };
     let without_comment = |line| without_comment(line, is_matlab);
     let is_table = |line| separator == ':' && matches!(without_comment(line).trim_end(), "values:" | "parameters:");
     // With a heading such as `values:`, what is not indented under it describes the file.
@@ -42,8 +54,9 @@ pub fn read(file: File, separator: char) -> Document {
             }
         }
         for content in statements(content, separator) {
-            let Some((name, value)) = content.split_once(separator) else {
-                if separator == ':' || !is_statement(content) {
+            let assigned = content.split_once(separator).filter(|_| !is_text(content));
+            let Some((name, value)) = assigned else {
+                if separator == ':' || !(is_statement(content) || is_text(content)) {
                     let form = if separator == ':' { "name: value" } else { "name = value" };
                     document.problem(place.clone(), format!("`{content}` is not of the form `{form}`"));
                 }
@@ -80,6 +93,12 @@ pub fn read(file: File, separator: char) -> Document {
         document.problem(file.line(file.text.lines().count()), "a comment that begins with `%{` has no end `%}`");
     }
     document
+}
+
+/// Whether a text is a script of MATLAB, in which `%` begins a comment.
+pub fn is_matlab(file: File) -> bool {
+    let is_python = file.label.ends_with(".py");
+    file.label.ends_with(".m") || !is_python && file.text.lines().any(|line| line.starts_with('%'))
 }
 
 fn indent_of(line: &str) -> usize {
@@ -121,8 +140,16 @@ fn statements(content: &str, separator: char) -> Vec<&str> {
     content.split(';').map(str::trim).filter(|statement| !statement.is_empty()).collect()
 }
 
-fn is_statement(content: &str) -> bool {
+/// Whether a line of a script is none of those that give parameters.
+pub fn is_statement(content: &str) -> bool {
     content.split_whitespace().next().is_some_and(|word| STATEMENTS.contains(&word))
+}
+
+/// A text in quotes that is given to no name, as documentation in Python: `"w = 3"`.
+fn is_text(content: &str) -> bool {
+    let text = without_prefix(content);
+    let inner = unquoted(text);
+    inner != text && !inner.contains(['"', '\''])
 }
 
 fn unquoted(text: &str) -> &str {

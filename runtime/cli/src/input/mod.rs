@@ -12,6 +12,7 @@ mod parameters;
 mod plausible;
 mod scope;
 mod shipped;
+mod texts;
 mod toml;
 mod value;
 
@@ -25,6 +26,7 @@ use crate::matrices::MATRICES;
 use crate::model::{Shipped, WHIPPLE};
 
 pub use self::names::position;
+pub(crate) use self::names::{Expected, Known, known};
 pub use self::shipped::DEFAULT_BICYCLE;
 pub use self::value::{evaluated, measured};
 
@@ -148,10 +150,13 @@ fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
     })
 }
 
-/// Other endings tell nothing: the first line that is neither empty nor a comment does.
+/// Other endings tell nothing: the first line that is neither empty nor a comment does, nor in a script the head of a class.
 fn by_content(file: File) -> Document {
-    let is_comment = |line: &&str| line.is_empty() || line.starts_with(['#', '%']);
-    let mut lines = file.text.lines().map(str::trim).filter(|line| !is_comment(line));
+    let is_comment = |line: &&str| line.is_empty() || line.starts_with(['#', '%']) || lines::is_statement(line);
+    // What a script of Python says of itself tells nothing, either.
+    let folded = texts::fold_python(file.text);
+    let text = if lines::is_matlab(file) { file.text } else { &folded.text };
+    let mut lines = text.lines().map(str::trim).filter(|line| !is_comment(line));
     let first = lines.next().unwrap_or_default();
     if first.starts_with('{') {
         json::read(file)

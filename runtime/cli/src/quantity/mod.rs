@@ -17,9 +17,11 @@
 //! | `1.02+/-0.01, 1.03+/-0.01` | their mean, 1.025 ± 0.00707 | as BicycleParameters does: sqrt(Σσ²)/n |
 //!
 //! What would be read in two ways is refused: `1,02` (a comma for decimals, or two values), `0.3-+0.1`, `2*(3+-1)` (a
-//! sign after a sign), `27 +/- 1 deg` and `18.5 deg - 0.5` (degrees or radians).
+//! sign after a sign), `27 +/- 1 deg` and `18.5 deg - 0.5` (degrees or radians); and in a table in which decimals stand
+//! behind points and behind commas, `1.000` and `1,000` (one or a thousand).
 
 mod context;
+mod decimals;
 mod expression;
 mod function;
 mod literal;
@@ -30,6 +32,7 @@ mod units;
 mod value;
 
 pub use self::context::{Context, Lookup, no_names};
+pub use self::decimals::{ambiguous, signs};
 pub use self::literal::TOO_SMALL;
 pub use self::measured::{Measured, Part, check_parts, has_deviation, measured, number};
 pub use self::mistake::{Mistake, Reason};

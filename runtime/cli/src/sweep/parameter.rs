@@ -2,7 +2,7 @@
 
 use carvallo::{ModelInfo, ParameterInfo};
 
-use crate::input::{evaluated, position};
+use crate::input::{Expected, Known, evaluated, known, position};
 use crate::nearest::nearest;
 use crate::number::with_unit;
 use crate::quantity::{self, Context, no_names};
@@ -27,9 +27,18 @@ pub fn split<'a>(
 /// If there is none: that, and the one that was probably meant.
 pub fn find(name: &str, info: &ModelInfo) -> Result<usize, String> {
     position(name, info).ok_or_else(|| {
+        let is_none = format!("`{name}` is not a parameter of {}", info.name);
+        match known(name, info) {
+            Some(Known { name: "v", .. }) => return format!("{is_none}; --eigenvalues takes speeds"),
+            Some(Known { beside, value: Expected::Equal, reason, .. }) => {
+                return format!("{is_none}: {reason}, so it equals `{}`", info.parameters[beside].name);
+            }
+            Some(Known { reason, .. }) => return format!("{is_none}: {reason}"),
+            None => {}
+        }
         let hint = nearest(name, info.parameters.iter().map(|parameter| parameter.name));
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
-        format!("`{name}` is not a parameter of {}{hint}", info.name)
+        format!("{is_none}{hint}")
     })
 }
 

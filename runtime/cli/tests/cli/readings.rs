@@ -135,3 +135,36 @@ fn sweeps_know_the_names_of_files() {
     let run = directory.run(&["sweep", "--designs", "a.csv"]);
     run.fails(2, "error: a.csv: columns `IBzx` and `IBxz` are the same parameter\n");
 }
+
+/// What documentation says of values is no value, in whatever quotes and however many lines.
+#[test]
+fn texts_of_scripts_are_not_executed() {
+    let values = lines(|name, value| format!("    self.{name} = {}\n", value.trim_matches('"'))).concat();
+    let script = |text: &str| format!("class Bike:\n{text}{values}");
+    let plain = shown("text", "bike.py", &script(""));
+    for text in [
+        "    \"\"\"A bicycle.\n\n    w = 3\n    mB = 4; c = 5\n    \"\"\"\n",
+        "    r'''w = 3\n    # w = 4\n    c = 5'''\n",
+        "    \"\"\"w = 3\"\"\"\n    'c = 5'\n    \"mB = 4\"\n",
+        "    # one quote \"\"\" more\n",
+        "    def __init__(self):\n        \"\"\"Made by: me\n        c = 5\"\"\"  # c = 6\n",
+    ] {
+        assert_eq!(shown("text", "bike.py", &script(text)), plain, "{text}");
+        assert_eq!(shown("text", "bike.txt", &script(text)).replace("bike.txt", "bike.py"), plain, "{text}");
+    }
+    let headed = shown("text", "bike.py", &script("source = \"\"\"My own,\n  w = 3\"\"\"\n"));
+    assert!(headed.contains("My own, w = 3") && headed.contains("\nw = 1.02 "), "{headed}");
+    let open = script("    \"\"\"A bicycle.\n");
+    check_file("bike.py", open, "bike.py:2: a text that begins with `\"\"\"` has no end");
+}
+
+#[test]
+fn texts_of_yaml_are_not_read_as_values() {
+    let values = lines(|name, value| format!("{name}: {}\n", value.trim_matches('"'))).concat();
+    let plain = shown("text-yaml", "bike.yml", &format!("name: mine\n{values}"));
+    for text in ["source: \"mine\n  w: 3\"\n", "source: 'it''s\n  w: 3\n  c: 4'\n"] {
+        let found = shown("text-yaml", "bike.yml", &format!("name: mine\n{text}{values}"));
+        let values = |text: &str| text.split_once("[parameters]").map(|(_, values)| values.to_owned());
+        assert_eq!(values(&found), values(&plain), "{text}");
+    }
+}

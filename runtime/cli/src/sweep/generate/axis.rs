@@ -131,6 +131,10 @@ mod tests {
         for (text, message) in [
             ("w", "expected NAME=LOW:HIGH:STEP, NAME=LOW:HIGH:N points or NAME=a,b,c, such as w=0.9:1.2:0.01"),
             ("ww=1,2", "`ww` is not a parameter of Whipple; did you mean `w`?"),
+            ("I_Rzz=1,2", "`I_Rzz` is not a parameter of Whipple: wheels are axisymmetric, so it equals `IRxx`"),
+            ("yB=0,1", "`yB` is not a parameter of Whipple: the bicycle is laterally symmetric"),
+            ("kphi=0,1", "`kphi` is not a parameter of Whipple: the bicycle has no control"),
+            ("v=0:10:1", "`v` is not a parameter of Whipple; --eigenvalues takes speeds"),
             ("mb=1,2", "`mb` is not a parameter of Whipple; did you mean `mB`?"),
             ("w=1:2:0", "the step is `0`; it must be > 0"),
             ("w=2:1:0.1", "the range ends at 1 m, before it begins at 2 m; it must ascend"),

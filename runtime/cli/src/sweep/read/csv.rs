@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use csv::{ByteRecord, Reader, ReaderBuilder, Trim};
 
 use super::lines::{LineProblem, Lines};
-use super::rows::{Cell, Rows};
+use super::rows::{Cell, Named, Rows};
 use crate::failure::{Failure, Place};
+use crate::quantity::signs;
 
 /// The rows of a file.
 pub struct Records {
@@ -17,6 +18,7 @@ pub struct Records {
     separator: u8,
     record: ByteRecord,
     columns: usize,
+    has_both_signs: bool,
 }
 
 fn open(path: &Path, separator: u8) -> Result<Reader<Lines<File>>, Failure> {
@@ -63,24 +65,41 @@ pub fn names(path: &Path) -> Result<Vec<String>, Failure> {
     Ok(header.iter().map(|name| String::from_utf8_lossy(name).into_owned()).collect())
 }
 
-/// Reads the whole file, so that a line that is wrong is found before anything is computed.
+/// Reads the whole file, so that a line that is wrong is found before anything is computed. Whether decimals of parameters
+/// stand behind points and behind commas: that is nowhere a question where commas separate the fields.
 ///
 /// # Errors
 /// If the file cannot be read, or a line is wrong.
-pub fn check(path: &Path) -> Result<(), Failure> {
-    let file = File::open(path).map_err(|error| cannot_read(path, error))?;
-    let mut lines = std::io::BufReader::with_capacity(1 << 16, Lines::new(file, separator(path)?));
-    std::io::copy(&mut lines, &mut std::io::sink()).map_err(|error| cannot_read(path, error)).map(|_| ())
+pub fn check(path: &Path, columns: &[Named]) -> Result<bool, Failure> {
+    let separator = separator(path)?;
+    if separator == b',' {
+        let file = File::open(path).map_err(|error| cannot_read(path, error))?;
+        let mut lines = std::io::BufReader::with_capacity(1 << 16, Lines::new(file, separator));
+        return std::io::copy(&mut lines, &mut std::io::sink())
+            .map_err(|error| cannot_read(path, error))
+            .map(|_| false);
+    }
+    let mut reader = open(path, separator)?;
+    let mut record = ByteRecord::new();
+    let mut found = [false; 2];
+    while reader.read_byte_record(&mut record).map_err(|error| fail(path, error))? {
+        let cells = record.iter().zip(columns).filter(|(_, column)| column.position.is_some());
+        for text in cells.filter_map(|(cell, _)| std::str::from_utf8(cell).ok()) {
+            let signs = signs(text);
+            found = [found[0] || signs[0], found[1] || signs[1]];
+        }
+    }
+    Ok(found == [true; 2])
 }
 
 impl Records {
     /// # Errors
     /// If the file cannot be read.
-    pub fn open(path: &Path) -> Result<Self, Failure> {
+    pub fn open(path: &Path, has_both_signs: bool) -> Result<Self, Failure> {
         let separator = separator(path)?;
         let mut reader = open(path, separator)?;
         let columns = reader.byte_headers().map_err(|error| fail(path, error))?.len();
-        Ok(Self { path: path.to_owned(), reader, separator, record: ByteRecord::new(), columns })
+        Ok(Self { path: path.to_owned(), reader, separator, record: ByteRecord::new(), columns, has_both_signs })
     }
 
     /// Adds the next row; whether there is one.
@@ -97,7 +116,7 @@ impl Records {
             rows.add(self.record.iter().map(|field| match std::str::from_utf8(field) {
                 Ok("") => Cell::Empty,
                 // Where commas do not separate fields, they separate decimals.
-                Ok(text) if self.separator != b',' => Cell::TextWithCommas(text),
+                Ok(text) if self.separator != b',' => Cell::TextWithCommas(text, self.has_both_signs),
                 Ok(text) => Cell::Text(text),
                 Err(_) => Cell::NotText,
             }));

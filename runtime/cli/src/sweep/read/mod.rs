@@ -25,6 +25,8 @@ pub struct File {
     format: Format,
     info: &'static ModelInfo,
     pub columns: Vec<Named>,
+    /// Whether decimals in its texts stand behind points and behind commas.
+    has_both_signs: bool,
 }
 
 /// The rows of a file, one after the other.
@@ -80,11 +82,11 @@ impl File {
         if !problems.is_empty() {
             return Err(Failure::Input(problems));
         }
-        match format {
-            Format::Csv => csv::check(path)?,
-            Format::Parquet => parquet::check(path, &columns)?,
-        }
-        let file = Self { path: path.to_owned(), format, info, columns };
+        let has_both_signs = match format {
+            Format::Csv => csv::check(path, &columns)?,
+            Format::Parquet => parquet::check(path, &columns).map(|()| false)?,
+        };
+        let file = Self { path: path.to_owned(), format, info, columns, has_both_signs };
         if file.designs(&mut file.records()?, 1)?.rows == 0 {
             let message = "there is no design: no row follows the names of the columns";
             return Err(Failure::at(Place::File(label), message));
@@ -96,7 +98,7 @@ impl File {
     /// If the file cannot be read.
     pub fn records(&self) -> Result<Records, Failure> {
         Ok(match self.format {
-            Format::Csv => Records::Csv(csv::Records::open(&self.path)?),
+            Format::Csv => Records::Csv(csv::Records::open(&self.path, self.has_both_signs)?),
             Format::Parquet => Records::Parquet(parquet::Records::open(&self.path)?),
         })
     }

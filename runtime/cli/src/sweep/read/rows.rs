@@ -4,6 +4,7 @@ use carvallo::{ModelInfo, ParameterInfo};
 
 use crate::input::measured;
 use crate::number::shortest;
+use crate::quantity::ambiguous;
 use crate::sweep::table::{Column, Designs, Kind};
 
 /// A column of a file.
@@ -19,8 +20,9 @@ pub enum Cell<'a> {
     /// Wide enough for every integer of a file.
     Integer(i128),
     Text(&'a str),
-    /// Text in which decimals may stand after a comma.
-    TextWithCommas(&'a str),
+    /// Text in which decimals may stand after a comma; whether others in the table stand after points, and others after
+    /// commas.
+    TextWithCommas(&'a str, bool),
     Empty,
     /// Bytes that are not UTF-8.
     NotText,
@@ -60,7 +62,7 @@ impl<'a> Rows<'a> {
                     }
                 }
                 Column::Texts(values) => values.push(match cell {
-                    Cell::Text(text) | Cell::TextWithCommas(text) => Some(text.to_owned().into()),
+                    Cell::Text(text) | Cell::TextWithCommas(text, _) => Some(text.to_owned().into()),
                     Cell::Integer(integer) => Some(integer.to_string().into()),
                     Cell::Number(number) => Some(shortest(number).into()),
                     Cell::Empty => None,
@@ -96,11 +98,16 @@ fn number(cell: Cell, info: &ParameterInfo) -> Result<f64, String> {
                 Err(found) => found,
             },
         },
+        Cell::TextWithCommas(text, true) if let Some(number) = ambiguous(text) => {
+            let both = "decimals stand behind points and behind commas in this table";
+            let thousands = number.replace(['.', ','], "");
+            format!("`{text}`; {both}: write `{number}0`, or `{thousands}` if thousands are meant")
+        }
         // With both signs it is not clear which of them separates thousands.
-        Cell::TextWithCommas(text) if text.contains(',') && !text.contains('.') => {
+        Cell::TextWithCommas(text, _) if text.contains(',') && !text.contains('.') => {
             return number(Cell::Text(&text.replace(',', ".")), info);
         }
-        Cell::TextWithCommas(text) => return number(Cell::Text(text), info),
+        Cell::TextWithCommas(text, _) => return number(Cell::Text(text), info),
         Cell::Empty => "empty; expected a number".to_owned(),
         Cell::NotText => "not UTF-8 text; expected a number".to_owned(),
     };

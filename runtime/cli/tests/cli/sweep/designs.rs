@@ -80,6 +80,33 @@ fn tables_of_spreadsheets_and_of_pandas() {
     directory.run(&["sweep", "--designs", "bikes.csv"]).fails(2, "error: bikes.csv: column 2 has no name\n");
 }
 
+/// `1.000` is one where decimals stand behind points, and a thousand where they stand behind commas.
+#[test]
+fn thousands_beside_decimals_are_refused() {
+    let directory = Directory::of_this_test();
+    let errors = |text: &str| {
+        directory.write("bikes.csv", text);
+        let table = table(directory.run(&["sweep", "--designs", "bikes.csv"]));
+        (0..table.rows.len()).map(|row| table.text(row, "error").to_owned()).collect::<Vec<_>>()
+    };
+    let both = "decimals stand behind points and behind commas in this table";
+    let refused = |text: &str, number: &str, thousands: &str| {
+        format!("`w` is `{text}`; {both}: write `{number}0`, or `{thousands}` if thousands are meant")
+    };
+    assert_eq!(errors("w;mB\n1.020;85\n1,1;80,5\n"), [refused("1.020", "1.020", "1020"), String::new()]);
+    assert_eq!(errors("w;mB\n1,020 m;80.5\n"), [refused("1,020 m", "1,020", "1020")]);
+    // One sign alone separates decimals, whatever stands in columns that are copied.
+    for text in [
+        "w;mB\n1.020;85\n1.1;80.5\n",
+        "w;mB\n1,020;85\n",
+        "name;w\n1,5;1.020\n",
+        "w,mB\n1.020,85\n",
+        "w;c\n1.02;0,080\n",
+    ] {
+        assert!(errors(text).iter().all(String::is_empty), "{text}");
+    }
+}
+
 /// Only before the header: a name may begin with `#`.
 #[test]
 fn comments_stand_before_the_header() {
