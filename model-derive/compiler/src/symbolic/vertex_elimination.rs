@@ -64,15 +64,16 @@ impl Graph {
         let count = start.len();
         let steps = if count < 2 { 0 } else { (MAX_TAKEN_OUT / count).min(MAX_STEPS) };
         let mut random = Random(1904);
-        let (mut order, mut cost) = (start.clone(), self.cost(&start));
+        let mut trials = Trials::new(self, &start);
+        let (mut order, mut cost) = (start.clone(), trials.cost);
         let (mut best, mut least) = (start, cost);
         for step in 0..steps {
             let mut changed = order.clone();
-            let node = changed.remove(random.below(count));
-            changed.insert(random.below(count), node);
-            let changed_cost = self.cost(&changed);
-            if changed_cost <= cost + MAX_WORSE * (steps - step) / steps {
-                (order, cost) = (changed, changed_cost);
+            let (from, to) = (random.below(count), random.below(count));
+            let node = changed.remove(from);
+            changed.insert(to, node);
+            if trials.accept(&changed, from.min(to), cost + MAX_WORSE * (steps - step) / steps) {
+                (order, cost) = (changed, trials.cost);
             }
             if cost < least {
                 (best, least) = (order.clone(), cost);
@@ -87,6 +88,13 @@ impl Graph {
         order.iter().map(|node| graph.take_out(*node)).sum()
     }
 
+    /// Takes the derivatives of a graph of the same nodes.
+    fn copy(&mut self, other: &Self) {
+        self.inner.copy_from_slice(&other.inner);
+        self.users.copy_from_slice(&other.users);
+        self.units.copy_from_slice(&other.units);
+    }
+
     fn products(&self, node: usize) -> usize {
         let count = |sets: &[u64]| self.set(sets, node).iter().map(|word| word.count_ones() as usize).sum::<usize>();
         count(&self.users) * count(&self.inner)
@@ -97,33 +105,90 @@ impl Graph {
     }
 
     /// Takes a node out, and returns the products and sums that it took.
+    ///
+    /// This is called some hundred thousand times for a model, by a compiler that is built without optimization: so it
+    /// has loops over slices, of which nothing is a call.
     fn take_out(&mut self, node: usize) -> usize {
-        let [inner, users, units] = [&self.inner, &self.users, &self.units].map(|sets| self.set(sets, node).to_vec());
-        let (word, bit) = (node / 64, 1 << (node % 64));
+        let words = self.words;
+        let [inner, users, units] = [&mut self.inner, &mut self.users, &mut self.units].map(Vec::as_mut_slice);
+        let (own, word, bit) = (node * words, node / 64, 1 << (node % 64));
         let mut cost = 0;
-        for user in members(&users) {
-            let first = user * self.words;
-            let outer_unit = self.units[first + word] & bit != 0;
-            self.inner[first + word] &= !bit;
-            for (at, (&inner, &units)) in (first..).zip(inner.iter().zip(&units)) {
-                let products = if outer_unit { 0 } else { inner & !units };
-                let sums = inner & self.inner[at];
-                cost += (products.count_ones() + sums.count_ones()) as usize;
-                self.units[at] &= !inner;
-                if outer_unit {
-                    self.units[at] |= inner & units & !sums;
+        let mut at = 0;
+        while at < words {
+            let mut rest = users[own + at];
+            while rest != 0 {
+                let first = (64 * at + rest.trailing_zeros() as usize) * words;
+                rest &= rest - 1;
+                let outer_unit = units[first + word] & bit != 0;
+                inner[first + word] &= !bit;
+                let mut at = 0;
+                while at < words {
+                    let (new, new_units, known) = (inner[own + at], units[own + at], inner[first + at]);
+                    cost += (new & known).count_ones() as usize;
+                    units[first + at] &= !new;
+                    if outer_unit {
+                        units[first + at] |= new & new_units & !known;
+                    } else {
+                        cost += (new & !new_units).count_ones() as usize;
+                    }
+                    inner[first + at] |= new;
+                    at += 1;
                 }
-                self.inner[at] |= inner;
             }
+            at += 1;
         }
-        for with in members(&inner) {
-            let first = with * self.words;
-            for (known, users) in self.users[first..first + self.words].iter_mut().zip(&users) {
-                *known |= users;
+        at = 0;
+        while at < words {
+            let mut rest = inner[own + at];
+            while rest != 0 {
+                let first = (64 * at + rest.trailing_zeros() as usize) * words;
+                rest &= rest - 1;
+                let mut at = 0;
+                while at < words {
+                    users[first + at] |= users[own + at];
+                    at += 1;
+                }
+                users[first + word] &= !bit;
             }
-            self.users[first + word] &= !bit;
+            at += 1;
         }
         cost
+    }
+}
+
+/// Orders like one that is kept: what they have in common with it at their start is not done again.
+struct Trials {
+    /// What is left before each node of the order is taken out, and after the last, with what it cost until then.
+    kept: Vec<(Graph, usize)>,
+    /// The same for the order on trial, from its first change on.
+    trial: Vec<(Graph, usize)>,
+    /// The cost of the order that is kept.
+    cost: usize,
+}
+
+impl Trials {
+    fn new(graph: &Graph, order: &[usize]) -> Self {
+        let kept = vec![(graph.clone(), 0); order.len() + 1];
+        let mut trials = Self { trial: kept.clone(), kept, cost: 0 };
+        trials.accept(order, 0, usize::MAX);
+        trials
+    }
+
+    /// Keeps an order that differs from the one before `from` on, if it costs no more than `most`.
+    fn accept(&mut self, order: &[usize], from: usize, most: usize) -> bool {
+        for (position, node) in order.iter().enumerate().skip(from) {
+            let (done, rest) = self.trial.split_at_mut(position + 1);
+            let (graph, cost) = if position == from { &self.kept[from] } else { &done[position] };
+            let next = &mut rest[0];
+            next.0.copy(graph);
+            next.1 = cost + next.0.take_out(*node);
+            if next.1 > most {
+                return false;
+            }
+        }
+        self.kept[from + 1..].swap_with_slice(&mut self.trial[from + 1..]);
+        self.cost = self.kept[order.len()].1;
+        true
     }
 }
 
@@ -138,14 +203,6 @@ const MAX_TAKEN_OUT: usize = 50_000;
 
 /// Operations more that are accepted at first.
 const MAX_WORSE: usize = 6;
-
-fn members(set: &[u64]) -> Vec<usize> {
-    let nodes = |(index, word): (usize, &u64)| {
-        let word = *word;
-        (0..64).filter(move |bit| word >> bit & 1 == 1).map(move |bit| 64 * index + bit)
-    };
-    set.iter().enumerate().flat_map(nodes).collect()
-}
 
 /// A linear congruential generator (Knuth's MMIX): what it gives need only be unlike.
 struct Random(u64);
