@@ -4,6 +4,7 @@ mod document;
 mod entries;
 mod json;
 mod lines;
+mod magnitude;
 mod matrices;
 mod members;
 mod names;

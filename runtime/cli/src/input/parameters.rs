@@ -9,7 +9,7 @@ use super::entries::{Entries, Missing, Remarks, unknown};
 use super::scope::Scope;
 use super::shipped::{DEFAULT_BICYCLE, default_name};
 use super::value::{self, validate};
-use super::{names, neutral, plausible};
+use super::{magnitude, names, neutral, plausible};
 use crate::design::{Design, Given};
 use crate::failure::{Place, Problem};
 use crate::model::{Shipped, WHIPPLE};
@@ -106,6 +106,7 @@ pub fn resolve(
     let name = document.name.unwrap_or_else(|| label.to_owned());
     let notes = remarks.all_notes();
     let mut warnings = remarks.warnings;
+    warnings.extend(magnitude::warnings(info, &values));
     warnings.extend(plausible::warnings(info, &values));
     let (kind, source) = (document.kind, document.source);
     Ok(Design { name, kind, source, model, parameters, equations, notes, warnings })

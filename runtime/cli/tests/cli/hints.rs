@@ -1,5 +1,6 @@
 //! That messages about slips say what to do instead.
 
+use crate::Directory;
 use crate::mistakes::{check, check_file, check_options};
 
 #[test]
@@ -54,4 +55,14 @@ fn files_without_parameters() {
         let message = "it has no parameters; `carvallo show benchmark` prints a file to start from";
         check_file(name, text, &format!("{name}: {message}"));
     }
+}
+
+/// A warning, since it may be meant; on the standard error, since the results are right for what was given.
+#[test]
+fn values_in_other_units_are_warned_of() {
+    let run = Directory::of_this_test().run(&["analyze", "--set", "w=1020", "--set", "rR=300", "--format", "csv"]);
+    let warning = "warning: benchmark: `w`, `rR` are too large for a bicycle, and ordinary in mm; write that unit behind \
+                   each, as in `1020 mm`\n";
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), warning));
+    Directory::of_this_test().run(&["analyze", "--set", "w=1020 mm", "--set", "rR=300 mm"]).ok();
 }

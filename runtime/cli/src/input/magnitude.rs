@@ -1,0 +1,134 @@
+//! Whether values are off by the factor of a unit: a wheel base of 1020 m is one of 1020 mm.
+//!
+//! A warning is for what is near certain: no bicycle or motorcycle is so large, and in the other unit it is an ordinary one.
+//! An angle in degrees is beyond the domain of `lam` and refused there.
+
+use carvallo::ModelInfo;
+
+/// The parameters of one kind, and in which sizes bicycles, recumbents, tandems and motorcycles have them.
+struct Kind {
+    names: &'static [&'static str],
+    /// Ordinary sizes, in the SI unit.
+    ordinary: (f64, f64),
+    /// What is larger than this has another unit.
+    largest: f64,
+    /// The units that people have it in instead, and what one of them is in the SI unit.
+    units: &'static [(&'static str, f64)],
+}
+
+const LENGTHS: &[(&str, f64)] = &[("mm", 1e-3), ("cm", 1e-2)];
+const INERTIAS: &[(&str, f64)] = &[("kg*cm^2", 1e-4), ("kg*mm^2", 1e-6)];
+const KINDS: [Kind; 6] = [
+    Kind { names: &["w"], ordinary: (0.3, 5.0), largest: 10.0, units: LENGTHS },
+    Kind { names: &["rR", "rF"], ordinary: (0.03, 1.0), largest: 3.0, units: LENGTHS },
+    Kind { names: &["c"], ordinary: (0.01, 0.5), largest: 3.0, units: LENGTHS },
+    Kind { names: &["xB", "zB", "xH", "zH"], ordinary: (0.05, 3.0), largest: 10.0, units: LENGTHS },
+    Kind { names: &["mR", "mB", "mH", "mF"], ordinary: (0.2, 500.0), largest: 2000.0, units: &[("g", 1e-3)] },
+    Kind { names: &["g"], ordinary: (9.7, 9.9), largest: 900.0, units: &[("cm/s^2", 1e-2), ("mm/s^2", 1e-3)] },
+];
+
+/// The moments and products of inertia of a body, its mass, and a length that its radius of gyration cannot exceed by far.
+const BODIES: [(&[&str], &str, &str); 4] = [
+    (&["IRxx", "IRyy"], "mR", "rR"),
+    (&["IBxx", "IByy", "IBzz", "IBxz"], "mB", "w"),
+    (&["IHxx", "IHyy", "IHzz", "IHxz"], "mH", "w"),
+    (&["IFxx", "IFyy"], "mF", "rF"),
+];
+/// By how much a moment of inertia exceeds mass times length squared that has another unit.
+const EXCESS: f64 = 100.0;
+
+/// A warning for each unit that values seem to be in; none for models that are no bicycles.
+pub fn warnings(info: &ModelInfo, values: &[f64]) -> Vec<String> {
+    let value = |name: &str| info.position(name).and_then(|position| values.get(position)).copied();
+    if ["w", "c", "lam", "rR", "rF"].iter().any(|name| info.position(name).is_none()) {
+        return Vec::new();
+    }
+    let mut found: Vec<(&str, &str, f64)> = Vec::new();
+    for Kind { names, ordinary: (low, high), largest, units } in KINDS {
+        for name in names {
+            let Some(size) = value(name).filter(|size| size.abs() > largest) else { continue };
+            let fits = |(_, factor): &&(&str, f64)| (low..=high).contains(&(size * factor).abs());
+            found.extend(units.iter().find(fits).map(|(unit, _)| (*unit, *name, size)));
+        }
+    }
+    for (names, mass, length) in BODIES {
+        let (Some(mass), Some(length)) = (value(mass), value(length)) else { continue };
+        let bound = mass * length * length;
+        for name in names {
+            let Some(size) = value(name).filter(|size| bound > 0.0 && size.abs() > EXCESS * bound) else { continue };
+            let fits = |(_, factor): &&(&str, f64)| (1e-3 * bound..=bound).contains(&(size * factor).abs());
+            found.extend(INERTIAS.iter().find(fits).map(|(unit, _)| (*unit, *name, size)));
+        }
+    }
+    let units = LENGTHS.iter().chain(KINDS[4].units).chain(KINDS[5].units).chain(INERTIAS);
+    units.filter_map(|(unit, _)| warning(unit, found.iter().filter(|(other, ..)| other == unit))).collect()
+}
+
+fn warning<'a>(unit: &str, found: impl Iterator<Item = &'a (&'a str, &'a str, f64)>) -> Option<String> {
+    let found: Vec<&(&str, &str, f64)> = found.collect();
+    let [(_, _, first), ..] = found[..] else { return None };
+    let names: Vec<String> = found.iter().map(|(_, name, _)| format!("`{name}`")).collect();
+    let (are, each) = if names.len() == 1 { ("is", "it") } else { ("are", "each") };
+    let example = format!("{} {unit}", crate::number::shortest(*first));
+    Some(format!(
+        "{} {are} too large for a bicycle, and ordinary in {unit}; write that unit behind {each}, as in `{example}`",
+        names.join(", ")
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::warnings;
+    use crate::input::{Request, load};
+    use crate::model::{MODELS, WHIPPLE};
+
+    fn values(model: &str, name: &str) -> Vec<f64> {
+        let request =
+            Request { model: Some(model.to_owned()), parameters: Some(name.to_owned()), ..Request::default() };
+        let design = load(&request).expect("what ships is right");
+        design.parameters.iter().map(|given| given.value).collect()
+    }
+
+    #[test]
+    fn nothing_that_ships_is_warned_of() {
+        let mut count = 0;
+        for model in MODELS {
+            for name in crate::input::shipped::names(model) {
+                assert_eq!(warnings(model.info, &values(model.info.name, name)), Vec::<String>::new(), "{name}");
+                count += 1;
+            }
+        }
+        assert!(count > 20, "{count} sets ship");
+    }
+
+    /// Each shipped bicycle in other units, with what is ordinary in none of them left alone.
+    #[test]
+    fn other_units_are_recognised() {
+        for bicycle in crate::input::shipped::names(&WHIPPLE) {
+            for (unit, factor, kind) in [("mm", 1e3, "m"), ("g", 1e3, "kg"), ("kg*cm^2", 1e4, "kg*m^2")] {
+                let mut values = values("Whipple", bicycle);
+                for (value, info) in values.iter_mut().zip(WHIPPLE.info.parameters) {
+                    *value *= if info.unit == kind { factor } else { 1.0 };
+                }
+                let found = warnings(WHIPPLE.info, &values);
+                let [found] = &found[..] else { panic!("{bicycle} in {unit}: {found:?}") };
+                assert!(found.contains(&format!("ordinary in {unit}; write")), "{bicycle}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_single_value_is_named() {
+        let mut values = values("Whipple", "benchmark");
+        values[0] = 1020.0;
+        let message = "`w` is too large for a bicycle, and ordinary in mm; write that unit behind it, as in `1020 mm`";
+        assert_eq!(warnings(WHIPPLE.info, &values), [message]);
+        values[0] = 102.0;
+        assert_eq!(warnings(WHIPPLE.info, &values), [message.replace("mm", "cm").replace("1020", "102")]);
+        values[0] = 7.0;
+        values[3] = 981.0;
+        let gravity = "`g` is too large for a bicycle, and ordinary in cm/s^2; write that unit behind it, as in \
+                       `981 cm/s^2`";
+        assert_eq!(warnings(WHIPPLE.info, &values), [gravity]);
+    }
+}
