@@ -50,6 +50,8 @@ mod eigenvalues;
 #[cfg(all(any(doc, doctest), feature = "derive", feature = "std", feature = "batch"))]
 pub mod guide;
 mod model;
+#[cfg(feature = "std")]
+mod notation;
 mod number;
 mod numeric;
 #[cfg(feature = "std")]
@@ -59,10 +61,12 @@ mod stability;
 mod system;
 
 pub use model::{
-    Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, LengthError, Model, ModelInfo, ParameterError,
-    ParameterInfo, Partial, Rate, RequirementInfo, SetInfo,
+    Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, FormulaInfo, FormulaSubject, LengthError,
+    Model, ModelInfo, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo,
 };
 pub use nalgebra::Complex;
+#[cfg(feature = "std")]
+pub use notation::Notation;
 pub use number::{Number, Scalar};
 #[cfg(feature = "std")]
 pub use sensitivity::{

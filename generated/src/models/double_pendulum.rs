@@ -6,8 +6,8 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -22,6 +22,25 @@ use carvallo::{
 /// Derived from a mechanism: body `lower`, body `upper`.
 ///
 /// The fields are the parameters. The coordinates are `theta1` (lower link) in `rad`, `theta2` (upper link) in `rad`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// Of what a joint moves, all for the whole machine: `m` is the mass, `S` the static moment and `J` the inertia about a point of the joint, `p` the momentum and `h` the angular momentum at unit rate. `M` and `K` are entries of the matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` the rate of a for that of b, and `a_per_v_b` that for the position of b and the speed.
+///
+/// ```text
+/// Jxx_theta2 = I2 + a2^2*m2 [kg*m^2]
+/// Sz_theta2 = -a2*m2 [kg*m]
+/// Jxx_theta1 = I1 + Jxx_theta2 + a1^2*m1 - 2*l1*(Sz_theta2 - (1/2)*l1*m2) [kg*m^2]
+/// Sz_theta1 = Sz_theta2 - l1*m2 - a1*m1 [kg*m]
+/// M_theta1_theta2 = Jxx_theta2 - l1*Sz_theta2 [kg*m^2]
+/// M_11 = Jxx_theta1 [kg*m^2]
+/// M_12 = M_21 = M_theta1_theta2 [kg*m^2]
+/// M_22 = Jxx_theta2 [kg*m^2]
+/// K0_11 = Sz_theta1 [kg*m]
+/// K0_12 = K0_21 = K0_22 = Sz_theta2 [kg*m]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulum<T = f64> {
     /// Length of the lower link, from hinge to hinge.
@@ -294,6 +313,30 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
             },
         ],
         requirements: &[],
+        formulas: &[
+            FormulaInfo::definition("Jxx_theta2", "kg*m^2", "I2 + a2^2*m2"),
+            FormulaInfo::definition("Sz_theta2", "kg*m", "-a2*m2"),
+            FormulaInfo::definition(
+                "Jxx_theta1",
+                "kg*m^2",
+                "I1 + Jxx_theta2 + a1^2*m1 - 2*l1*(Sz_theta2 - (1/2)*l1*m2)",
+            ),
+            FormulaInfo::definition("Sz_theta1", "kg*m", "Sz_theta2 - l1*m2 - a1*m1"),
+            FormulaInfo::definition("M_theta1_theta2", "kg*m^2", "Jxx_theta2 - l1*Sz_theta2"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "Jxx_theta1"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)], "kg*m^2", "M_theta1_theta2"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "Jxx_theta2"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "Sz_theta1"),
+            FormulaInfo::entry(
+                &[
+                    (MatrixName::K0, 0, 1),
+                    (MatrixName::K0, 1, 0),
+                    (MatrixName::K0, 1, 1),
+                ],
+                "kg*m",
+                "Sz_theta2",
+            ),
+        ],
         gravity: Some(7),
     };
 

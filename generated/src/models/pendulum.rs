@@ -6,8 +6,8 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -19,6 +19,16 @@ use carvallo::{
 /// Source: Newton's second law about the joint
 ///
 /// The fields are the parameters. The coordinates are `theta` (swing) in `rad`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// ```text
+/// M_11 = m*l^2 [kg*m^2]
+/// C0_11 = c [kg*m^2/s]
+/// K0_11 = m*l [kg*m]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum<T = f64> {
     /// Mass of the bob.
@@ -204,6 +214,11 @@ impl<T: Scalar> Model<1> for Pendulum<T> {
             },
         ],
         requirements: &[],
+        formulas: &[
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "m*l^2"),
+            FormulaInfo::entry(&[(MatrixName::C0, 0, 0)], "kg*m^2/s", "c"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "m*l"),
+        ],
         gravity: Some(3),
     };
 

@@ -6,8 +6,8 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, Rate, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Rate, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -22,6 +22,23 @@ use carvallo::{
 /// Derived from a mechanism: wheel `D` (disc).
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in `rad`, `psi` (yaw) in `rad`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// Of what a joint moves, all for the whole machine: `m` is the mass, `S` the static moment and `J` the inertia about a point of the joint, `p` the momentum and `h` the angular momentum at unit rate. `M` and `K` are entries of the matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` the rate of a for that of b, and `a_per_v_b` that for the position of b and the speed.
+///
+/// ```text
+/// Jxx_all = It + r^2*m [kg*m^2]
+/// Sz_all = -r*m [kg*m]
+/// h_spin_D = Ia/r [kg*m]
+/// M_11 = Jxx_all [kg*m^2]
+/// M_22 = It [kg*m^2]
+/// C1_12 = h_spin_D - Sz_all [kg*m]
+/// C1_21 = -h_spin_D [kg*m]
+/// K0_11 = Sz_all [kg*m]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDisc<T = f64> {
     /// Radius.
@@ -291,6 +308,16 @@ impl<T: Scalar> Model<2> for RollingDisc<T> {
             },
         ],
         requirements: &[],
+        formulas: &[
+            FormulaInfo::definition("Jxx_all", "kg*m^2", "It + r^2*m"),
+            FormulaInfo::definition("Sz_all", "kg*m", "-r*m"),
+            FormulaInfo::definition("h_spin_D", "kg*m", "Ia/r"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "Jxx_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "It"),
+            FormulaInfo::entry(&[(MatrixName::C1, 0, 1)], "kg*m", "h_spin_D - Sz_all"),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 0)], "kg*m", "-h_spin_D"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "Sz_all"),
+        ],
         gravity: Some(4),
     };
 

@@ -6,8 +6,8 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, Rate, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Rate, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -24,6 +24,33 @@ use carvallo::{
 /// Derived from a mechanism: body `B` (board and rider), body `TF` (front truck), body `TR` (rear truck), wheel `FL` (front left), wheel `FR` (front right), wheel `RL` (rear left), wheel `RR` (rear right).
 ///
 /// The fields are the parameters. The coordinates are `gamma` (tilt) in `rad`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// Of what a joint moves, all for the whole machine: `m` is the mass, `S` the static moment and `J` the inertia about a point of the joint, `p` the momentum and `h` the angular momentum at unit rate. `M` and `K` are entries of the matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` the rate of a for that of b, and `a_per_v_b` that for the position of b and the speed.
+///
+/// ```text
+/// pitch_by_vertical = 1/L [1/m]
+/// deltaF_by_gamma = -1/cos(lamF) [1]
+/// deltaR_by_gamma = -1/cos(lamR) [1]
+/// yaw_per_v_deltaF = -sin(lamF)/L [1/m]
+/// lateral_per_v_deltaR = sin(lamR) [1]
+/// yaw_per_v_deltaR = -pitch_by_vertical*lateral_per_v_deltaR [1/m]
+/// Jxx_all = m*(r + h)^2 + Ixx [kg*m^2]
+/// Jxz_all = m*x*(r + h) + Ixz [kg*m^2]
+/// Sx_all = m*x [kg*m]
+/// Sz_all = -m*(r + h) [kg*m]
+/// P_gamma_lateral = m*h [kg*m]
+/// P_gamma_yaw = Jxz_all - r*Sx_all [kg*m^2]
+/// P_gamma_gamma = r*Sz_all + Jxx_all [kg*m^2]
+/// M_11 = P_gamma_gamma - r*P_gamma_lateral [kg*m^2]
+/// C1_11 = deltaR_by_gamma*lateral_per_v_deltaR*P_gamma_lateral + P_gamma_yaw*(deltaF_by_gamma*yaw_per_v_deltaF + deltaR_by_gamma*yaw_per_v_deltaR) [kg*m]
+/// Kc_11 = kF*deltaF_by_gamma^2 + kR*deltaR_by_gamma^2 [kg*m^2/s^2]
+/// K0_11 = -P_gamma_lateral [kg*m]
+/// K2_11 = P_gamma_lateral*(deltaF_by_gamma*yaw_per_v_deltaF + deltaR_by_gamma*yaw_per_v_deltaR) [kg]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Skateboard<T = f64> {
     /// Wheel base, from axle to axle.
@@ -454,6 +481,34 @@ impl<T: Scalar> Model<1> for Skateboard<T> {
             },
         ],
         requirements: &[],
+        formulas: &[
+            FormulaInfo::definition("pitch_by_vertical", "1/m", "1/L"),
+            FormulaInfo::definition("deltaF_by_gamma", "1", "-1/cos(lamF)"),
+            FormulaInfo::definition("deltaR_by_gamma", "1", "-1/cos(lamR)"),
+            FormulaInfo::definition("yaw_per_v_deltaF", "1/m", "-sin(lamF)/L"),
+            FormulaInfo::definition("lateral_per_v_deltaR", "1", "sin(lamR)"),
+            FormulaInfo::definition("yaw_per_v_deltaR", "1/m", "-pitch_by_vertical*lateral_per_v_deltaR"),
+            FormulaInfo::definition("Jxx_all", "kg*m^2", "m*(r + h)^2 + Ixx"),
+            FormulaInfo::definition("Jxz_all", "kg*m^2", "m*x*(r + h) + Ixz"),
+            FormulaInfo::definition("Sx_all", "kg*m", "m*x"),
+            FormulaInfo::definition("Sz_all", "kg*m", "-m*(r + h)"),
+            FormulaInfo::definition("P_gamma_lateral", "kg*m", "m*h"),
+            FormulaInfo::definition("P_gamma_yaw", "kg*m^2", "Jxz_all - r*Sx_all"),
+            FormulaInfo::definition("P_gamma_gamma", "kg*m^2", "r*Sz_all + Jxx_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "P_gamma_gamma - r*P_gamma_lateral"),
+            FormulaInfo::entry(
+                &[(MatrixName::C1, 0, 0)],
+                "kg*m",
+                "deltaR_by_gamma*lateral_per_v_deltaR*P_gamma_lateral + P_gamma_yaw*(deltaF_by_gamma*yaw_per_v_deltaF + deltaR_by_gamma*yaw_per_v_deltaR)",
+            ),
+            FormulaInfo::entry(&[(MatrixName::Kc, 0, 0)], "kg*m^2/s^2", "kF*deltaF_by_gamma^2 + kR*deltaR_by_gamma^2"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "-P_gamma_lateral"),
+            FormulaInfo::entry(
+                &[(MatrixName::K2, 0, 0)],
+                "kg",
+                "P_gamma_lateral*(deltaF_by_gamma*yaw_per_v_deltaF + deltaR_by_gamma*yaw_per_v_deltaR)",
+            ),
+        ],
         gravity: Some(14),
     };
 

@@ -6,8 +6,8 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -21,6 +21,33 @@ use carvallo::{
 /// Source: Hamilton's principle for a fluid that leaves the system, as Benjamin (1961) has it: Proc. R. Soc. A 261, 457-486
 ///
 /// The fields are the parameters. The coordinates are `first` in `rad`, `second` in `rad`, `third` in `rad`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// ```text
+/// inertia = (m + f)*l^3 [kg*m^2]
+/// weight = (m + f)*l^2 [kg*m]
+/// M_11 = 7/3*inertia [kg*m^2]
+/// M_12 = M_21 = 3/2*inertia [kg*m^2]
+/// M_13 = M_23 = M_31 = M_32 = 1/2*inertia [kg*m^2]
+/// M_22 = 4/3*inertia [kg*m^2]
+/// M_33 = 1/3*inertia [kg*m^2]
+/// C0_11 = C0_22 = 2*c [kg*m^2/s]
+/// C0_12 = C0_21 = C0_23 = C0_32 = -c [kg*m^2/s]
+/// C0_33 = c [kg*m^2/s]
+/// C1_11 = C1_22 = C1_33 = f*l^2 [kg*m]
+/// C1_12 = C1_13 = C1_23 = 2*f*l^2 [kg*m]
+/// Kc_11 = Kc_22 = 2*k [kg*m^2/s^2]
+/// Kc_12 = Kc_21 = Kc_23 = Kc_32 = -k [kg*m^2/s^2]
+/// Kc_33 = k [kg*m^2/s^2]
+/// K0_11 = 5/2*weight [kg*m]
+/// K0_22 = 3/2*weight [kg*m]
+/// K0_33 = 1/2*weight [kg*m]
+/// K2_11 = K2_22 = -f*l [kg]
+/// K2_13 = K2_23 = f*l [kg]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThreePipes<T = f64> {
     /// Length of each pipe.
@@ -336,6 +363,65 @@ impl<T: Scalar> Model<3> for ThreePipes<T> {
             },
         ],
         requirements: &[],
+        formulas: &[
+            FormulaInfo::definition("inertia", "kg*m^2", "(m + f)*l^3"),
+            FormulaInfo::definition("weight", "kg*m", "(m + f)*l^2"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "7/3*inertia"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)], "kg*m^2", "3/2*inertia"),
+            FormulaInfo::entry(
+                &[
+                    (MatrixName::M, 0, 2), (MatrixName::M, 1, 2), (MatrixName::M, 2, 0),
+                    (MatrixName::M, 2, 1),
+                ],
+                "kg*m^2",
+                "1/2*inertia",
+            ),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "4/3*inertia"),
+            FormulaInfo::entry(&[(MatrixName::M, 2, 2)], "kg*m^2", "1/3*inertia"),
+            FormulaInfo::entry(&[(MatrixName::C0, 0, 0), (MatrixName::C0, 1, 1)], "kg*m^2/s", "2*c"),
+            FormulaInfo::entry(
+                &[
+                    (MatrixName::C0, 0, 1), (MatrixName::C0, 1, 0), (MatrixName::C0, 1, 2),
+                    (MatrixName::C0, 2, 1),
+                ],
+                "kg*m^2/s",
+                "-c",
+            ),
+            FormulaInfo::entry(&[(MatrixName::C0, 2, 2)], "kg*m^2/s", "c"),
+            FormulaInfo::entry(
+                &[
+                    (MatrixName::C1, 0, 0),
+                    (MatrixName::C1, 1, 1),
+                    (MatrixName::C1, 2, 2),
+                ],
+                "kg*m",
+                "f*l^2",
+            ),
+            FormulaInfo::entry(
+                &[
+                    (MatrixName::C1, 0, 1),
+                    (MatrixName::C1, 0, 2),
+                    (MatrixName::C1, 1, 2),
+                ],
+                "kg*m",
+                "2*f*l^2",
+            ),
+            FormulaInfo::entry(&[(MatrixName::Kc, 0, 0), (MatrixName::Kc, 1, 1)], "kg*m^2/s^2", "2*k"),
+            FormulaInfo::entry(
+                &[
+                    (MatrixName::Kc, 0, 1), (MatrixName::Kc, 1, 0), (MatrixName::Kc, 1, 2),
+                    (MatrixName::Kc, 2, 1),
+                ],
+                "kg*m^2/s^2",
+                "-k",
+            ),
+            FormulaInfo::entry(&[(MatrixName::Kc, 2, 2)], "kg*m^2/s^2", "k"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "5/2*weight"),
+            FormulaInfo::entry(&[(MatrixName::K0, 1, 1)], "kg*m", "3/2*weight"),
+            FormulaInfo::entry(&[(MatrixName::K0, 2, 2)], "kg*m", "1/2*weight"),
+            FormulaInfo::entry(&[(MatrixName::K2, 0, 0), (MatrixName::K2, 1, 1)], "kg", "-f*l"),
+            FormulaInfo::entry(&[(MatrixName::K2, 0, 2), (MatrixName::K2, 1, 2)], "kg", "f*l"),
+        ],
         gravity: Some(5),
     };
 

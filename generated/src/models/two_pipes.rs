@@ -6,8 +6,8 @@
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -21,6 +21,30 @@ use carvallo::{
 /// Source: Hamilton's principle for a fluid that leaves the system, as Benjamin (1961) has it: Proc. R. Soc. A 261, 457-486
 ///
 /// The fields are the parameters. The coordinates are `first` in `rad`, `second` in `rad`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// ```text
+/// inertia = (m + f)*l^3 [kg*m^2]
+/// weight = (m + f)*l^2 [kg*m]
+/// M_11 = 4/3*inertia [kg*m^2]
+/// M_12 = M_21 = 1/2*inertia [kg*m^2]
+/// M_22 = 1/3*inertia [kg*m^2]
+/// C0_11 = 2*c [kg*m^2/s]
+/// C0_12 = C0_21 = -c [kg*m^2/s]
+/// C0_22 = c [kg*m^2/s]
+/// C1_11 = C1_22 = f*l^2 [kg*m]
+/// C1_12 = 2*f*l^2 [kg*m]
+/// Kc_11 = 2*k [kg*m^2/s^2]
+/// Kc_12 = Kc_21 = -k [kg*m^2/s^2]
+/// Kc_22 = k [kg*m^2/s^2]
+/// K0_11 = 3/2*weight [kg*m]
+/// K0_22 = 1/2*weight [kg*m]
+/// K2_11 = -f*l [kg]
+/// K2_12 = f*l [kg]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoPipes<T = f64> {
     /// Length of each pipe.
@@ -295,6 +319,25 @@ impl<T: Scalar> Model<2> for TwoPipes<T> {
             },
         ],
         requirements: &[],
+        formulas: &[
+            FormulaInfo::definition("inertia", "kg*m^2", "(m + f)*l^3"),
+            FormulaInfo::definition("weight", "kg*m", "(m + f)*l^2"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "4/3*inertia"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)], "kg*m^2", "1/2*inertia"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "1/3*inertia"),
+            FormulaInfo::entry(&[(MatrixName::C0, 0, 0)], "kg*m^2/s", "2*c"),
+            FormulaInfo::entry(&[(MatrixName::C0, 0, 1), (MatrixName::C0, 1, 0)], "kg*m^2/s", "-c"),
+            FormulaInfo::entry(&[(MatrixName::C0, 1, 1)], "kg*m^2/s", "c"),
+            FormulaInfo::entry(&[(MatrixName::C1, 0, 0), (MatrixName::C1, 1, 1)], "kg*m", "f*l^2"),
+            FormulaInfo::entry(&[(MatrixName::C1, 0, 1)], "kg*m", "2*f*l^2"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 0, 0)], "kg*m^2/s^2", "2*k"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 0, 1), (MatrixName::Kc, 1, 0)], "kg*m^2/s^2", "-k"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 1, 1)], "kg*m^2/s^2", "k"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "3/2*weight"),
+            FormulaInfo::entry(&[(MatrixName::K0, 1, 1)], "kg*m", "1/2*weight"),
+            FormulaInfo::entry(&[(MatrixName::K2, 0, 0)], "kg", "-f*l"),
+            FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg", "f*l"),
+        ],
         gravity: Some(5),
     };
 

@@ -6,8 +6,8 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, RequirementInfo, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, RequirementInfo, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -26,6 +26,45 @@ use carvallo::{
 ///
 /// - `mR + mB + mH + mF` in `kg`: `> 0`;
 /// - `mH + mF` in `kg`: `> 0`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// ```text
+/// mT = mR + mB + mH + mF [kg]
+/// xT = (xB*mB + xH*mH + w*mF)/mT [m]
+/// zT = (-rR*mR + zB*mB + zH*mH - rF*mF)/mT [m]
+/// ITxx = IRxx + IBxx + IHxx + IFxx + mR*rR^2 + mB*zB^2 + mH*zH^2 + mF*rF^2 [kg*m^2]
+/// ITxz = IBxz + IHxz - mB*xB*zB - mH*xH*zH + mF*w*rF [kg*m^2]
+/// ITzz = IRxx + IBzz + IHzz + IFxx + mB*xB^2 + mH*xH^2 + mF*w^2 [kg*m^2]
+/// mA = mH + mF [kg]
+/// xA = (xH*mH + w*mF)/mA [m]
+/// zA = (zH*mH - rF*mF)/mA [m]
+/// IAxx = IHxx + IFxx + mH*(zH - zA)^2 + mF*(rF + zA)^2 [kg*m^2]
+/// IAxz = IHxz - mH*(xH - xA)*(zH - zA) + mF*(w - xA)*(rF + zA) [kg*m^2]
+/// IAzz = IHzz + IFxx + mH*(xH - xA)^2 + mF*(w - xA)^2 [kg*m^2]
+/// uA = (xA - w - c)*cos(lam) - zA*sin(lam) [m]
+/// IAll = mA*uA^2 + IAxx*sin(lam)^2 + 2*IAxz*sin(lam)*cos(lam) + IAzz*cos(lam)^2 [kg*m^2]
+/// IAlx = -mA*uA*zA + IAxx*sin(lam) + IAxz*cos(lam) [kg*m^2]
+/// IAlz = mA*uA*xA + IAxz*sin(lam) + IAzz*cos(lam) [kg*m^2]
+/// mu = (c/w)*cos(lam) [1]
+/// SR = IRyy/rR [kg*m]
+/// SF = IFyy/rF [kg*m]
+/// ST = SR + SF [kg*m]
+/// SA = mA*uA + mu*mT*xT [kg*m]
+/// M_11 = ITxx [kg*m^2]
+/// M_12 = M_21 = IAlx + mu*ITxz [kg*m^2]
+/// M_22 = IAll + 2*mu*IAlz + mu^2*ITzz [kg*m^2]
+/// C1_12 = mu*ST + SF*cos(lam) + (ITxz/w)*cos(lam) - mu*mT*zT [kg*m]
+/// C1_21 = -(mu*ST + SF*cos(lam)) [kg*m]
+/// C1_22 = (IAlz/w)*cos(lam) + mu*(SA + (ITzz/w)*cos(lam)) [kg*m]
+/// K0_11 = mT*zT [kg*m]
+/// K0_12 = K0_21 = -SA [kg*m]
+/// K0_22 = -SA*sin(lam) [kg*m]
+/// K2_12 = ((ST - mT*zT)/w)*cos(lam) [kg]
+/// K2_22 = ((SA + SF*sin(lam))/w)*cos(lam) [kg]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Whipple<T = f64> {
     /// Wheel base.
@@ -723,6 +762,48 @@ impl<T: Scalar> Model<2> for Whipple<T> {
         requirements: &[
             RequirementInfo::new("mR + mB + mH + mF", "kg", Domain::POSITIVE),
             RequirementInfo::new("mH + mF", "kg", Domain::POSITIVE),
+        ],
+        formulas: &[
+            FormulaInfo::definition("mT", "kg", "mR + mB + mH + mF"),
+            FormulaInfo::definition("xT", "m", "(xB*mB + xH*mH + w*mF)/mT"),
+            FormulaInfo::definition("zT", "m", "(-rR*mR + zB*mB + zH*mH - rF*mF)/mT"),
+            FormulaInfo::definition(
+                "ITxx",
+                "kg*m^2",
+                "IRxx + IBxx + IHxx + IFxx + mR*rR^2 + mB*zB^2 + mH*zH^2 + mF*rF^2",
+            ),
+            FormulaInfo::definition("ITxz", "kg*m^2", "IBxz + IHxz - mB*xB*zB - mH*xH*zH + mF*w*rF"),
+            FormulaInfo::definition("ITzz", "kg*m^2", "IRxx + IBzz + IHzz + IFxx + mB*xB^2 + mH*xH^2 + mF*w^2"),
+            FormulaInfo::definition("mA", "kg", "mH + mF"),
+            FormulaInfo::definition("xA", "m", "(xH*mH + w*mF)/mA"),
+            FormulaInfo::definition("zA", "m", "(zH*mH - rF*mF)/mA"),
+            FormulaInfo::definition("IAxx", "kg*m^2", "IHxx + IFxx + mH*(zH - zA)^2 + mF*(rF + zA)^2"),
+            FormulaInfo::definition("IAxz", "kg*m^2", "IHxz - mH*(xH - xA)*(zH - zA) + mF*(w - xA)*(rF + zA)"),
+            FormulaInfo::definition("IAzz", "kg*m^2", "IHzz + IFxx + mH*(xH - xA)^2 + mF*(w - xA)^2"),
+            FormulaInfo::definition("uA", "m", "(xA - w - c)*cos(lam) - zA*sin(lam)"),
+            FormulaInfo::definition(
+                "IAll",
+                "kg*m^2",
+                "mA*uA^2 + IAxx*sin(lam)^2 + 2*IAxz*sin(lam)*cos(lam) + IAzz*cos(lam)^2",
+            ),
+            FormulaInfo::definition("IAlx", "kg*m^2", "-mA*uA*zA + IAxx*sin(lam) + IAxz*cos(lam)"),
+            FormulaInfo::definition("IAlz", "kg*m^2", "mA*uA*xA + IAxz*sin(lam) + IAzz*cos(lam)"),
+            FormulaInfo::definition("mu", "1", "(c/w)*cos(lam)"),
+            FormulaInfo::definition("SR", "kg*m", "IRyy/rR"),
+            FormulaInfo::definition("SF", "kg*m", "IFyy/rF"),
+            FormulaInfo::definition("ST", "kg*m", "SR + SF"),
+            FormulaInfo::definition("SA", "kg*m", "mA*uA + mu*mT*xT"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "ITxx"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)], "kg*m^2", "IAlx + mu*ITxz"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "IAll + 2*mu*IAlz + mu^2*ITzz"),
+            FormulaInfo::entry(&[(MatrixName::C1, 0, 1)], "kg*m", "mu*ST + SF*cos(lam) + (ITxz/w)*cos(lam) - mu*mT*zT"),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 0)], "kg*m", "-(mu*ST + SF*cos(lam))"),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 1)], "kg*m", "(IAlz/w)*cos(lam) + mu*(SA + (ITzz/w)*cos(lam))"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "mT*zT"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)], "kg*m", "-SA"),
+            FormulaInfo::entry(&[(MatrixName::K0, 1, 1)], "kg*m", "-SA*sin(lam)"),
+            FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg", "((ST - mT*zT)/w)*cos(lam)"),
+            FormulaInfo::entry(&[(MatrixName::K2, 1, 1)], "kg", "((SA + SF*sin(lam))/w)*cos(lam)"),
         ],
         gravity: Some(3),
     };

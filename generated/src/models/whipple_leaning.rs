@@ -6,8 +6,8 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, Rate, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Rate, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -23,6 +23,68 @@ use carvallo::{
 /// Derived from a mechanism: body `B` (rear frame and legs), body `H` (front frame), body `U` (upper body), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in `rad`, `delta` (steer) in `rad`, `theta` (upper body) in `rad`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// Of what a joint moves, all for the whole machine: `m` is the mass, `S` the static moment and `J` the inertia about a point of the joint, `p` the momentum and `h` the angular momentum at unit rate. `M` and `K` are entries of the matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` the rate of a for that of b, and `a_per_v_b` that for the position of b and the speed.
+///
+/// ```text
+/// yaw_by_delta = c*cos(lam)/w [1]
+/// yaw_per_v_delta = cos(lam)/w [1/m]
+/// Jxx_theta = mU*(zU - zP)^2 + IUxx [kg*m^2]
+/// Jxz_theta = IUxz - mU*xU*(zU - zP) [kg*m^2]
+/// Jzz_theta = mU*xU^2 + IUzz [kg*m^2]
+/// Sx_theta = mU*xU [kg*m]
+/// Sz_theta = mU*(zU - zP) [kg*m]
+/// Jxx_delta = IHxx + IFxx + zH^2*mH + rF^2*mF [kg*m^2]
+/// Jxz_delta = IHxz - c*rF*mF - zH*mH*(xH - (w + c)) [kg*m^2]
+/// Jzz_delta = mH*(xH - (w + c))^2 + IHzz + IFxx + c^2*mF [kg*m^2]
+/// Sx_delta = mH*(xH - (w + c)) - c*mF [kg*m]
+/// Sz_delta = zH*mH - rF*mF [kg*m]
+/// m_delta = mH + mF [kg]
+/// py_delta = Sx_delta*cos(lam) - Sz_delta*sin(lam) [kg*m]
+/// hx_delta = Jxx_delta*sin(lam) + Jxz_delta*cos(lam) [kg*m^2]
+/// hz_delta = Jxz_delta*sin(lam) + Jzz_delta*cos(lam) [kg*m^2]
+/// Jxx_all = IRxx + IBxx + 2*zP*((1/2)*zP*mU + Sz_theta) + Jxx_theta + Jxx_delta + rR^2*mR + zB^2*mB [kg*m^2]
+/// Jxz_all = IBxz + Jxz_theta + Jxz_delta - xB*zB*mB - zP*Sx_theta - Sz_delta*(w + c) [kg*m^2]
+/// Jzz_all = IRxx + IBzz + IHzz + IFxx + Jzz_theta + w^2*mF + xB^2*mB + xH^2*mH [kg*m^2]
+/// Sx_all = xB*mB + Sx_theta + Sx_delta + m_delta*(w + c) [kg*m]
+/// Sz_all = zB*mB + zP*mU + Sz_theta + Sz_delta - rR*mR [kg*m]
+/// load_spin_F = -Sx_all/w [kg]
+/// h_spin_R = IRyy/rR [kg*m]
+/// h_spin_F = IFyy/rF [kg*m]
+/// h_wheels_all = h_spin_R + h_spin_F [kg*m]
+/// M_yaw_delta = py_delta*(w + c) + hz_delta [kg*m^2]
+/// M_phi_theta = zP*Sz_theta + Jxx_theta [kg*m^2]
+/// M_delta_delta = hx_delta*sin(lam) + hz_delta*cos(lam) [kg*m^2]
+/// K_phi_delta = c*load_spin_F*cos(lam) - py_delta [kg*m]
+/// K_delta_delta = (c*load_spin_F*cos(lam) - py_delta)*sin(lam) [kg*m]
+/// P_delta_lateral = yaw_by_delta*Sx_all + py_delta [kg*m]
+/// P_delta_yaw = yaw_by_delta*Jzz_all + M_yaw_delta [kg*m^2]
+/// P_delta_delta = yaw_by_delta*M_yaw_delta + M_delta_delta [kg*m^2]
+/// P_delta_theta = yaw_by_delta*Jxz_theta [kg*m^2]
+/// M_11 = Jxx_all [kg*m^2]
+/// M_12 = M_21 = yaw_by_delta*Jxz_all + hx_delta [kg*m^2]
+/// M_13 = M_31 = M_phi_theta [kg*m^2]
+/// M_22 = yaw_by_delta*P_delta_yaw + P_delta_delta [kg*m^2]
+/// M_23 = M_32 = P_delta_theta [kg*m^2]
+/// M_33 = Jxx_theta [kg*m^2]
+/// C0_33 = dU [kg*m^2/s]
+/// C1_12 = yaw_by_delta*(h_wheels_all - Sz_all) + yaw_per_v_delta*Jxz_all + h_spin_F*cos(lam) [kg*m]
+/// C1_21 = -(yaw_by_delta*h_wheels_all + h_spin_F*cos(lam)) [kg*m]
+/// C1_22 = yaw_by_delta*P_delta_lateral + yaw_per_v_delta*P_delta_yaw [kg*m]
+/// C1_32 = yaw_per_v_delta*Jxz_theta - yaw_by_delta*Sz_theta [kg*m]
+/// Kc_33 = kU [kg*m^2/s^2]
+/// K0_11 = Sz_all [kg*m]
+/// K0_12 = K0_21 = K_phi_delta [kg*m]
+/// K0_13 = K0_31 = K0_33 = Sz_theta [kg*m]
+/// K0_22 = K_delta_delta [kg*m]
+/// K2_12 = yaw_per_v_delta*(h_wheels_all - Sz_all) [kg]
+/// K2_22 = yaw_per_v_delta*(h_spin_F*sin(lam) + P_delta_lateral) [kg]
+/// K2_32 = -yaw_per_v_delta*Sz_theta [kg]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleLeaning<T = f64> {
     /// Wheel base.
@@ -969,6 +1031,97 @@ impl<T: Scalar> Model<3> for WhippleLeaning<T> {
             },
         ],
         requirements: &[],
+        formulas: &[
+            FormulaInfo::definition("yaw_by_delta", "1", "c*cos(lam)/w"),
+            FormulaInfo::definition("yaw_per_v_delta", "1/m", "cos(lam)/w"),
+            FormulaInfo::definition("Jxx_theta", "kg*m^2", "mU*(zU - zP)^2 + IUxx"),
+            FormulaInfo::definition("Jxz_theta", "kg*m^2", "IUxz - mU*xU*(zU - zP)"),
+            FormulaInfo::definition("Jzz_theta", "kg*m^2", "mU*xU^2 + IUzz"),
+            FormulaInfo::definition("Sx_theta", "kg*m", "mU*xU"),
+            FormulaInfo::definition("Sz_theta", "kg*m", "mU*(zU - zP)"),
+            FormulaInfo::definition("Jxx_delta", "kg*m^2", "IHxx + IFxx + zH^2*mH + rF^2*mF"),
+            FormulaInfo::definition("Jxz_delta", "kg*m^2", "IHxz - c*rF*mF - zH*mH*(xH - (w + c))"),
+            FormulaInfo::definition("Jzz_delta", "kg*m^2", "mH*(xH - (w + c))^2 + IHzz + IFxx + c^2*mF"),
+            FormulaInfo::definition("Sx_delta", "kg*m", "mH*(xH - (w + c)) - c*mF"),
+            FormulaInfo::definition("Sz_delta", "kg*m", "zH*mH - rF*mF"),
+            FormulaInfo::definition("m_delta", "kg", "mH + mF"),
+            FormulaInfo::definition("py_delta", "kg*m", "Sx_delta*cos(lam) - Sz_delta*sin(lam)"),
+            FormulaInfo::definition("hx_delta", "kg*m^2", "Jxx_delta*sin(lam) + Jxz_delta*cos(lam)"),
+            FormulaInfo::definition("hz_delta", "kg*m^2", "Jxz_delta*sin(lam) + Jzz_delta*cos(lam)"),
+            FormulaInfo::definition(
+                "Jxx_all",
+                "kg*m^2",
+                "IRxx + IBxx + 2*zP*((1/2)*zP*mU + Sz_theta) + Jxx_theta + Jxx_delta + rR^2*mR + zB^2*mB",
+            ),
+            FormulaInfo::definition(
+                "Jxz_all",
+                "kg*m^2",
+                "IBxz + Jxz_theta + Jxz_delta - xB*zB*mB - zP*Sx_theta - Sz_delta*(w + c)",
+            ),
+            FormulaInfo::definition(
+                "Jzz_all",
+                "kg*m^2",
+                "IRxx + IBzz + IHzz + IFxx + Jzz_theta + w^2*mF + xB^2*mB + xH^2*mH",
+            ),
+            FormulaInfo::definition("Sx_all", "kg*m", "xB*mB + Sx_theta + Sx_delta + m_delta*(w + c)"),
+            FormulaInfo::definition("Sz_all", "kg*m", "zB*mB + zP*mU + Sz_theta + Sz_delta - rR*mR"),
+            FormulaInfo::definition("load_spin_F", "kg", "-Sx_all/w"),
+            FormulaInfo::definition("h_spin_R", "kg*m", "IRyy/rR"),
+            FormulaInfo::definition("h_spin_F", "kg*m", "IFyy/rF"),
+            FormulaInfo::definition("h_wheels_all", "kg*m", "h_spin_R + h_spin_F"),
+            FormulaInfo::definition("M_yaw_delta", "kg*m^2", "py_delta*(w + c) + hz_delta"),
+            FormulaInfo::definition("M_phi_theta", "kg*m^2", "zP*Sz_theta + Jxx_theta"),
+            FormulaInfo::definition("M_delta_delta", "kg*m^2", "hx_delta*sin(lam) + hz_delta*cos(lam)"),
+            FormulaInfo::definition("K_phi_delta", "kg*m", "c*load_spin_F*cos(lam) - py_delta"),
+            FormulaInfo::definition("K_delta_delta", "kg*m", "(c*load_spin_F*cos(lam) - py_delta)*sin(lam)"),
+            FormulaInfo::definition("P_delta_lateral", "kg*m", "yaw_by_delta*Sx_all + py_delta"),
+            FormulaInfo::definition("P_delta_yaw", "kg*m^2", "yaw_by_delta*Jzz_all + M_yaw_delta"),
+            FormulaInfo::definition("P_delta_delta", "kg*m^2", "yaw_by_delta*M_yaw_delta + M_delta_delta"),
+            FormulaInfo::definition("P_delta_theta", "kg*m^2", "yaw_by_delta*Jxz_theta"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "Jxx_all"),
+            FormulaInfo::entry(
+                &[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)],
+                "kg*m^2",
+                "yaw_by_delta*Jxz_all + hx_delta",
+            ),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 2), (MatrixName::M, 2, 0)], "kg*m^2", "M_phi_theta"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "yaw_by_delta*P_delta_yaw + P_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 2), (MatrixName::M, 2, 1)], "kg*m^2", "P_delta_theta"),
+            FormulaInfo::entry(&[(MatrixName::M, 2, 2)], "kg*m^2", "Jxx_theta"),
+            FormulaInfo::entry(&[(MatrixName::C0, 2, 2)], "kg*m^2/s", "dU"),
+            FormulaInfo::entry(
+                &[(MatrixName::C1, 0, 1)],
+                "kg*m",
+                "yaw_by_delta*(h_wheels_all - Sz_all) + yaw_per_v_delta*Jxz_all + h_spin_F*cos(lam)",
+            ),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 0)], "kg*m", "-(yaw_by_delta*h_wheels_all + h_spin_F*cos(lam))"),
+            FormulaInfo::entry(
+                &[(MatrixName::C1, 1, 1)],
+                "kg*m",
+                "yaw_by_delta*P_delta_lateral + yaw_per_v_delta*P_delta_yaw",
+            ),
+            FormulaInfo::entry(&[(MatrixName::C1, 2, 1)], "kg*m", "yaw_per_v_delta*Jxz_theta - yaw_by_delta*Sz_theta"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 2, 2)], "kg*m^2/s^2", "kU"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "Sz_all"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)], "kg*m", "K_phi_delta"),
+            FormulaInfo::entry(
+                &[
+                    (MatrixName::K0, 0, 2),
+                    (MatrixName::K0, 2, 0),
+                    (MatrixName::K0, 2, 2),
+                ],
+                "kg*m",
+                "Sz_theta",
+            ),
+            FormulaInfo::entry(&[(MatrixName::K0, 1, 1)], "kg*m", "K_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg", "yaw_per_v_delta*(h_wheels_all - Sz_all)"),
+            FormulaInfo::entry(
+                &[(MatrixName::K2, 1, 1)],
+                "kg",
+                "yaw_per_v_delta*(h_spin_F*sin(lam) + P_delta_lateral)",
+            ),
+            FormulaInfo::entry(&[(MatrixName::K2, 2, 1)], "kg", "-yaw_per_v_delta*Sz_theta"),
+        ],
         gravity: Some(3),
     };
 

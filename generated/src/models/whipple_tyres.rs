@@ -6,8 +6,8 @@
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    LengthError, MatrixName, Model, ModelInfo, Number, ParameterError, ParameterInfo,
-    Partial, Rate, Scalar, SetInfo,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Rate, Scalar, SetInfo,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -24,6 +24,56 @@ use carvallo::{
 /// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in `rad`, `delta` (steer) in `rad`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// Of what a joint moves, all for the whole machine: `m` is the mass, `S` the static moment and `J` the inertia about a point of the joint, `p` the momentum and `h` the angular momentum at unit rate. `M` and `K` are entries of the matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` the rate of a for that of b, and `a_per_v_b` that for the position of b and the speed.
+///
+/// ```text
+/// yaw_by_delta = c*cos(lam)/w [1]
+/// yaw_per_v_delta = cos(lam)/w [1/m]
+/// Jxx_delta = IHxx + IFxx + zH^2*mH + rF^2*mF [kg*m^2]
+/// Jxz_delta = IHxz - c*rF*mF - zH*mH*(xH - (w + c)) [kg*m^2]
+/// Jzz_delta = mH*(xH - (w + c))^2 + IHzz + IFxx + c^2*mF [kg*m^2]
+/// Sx_delta = mH*(xH - (w + c)) - c*mF [kg*m]
+/// Sz_delta = zH*mH - rF*mF [kg*m]
+/// m_delta = mH + mF [kg]
+/// py_delta = Sx_delta*cos(lam) - Sz_delta*sin(lam) [kg*m]
+/// hx_delta = Jxx_delta*sin(lam) + Jxz_delta*cos(lam) [kg*m^2]
+/// hz_delta = Jxz_delta*sin(lam) + Jzz_delta*cos(lam) [kg*m^2]
+/// Jxx_all = IRxx + IBxx + Jxx_delta + rR^2*mR + zB^2*mB [kg*m^2]
+/// Jxz_all = IBxz + Jxz_delta - xB*zB*mB - Sz_delta*(w + c) [kg*m^2]
+/// Jzz_all = IRxx + IBzz + IHzz + IFxx + w^2*mF + xB^2*mB + xH^2*mH [kg*m^2]
+/// Sx_all = xB*mB + Sx_delta + m_delta*(w + c) [kg*m]
+/// Sz_all = zB*mB + Sz_delta - rR*mR [kg*m]
+/// m_all = mR + mB + m_delta [kg]
+/// load_spin_F = -Sx_all/w [kg]
+/// load_spin_R = -(m_all + load_spin_F) [kg]
+/// h_spin_R = IRyy/rR [kg*m]
+/// h_spin_F = IFyy/rF [kg*m]
+/// h_wheels_all = h_spin_R + h_spin_F [kg*m]
+/// M_yaw_delta = py_delta*(w + c) + hz_delta [kg*m^2]
+/// M_delta_delta = hx_delta*sin(lam) + hz_delta*cos(lam) [kg*m^2]
+/// K_phi_phi = Sz_all - rhoR*load_spin_R - rhoF*load_spin_F [kg*m]
+/// K_phi_delta = -(py_delta + load_spin_F*(rhoF*sin(lam) - c*cos(lam))) [kg*m]
+/// K_delta_delta = -(py_delta + load_spin_F*(rhoF*sin(lam) - c*cos(lam)))*sin(lam) [kg*m]
+/// P_delta_lateral = yaw_by_delta*Sx_all + py_delta [kg*m]
+/// P_delta_yaw = yaw_by_delta*Jzz_all + M_yaw_delta [kg*m^2]
+/// P_delta_delta = yaw_by_delta*M_yaw_delta + M_delta_delta [kg*m^2]
+/// M_11 = Jxx_all [kg*m^2]
+/// M_12 = M_21 = yaw_by_delta*Jxz_all + hx_delta [kg*m^2]
+/// M_22 = yaw_by_delta*P_delta_yaw + P_delta_delta [kg*m^2]
+/// C1_12 = yaw_by_delta*(h_wheels_all - Sz_all) + yaw_per_v_delta*Jxz_all + h_spin_F*cos(lam) [kg*m]
+/// C1_21 = -(yaw_by_delta*h_wheels_all + h_spin_F*cos(lam)) [kg*m]
+/// C1_22 = yaw_by_delta*P_delta_lateral + yaw_per_v_delta*P_delta_yaw [kg*m]
+/// K0_11 = K_phi_phi [kg*m]
+/// K0_12 = K0_21 = K_phi_delta [kg*m]
+/// K0_22 = K_delta_delta [kg*m]
+/// K2_12 = yaw_per_v_delta*(h_wheels_all - Sz_all) [kg]
+/// K2_22 = yaw_per_v_delta*(h_spin_F*sin(lam) + P_delta_lateral) [kg]
+/// ```
+///
+/// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleTyres<T = f64> {
     /// Wheel base.
@@ -874,6 +924,69 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
             },
         ],
         requirements: &[],
+        formulas: &[
+            FormulaInfo::definition("yaw_by_delta", "1", "c*cos(lam)/w"),
+            FormulaInfo::definition("yaw_per_v_delta", "1/m", "cos(lam)/w"),
+            FormulaInfo::definition("Jxx_delta", "kg*m^2", "IHxx + IFxx + zH^2*mH + rF^2*mF"),
+            FormulaInfo::definition("Jxz_delta", "kg*m^2", "IHxz - c*rF*mF - zH*mH*(xH - (w + c))"),
+            FormulaInfo::definition("Jzz_delta", "kg*m^2", "mH*(xH - (w + c))^2 + IHzz + IFxx + c^2*mF"),
+            FormulaInfo::definition("Sx_delta", "kg*m", "mH*(xH - (w + c)) - c*mF"),
+            FormulaInfo::definition("Sz_delta", "kg*m", "zH*mH - rF*mF"),
+            FormulaInfo::definition("m_delta", "kg", "mH + mF"),
+            FormulaInfo::definition("py_delta", "kg*m", "Sx_delta*cos(lam) - Sz_delta*sin(lam)"),
+            FormulaInfo::definition("hx_delta", "kg*m^2", "Jxx_delta*sin(lam) + Jxz_delta*cos(lam)"),
+            FormulaInfo::definition("hz_delta", "kg*m^2", "Jxz_delta*sin(lam) + Jzz_delta*cos(lam)"),
+            FormulaInfo::definition("Jxx_all", "kg*m^2", "IRxx + IBxx + Jxx_delta + rR^2*mR + zB^2*mB"),
+            FormulaInfo::definition("Jxz_all", "kg*m^2", "IBxz + Jxz_delta - xB*zB*mB - Sz_delta*(w + c)"),
+            FormulaInfo::definition("Jzz_all", "kg*m^2", "IRxx + IBzz + IHzz + IFxx + w^2*mF + xB^2*mB + xH^2*mH"),
+            FormulaInfo::definition("Sx_all", "kg*m", "xB*mB + Sx_delta + m_delta*(w + c)"),
+            FormulaInfo::definition("Sz_all", "kg*m", "zB*mB + Sz_delta - rR*mR"),
+            FormulaInfo::definition("m_all", "kg", "mR + mB + m_delta"),
+            FormulaInfo::definition("load_spin_F", "kg", "-Sx_all/w"),
+            FormulaInfo::definition("load_spin_R", "kg", "-(m_all + load_spin_F)"),
+            FormulaInfo::definition("h_spin_R", "kg*m", "IRyy/rR"),
+            FormulaInfo::definition("h_spin_F", "kg*m", "IFyy/rF"),
+            FormulaInfo::definition("h_wheels_all", "kg*m", "h_spin_R + h_spin_F"),
+            FormulaInfo::definition("M_yaw_delta", "kg*m^2", "py_delta*(w + c) + hz_delta"),
+            FormulaInfo::definition("M_delta_delta", "kg*m^2", "hx_delta*sin(lam) + hz_delta*cos(lam)"),
+            FormulaInfo::definition("K_phi_phi", "kg*m", "Sz_all - rhoR*load_spin_R - rhoF*load_spin_F"),
+            FormulaInfo::definition("K_phi_delta", "kg*m", "-(py_delta + load_spin_F*(rhoF*sin(lam) - c*cos(lam)))"),
+            FormulaInfo::definition(
+                "K_delta_delta",
+                "kg*m",
+                "-(py_delta + load_spin_F*(rhoF*sin(lam) - c*cos(lam)))*sin(lam)",
+            ),
+            FormulaInfo::definition("P_delta_lateral", "kg*m", "yaw_by_delta*Sx_all + py_delta"),
+            FormulaInfo::definition("P_delta_yaw", "kg*m^2", "yaw_by_delta*Jzz_all + M_yaw_delta"),
+            FormulaInfo::definition("P_delta_delta", "kg*m^2", "yaw_by_delta*M_yaw_delta + M_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "Jxx_all"),
+            FormulaInfo::entry(
+                &[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)],
+                "kg*m^2",
+                "yaw_by_delta*Jxz_all + hx_delta",
+            ),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "yaw_by_delta*P_delta_yaw + P_delta_delta"),
+            FormulaInfo::entry(
+                &[(MatrixName::C1, 0, 1)],
+                "kg*m",
+                "yaw_by_delta*(h_wheels_all - Sz_all) + yaw_per_v_delta*Jxz_all + h_spin_F*cos(lam)",
+            ),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 0)], "kg*m", "-(yaw_by_delta*h_wheels_all + h_spin_F*cos(lam))"),
+            FormulaInfo::entry(
+                &[(MatrixName::C1, 1, 1)],
+                "kg*m",
+                "yaw_by_delta*P_delta_lateral + yaw_per_v_delta*P_delta_yaw",
+            ),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "K_phi_phi"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)], "kg*m", "K_phi_delta"),
+            FormulaInfo::entry(&[(MatrixName::K0, 1, 1)], "kg*m", "K_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg", "yaw_per_v_delta*(h_wheels_all - Sz_all)"),
+            FormulaInfo::entry(
+                &[(MatrixName::K2, 1, 1)],
+                "kg",
+                "yaw_per_v_delta*(h_spin_F*sin(lam) + P_delta_lateral)",
+            ),
+        ],
         gravity: Some(3),
     };
 

@@ -26,6 +26,7 @@ pub mod program;
 mod report;
 pub mod symbolic;
 mod syntax;
+mod written;
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 

@@ -7,6 +7,7 @@ use crate::formula::Formula;
 use crate::kinematics::Kinematics;
 use crate::matrix_name::MatrixName;
 use crate::report::Region;
+use crate::written::Written;
 
 /// A model that passed all checks, and whose claims are proved.
 #[derive(Debug)]
@@ -37,6 +38,8 @@ pub struct Model {
     pub entries: Vec<Region>,
     /// The matrices that are proved to be symmetric.
     pub symmetric: Vec<MatrixName>,
+    /// The definitions that the matrices depend on, and their entries, as people read them.
+    pub formulas: Vec<Written>,
     /// Rates and forces, of a model that is a mechanism.
     pub kinematics: Option<Kinematics<Formula>>,
     /// Where the derivatives of the matrices are asked for.

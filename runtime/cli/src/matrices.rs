@@ -38,6 +38,7 @@ const GENERAL_INFO: ModelInfo = ModelInfo {
     entries: &[],
     sets: &[],
     requirements: &[],
+    formulas: &[],
     gravity: Some(24),
 };
 

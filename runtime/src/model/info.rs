@@ -4,6 +4,7 @@ use core::fmt;
 
 use super::domain::Domain;
 use super::error::ParameterError;
+use super::formula::FormulaInfo;
 use crate::system::MatrixName;
 
 /// A model's own description, for tables, files and messages.
@@ -29,6 +30,9 @@ pub struct ModelInfo {
     /// What the model requires of several parameters at once: what its formulas need to have a value, then what its
     /// declaration requires.
     pub requirements: &'static [RequirementInfo],
+    /// The definitions that the matrices depend on, each in those before it, and then the entries of the matrices that
+    /// are not zero: as they are declared, or as they are derived from a mechanism. `equations` writes them for people.
+    pub formulas: &'static [FormulaInfo],
     /// The position of the parameter that is the gravitational field strength g, if there is one.
     pub gravity: Option<usize>,
 }

@@ -15,6 +15,7 @@ mod eigenvalues;
 mod enormous;
 mod events;
 mod fast_stability;
+mod formulas;
 #[cfg(feature = "compiler")]
 mod generation;
 mod kept;

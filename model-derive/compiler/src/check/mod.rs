@@ -18,6 +18,7 @@ use proc_macro2::Ident;
 pub use self::mechanism::{Assembly, Role, Tree};
 use self::names::Scope;
 pub use self::sets::CheckedSet;
+pub use self::units::Units;
 use self::units::declared::Dimensions;
 use self::units::dimension::Dimension;
 use crate::domain::Domain;
@@ -59,6 +60,8 @@ pub struct Checked<'a> {
     pub sets: Vec<CheckedSet>,
     /// The parameter that is the gravitational field strength.
     pub gravity: Option<usize>,
+    /// The units of formulas.
+    pub units: Units,
     /// The names in the declaration, for editors.
     pub references: References,
 }
@@ -123,6 +126,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
         assembly,
         sets,
         gravity,
+        units: Units::new(declaration, dimensions, defined),
         references,
     }
 }

@@ -190,7 +190,7 @@ impl Faulty<'_> {
     }
 
     fn text(&self, formula: &Formula) -> String {
-        self.names.text_with_signs_first(formula).to_string()
+        self.names.text_in_order(formula).to_string()
     }
 
     /// The name of the coordinate that is the motion of a joint.

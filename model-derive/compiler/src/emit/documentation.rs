@@ -27,8 +27,31 @@ pub fn model_docs(model: &Model) -> String {
         text.push_str(&requirements.join(";\n"));
         text.push('.');
     }
+    text.push_str(&equations(model));
     text
 }
+
+/// The formulas, folded.
+fn equations(model: &Model) -> String {
+    if model.formulas.is_empty() {
+        return String::new();
+    }
+    let legend = match model.kinematics {
+        Some(_) => DERIVED,
+        None => "",
+    };
+    let formulas: Vec<String> = model.formulas.iter().map(ToString::to_string).collect();
+    format!(
+        "\n\n<details><summary>The formulas of its matrices</summary>\n\n{legend}```text\n{}\n```\n\n</details>",
+        formulas.join("\n")
+    )
+}
+
+/// What the names mean that derivations make.
+const DERIVED: &str = "Of what a joint moves, all for the whole machine: `m` is the mass, `S` the static moment and `J` the \
+inertia about a point of the joint, `p` the momentum and `h` the angular momentum at unit rate. `M` and `K` are entries of \
+the matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` the rate of \
+a for that of b, and `a_per_v_b` that for the position of b and the speed.\n\n";
 
 /// The item of a list.
 fn requirement_docs(Requirement { text, unit, domain, origin, .. }: &Requirement) -> String {

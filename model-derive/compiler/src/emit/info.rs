@@ -11,6 +11,7 @@ use crate::domain::{Bound, Domain};
 use crate::matrix_name::MatrixName;
 use crate::model::{Model, Requirement};
 use crate::program::Program;
+use crate::written::{Of, Written};
 
 pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -> TokenStream {
     let GeneratedNames { runtime, model: model_name, .. } = names;
@@ -46,6 +47,17 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
         quote!(#runtime::MatrixName::#matrix)
     };
     let names_of_matrices = model.matrices.iter().map(|(matrix, _)| matrix_name(*matrix));
+    let formulas = model.formulas.iter().map(|Written { of, unit, text }| match of {
+        Of::Definition(name) => quote!(#runtime::FormulaInfo::definition(#name, #unit, #text)),
+        Of::Entries(matrix, places) => {
+            let matrix = matrix_name(*matrix);
+            let places = places.iter().map(|place| {
+                let [row, column] = place.map(Literal::usize_unsuffixed);
+                quote!((#matrix, #row, #column))
+            });
+            quote!(#runtime::FormulaInfo::entry(&[#(#places),*], #unit, #text))
+        }
+    });
     let n = model.coordinates.len();
     let entries = matrices.map(entries).unwrap_or_default().into_iter().map(|(_, places)| {
         let places = places.into_iter().map(|place| {
@@ -73,6 +85,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
             entries: &[#(#entries),*],
             sets: &[#(#sets),*],
             requirements: &[#(#requirements),*],
+            formulas: &[#(#formulas),*],
             gravity: #gravity,
         }
     }

@@ -23,6 +23,7 @@ use crate::matrix_name::MatrixName;
 use crate::model::{Coordinate, Model, Parameter, ParameterSet, Requirement};
 use crate::report::{Region, Report};
 use crate::syntax::{Matrix, Unit};
+use crate::written::write_formulas;
 
 /// Holds a declaration against its formulas, and makes the model of both. Mistakes are reported; with none it is complete.
 pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Model {
@@ -34,6 +35,7 @@ pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Mod
     if checked.is_complete && has_all {
         unused::report_unused(&checked, &derived.definitions, &outputs, report);
     }
+    let formulas = if report.is_empty() { write_formulas(&checked, &derived) } else { Vec::new() };
     let requirements = match report.is_empty() {
         true => prove(&checked, &derived, report),
         false => checked.requirements,
@@ -68,6 +70,7 @@ pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Mod
         matrices: derived.matrices,
         entries: derived.entries,
         symmetric: derived.symmetric,
+        formulas,
         kinematics: derived.kinematics,
         derivatives: declaration.derivatives,
         references: checked.references,

@@ -17,6 +17,8 @@ pub struct Text {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Outermost {
     Sum,
+    /// What begins with a sign, which is that of a whole product as well as of its first factor.
+    Negative,
     Product,
     Power,
     /// A name, a number or a call.
@@ -31,22 +33,28 @@ impl Text {
 
     /// A sum.
     pub fn sum(terms: impl IntoIterator<Item = Term<Self>>) -> Self {
-        let mut text = String::new();
+        let (mut text, mut outermost) = (String::new(), Outermost::Sum);
         for (index, Term { negative, value }) in terms.into_iter().enumerate() {
+            outermost = if index == 0 && negative { Outermost::Negative } else { Outermost::Sum };
             text.push_str(match (index, negative) {
                 (0, false) => "",
                 (0, true) => "-",
                 (_, false) => " + ",
                 (_, true) => " - ",
             });
-            text.push_str(&value.enclosed(&[Outermost::Sum]));
+            let begins = index == 0 && !negative;
+            text.push_str(&value.enclosed(if begins {
+                &[Outermost::Sum]
+            } else {
+                &[Outermost::Sum, Outermost::Negative]
+            }));
         }
-        Self { text, outermost: Outermost::Sum }
+        Self { text, outermost }
     }
 
     /// A product.
     pub fn product(factors: impl IntoIterator<Item = Factor<Self>>) -> Self {
-        let mut text = String::new();
+        let (mut text, mut outermost) = (String::new(), Outermost::Product);
         for (index, Factor { inverse, value }) in factors.into_iter().enumerate() {
             text.push_str(match (index, inverse) {
                 (0, false) => "",
@@ -54,14 +62,19 @@ impl Text {
                 (_, false) => "*",
                 (_, true) => "/",
             });
-            text.push_str(&value.enclosed(&[Outermost::Sum, Outermost::Product]));
+            if (index, inverse, value.outermost) == (0, false, Outermost::Negative) {
+                outermost = Outermost::Negative;
+                text.push_str(&value.text);
+                continue;
+            }
+            text.push_str(&value.enclosed(&[Outermost::Sum, Outermost::Negative, Outermost::Product]));
         }
-        Self { text, outermost: Outermost::Product }
+        Self { text, outermost }
     }
 
     /// A power.
     pub fn power(self, exponent: i32) -> Self {
-        let base = self.enclosed(&[Outermost::Sum, Outermost::Product, Outermost::Power]);
+        let base = self.enclosed(&[Outermost::Sum, Outermost::Negative, Outermost::Product, Outermost::Power]);
         Self { text: format!("{base}^{exponent}"), outermost: Outermost::Power }
     }
 
@@ -98,9 +111,10 @@ impl Names {
         text
     }
 
-    /// A formula as text with the signs of products before them.
-    pub fn text_with_signs_first(&self, formula: &Formula) -> Text {
-        self.text(&signs_first(formula))
+    /// A formula of the engine's as text in the order in which people write: the signs of products before them, what is
+    /// added before what is subtracted, and what multiplies before what divides.
+    pub fn text_in_order(&self, formula: &Formula) -> Text {
+        self.text(&in_order(formula))
     }
 }
 
@@ -141,17 +155,35 @@ impl Algebra for Names {
     }
 }
 
-/// The same formula with the signs of products before them.
-fn signs_first(formula: &Formula) -> Formula {
-    let all = |factors: &[Factor]| factors.iter().map(|factor| factor.map(signs_first)).collect();
+/// The same formula in the order in which people write.
+fn in_order(formula: &Formula) -> Formula {
+    let product = |factors: &[Factor]| {
+        let (above, below): (Vec<&Factor>, Vec<&Factor>) = factors.iter().partition(|factor| !factor.inverse);
+        let is_one = |factor: &&Factor| factor.value == Formula::one();
+        // A reciprocal begins with its one.
+        let above: Vec<&Factor> =
+            if above.len() > 1 { above.into_iter().filter(|f| !is_one(f)).collect() } else { above };
+        above.into_iter().chain(below).map(|factor| factor.map(in_order)).collect()
+    };
     match formula {
         Formula::Product(factors) => match negated(factors) {
-            Some(positive) => Formula::Sum(vec![Term::minus(Formula::Product(all(&positive)))]),
-            None => Formula::Product(all(factors)),
+            Some(positive) => Formula::Sum(vec![Term::minus(Formula::Product(product(&positive)))]),
+            None => Formula::Product(product(factors)),
         },
-        Formula::Sum(terms) => Formula::Sum(terms.iter().map(|term| term.map(signs_first)).collect()),
-        Formula::Power(base, exponent) => Formula::Power(Box::new(signs_first(base)), *exponent),
-        Formula::Call(function, argument) => Formula::Call(*function, Box::new(signs_first(argument))),
+        Formula::Sum(terms) => {
+            let terms = terms.iter().map(|term| match (term.negative, in_order(&term.value)) {
+                // The sign of a product is that of the term.
+                (negative, Formula::Sum(mut inner)) if inner.len() == 1 => {
+                    let Term { negative: other, value } = inner.remove(0);
+                    Term { negative: negative != other, value }
+                }
+                (negative, value) => Term { negative, value },
+            });
+            let (added, subtracted): (Vec<Term>, Vec<Term>) = terms.partition(|term| !term.negative);
+            Formula::Sum(added.into_iter().chain(subtracted).collect())
+        }
+        Formula::Power(base, exponent) => Formula::Power(Box::new(in_order(base)), *exponent),
+        Formula::Call(function, argument) => Formula::Call(*function, Box::new(in_order(argument))),
         Formula::Number(_) | Formula::Pi | Formula::Parameter(_) | Formula::Definition(_) => formula.clone(),
     }
 }

@@ -3,6 +3,7 @@
 
 mod analyze;
 mod demo;
+mod equations;
 mod lists;
 mod sensitivity;
 mod show;
@@ -31,6 +32,7 @@ Examples:
   carvallo show browser --plot browser.svg     Parameters, and a side view to scale
   carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
                                                Many designs, with a map of their stability
+  carvallo equations --format latex            The equations of motion, with all definitions
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set
 
 Results go to the standard output, and everything else that is told to the standard error.
@@ -61,6 +63,7 @@ enum Command {
     /// The shipped models, with their coordinates and parameter sets
     Models,
     Show(show::Options),
+    Equations(equations::Options),
     Sweep(Box<sweep::Options>),
 }
 
@@ -83,6 +86,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Bicycles) => lists::bicycles(),
         Some(Command::Models) => lists::models(),
         Some(Command::Show(options)) => show::run(&options),
+        Some(Command::Equations(options)) => equations::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
     }
 }

@@ -1,6 +1,7 @@
 //! The command line from outside: what is printed, and the exit codes.
 
 mod analyze;
+mod equations;
 mod extremes;
 mod formats;
 mod hints;

@@ -55,7 +55,7 @@ fn unknown(name: &proc_macro2::Ident) -> syn::Error {
 }
 
 /// The dimensions that a declaration gives; none where its unit is a mistake.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Dimensions {
     pub parameters: Vec<Option<Dimension>>,
     pub coordinates: Vec<Option<Dimension>>,

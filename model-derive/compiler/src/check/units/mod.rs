@@ -7,10 +7,12 @@
 mod analysis;
 pub mod declared;
 pub mod dimension;
+mod formulas;
 mod known;
 mod mechanism;
 
-pub use mechanism::check_mechanism;
+pub use self::formulas::Units;
+pub use self::mechanism::check_mechanism;
 
 use self::analysis::{Analysis, short};
 use self::declared::{Dimensions, Quantity};

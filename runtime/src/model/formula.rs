@@ -1,0 +1,57 @@
+//! The formulas of a model as people read them.
+
+use core::fmt;
+
+use super::info::EntryInfo;
+use crate::system::MatrixName;
+
+/// One formula of a model: that of a definition or of an entry of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FormulaInfo {
+    /// What the formula is of.
+    pub of: FormulaSubject,
+    /// The unit of its value in kg, m and s, such as `kg*m^2`; `1` for pure numbers, empty where it is not known.
+    pub unit: &'static str,
+    /// The formula as a declaration has it, in the names of parameters and of earlier definitions, such as
+    /// `IAlx + mu*ITxz`.
+    pub text: &'static str,
+}
+
+/// What a formula is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FormulaSubject {
+    /// The definition of this name.
+    Definition(&'static str),
+    /// An entry of a matrix, with the others of that matrix that have the same formula.
+    Entry(EntryInfo),
+}
+
+impl FormulaInfo {
+    /// The formula of a definition.
+    pub const fn definition(name: &'static str, unit: &'static str, text: &'static str) -> Self {
+        Self { of: FormulaSubject::Definition(name), unit, text }
+    }
+
+    /// The formula of the entries at these places.
+    pub const fn entry(places: &'static [(MatrixName, usize, usize)], unit: &'static str, text: &'static str) -> Self {
+        Self { of: FormulaSubject::Entry(EntryInfo::at(places)), unit, text }
+    }
+}
+
+/// Reads `ITxz = IBxz + IHxz [kg*m^2]` or `M_12 = M_21 = IAlx + mu*ITxz [kg*m^2]`, with rows and columns counted from one.
+impl fmt::Display for FormulaInfo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { of, unit, text } = self;
+        match of {
+            FormulaSubject::Definition(name) => write!(f, "{name} = ")?,
+            FormulaSubject::Entry(EntryInfo { places }) => {
+                for (matrix, row, column) in *places {
+                    let comma = if *row.max(column) > 8 { "," } else { "" };
+                    write!(f, "{matrix}_{}{comma}{} = ", row + 1, column + 1)?;
+                }
+            }
+        }
+        f.write_str(text)?;
+        if unit.is_empty() { Ok(()) } else { write!(f, " [{unit}]") }
+    }
+}

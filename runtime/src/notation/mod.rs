@@ -1,0 +1,176 @@
+//! The equations of a model in notations that people read and typeset.
+
+mod latex;
+mod markup;
+mod parse;
+mod symbol;
+mod typst;
+
+use std::fmt::Write as _;
+
+use self::latex::Latex;
+use self::markup::{Markup, Writer};
+use self::parse::{Formula, parse};
+use self::typst::Typst;
+use crate::model::{FormulaInfo, FormulaSubject, ModelInfo};
+use crate::system::MatrixName;
+
+/// How equations are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Notation {
+    /// As a declaration has them.
+    Text,
+    /// LaTeX, with the package amsmath.
+    Latex,
+    /// Typst.
+    Typst,
+}
+
+impl ModelInfo {
+    /// The equations of motion: the definitions that the matrices depend on, each in those before it, and the entries that
+    /// are not zero, all with their units. Rows and columns are counted from one.
+    ///
+    /// Available with feature `std`.
+    pub fn equations(&self, notation: Notation) -> String {
+        match notation {
+            Notation::Text => write_text(self),
+            Notation::Latex => write_latex(self),
+            Notation::Typst => write_typst(self),
+        }
+    }
+}
+
+/// The terms of the equation that a model has, each with its matrix: what multiplies q'', q' and q.
+fn terms(info: &ModelInfo, matrix: impl Fn(&str, MatrixName) -> String) -> [Vec<String>; 3] {
+    let all = [
+        &[("", MatrixName::M)][..],
+        &[("", MatrixName::C0), ("v", MatrixName::C1)],
+        &[("", MatrixName::Kc), ("g", MatrixName::K0), ("v^2", MatrixName::K2)],
+    ];
+    all.map(|terms| {
+        let own = terms.iter().filter(|(_, name)| info.matrices.contains(name));
+        own.map(|(factor, name)| matrix(factor, *name)).collect()
+    })
+}
+
+/// `M q'' + v C1 q' + (g K0 + v^2 K2) q = f` from its terms.
+fn equation(terms: &[Vec<String>; 3], derivatives: [&str; 3]) -> String {
+    let sums = terms.iter().zip(derivatives).filter_map(|(terms, q)| match &terms[..] {
+        [] => None,
+        [term] => Some(format!("{term} {q}")),
+        terms => Some(format!("({}) {q}", terms.join(" + "))),
+    });
+    format!("{} = f", sums.collect::<Vec<String>>().join(" + "))
+}
+
+fn write_text(info: &ModelInfo) -> String {
+    let spaced = |factor: &str| if factor.is_empty() { String::new() } else { format!("{factor} ") };
+    let terms = terms(info, |factor, name| format!("{}{name}", spaced(factor)));
+    let coordinates: Vec<&str> = info.coordinates.iter().map(|coordinate| coordinate.name).collect();
+    let mut text = equation(&terms, ["q''", "q'", "q"]);
+    text.push_str(&format!(", q = ({})\n", coordinates.join(", ")));
+    let [definitions, entries] = parts(info);
+    for part in [definitions, entries] {
+        // Writing to a string cannot fail.
+        part.iter().enumerate().for_each(|(index, formula)| {
+            let _ = write!(text, "{}{formula}\n", if index == 0 { "\n" } else { "" });
+        });
+    }
+    text
+}
+
+/// The definitions, and the entries.
+fn parts(info: &ModelInfo) -> [&'static [FormulaInfo]; 2] {
+    let is_entry = |formula: &FormulaInfo| matches!(formula.of, FormulaSubject::Entry(_));
+    let first = info.formulas.iter().position(is_entry).unwrap_or(info.formulas.len());
+    let (definitions, entries) = info.formulas.split_at(first);
+    [definitions, entries]
+}
+
+/// The lines of an equation: what the formula is of, the lines of the formula, and its unit.
+struct Equation {
+    of: Vec<String>,
+    lines: Vec<String>,
+    unit: Option<String>,
+}
+
+/// The equations in a language.
+fn equations<M: Markup>(info: &ModelInfo, part: &[FormulaInfo], writer: &Writer<'_, M>) -> Vec<Equation> {
+    let entry = |(matrix, row, column): &(MatrixName, usize, usize)| {
+        let (letter, number) = matrix.name().split_at(1);
+        let comma = if info.coordinates.len() > 9 { "," } else { "" };
+        let place = format!("{}{comma}{}", row + 1, column + 1);
+        let index = if number.is_empty() { place } else { format!("{number},{place}") };
+        writer.markup.index(letter, &index)
+    };
+    let equation = |FormulaInfo { of, unit, text }: &FormulaInfo| Equation {
+        of: match of {
+            FormulaSubject::Definition(name) => vec![writer.name(name)],
+            FormulaSubject::Entry(places) => places.places.iter().map(entry).collect(),
+        },
+        // What the compiler writes is a formula; a text of another origin stands as it is.
+        lines: parse(text).map_or_else(|| vec![writer.markup.word(text)], |formula: Formula| writer.lines(&formula)),
+        unit: (!matches!(*unit, "" | "1")).then(|| writer.markup.unit(unit)),
+    };
+    part.iter().map(equation).collect()
+}
+
+/// The symbols of parameters that are not their names.
+fn symbols(info: &ModelInfo) -> impl Fn(&str) -> Option<&'static str> {
+    let parameters = info.parameters;
+    move |name| parameters.iter().find(|parameter| parameter.name == name).map(|parameter| parameter.symbol)
+}
+
+fn write_latex(info: &ModelInfo) -> String {
+    let symbol = symbols(info);
+    let writer = Writer { markup: Latex, symbol: &symbol };
+    let matrix = |name: MatrixName| match name.name().split_at(1) {
+        (letter, "") => letter.to_owned(),
+        (letter, number) => format!("{letter}_{number}"),
+    };
+    let spaced = |factor: &str| if factor.is_empty() { String::new() } else { format!("{factor} ") };
+    let terms = terms(info, |factor, name| format!("{}{}", spaced(factor), matrix(name)));
+    let coordinates: Vec<String> = info.coordinates.iter().map(|coordinate| writer.name(coordinate.name)).collect();
+    let mut text = format!(
+        "% The equations of motion of {}. Needs \\usepackage{{amsmath}}.\n\\begin{{gather*}}\n  {}, \\quad q = ({})\n\\end{{gather*}}\n",
+        info.name,
+        equation(&terms, ["\\ddot{q}", "\\dot{q}", "q"]),
+        coordinates.join(", "),
+    );
+    for part in parts(info).into_iter().filter(|part| !part.is_empty()) {
+        let rows = equations(info, part, &writer).into_iter().map(|Equation { of, lines, unit }| {
+            let unit = unit.map(|unit| format!(" &\\quad& [{unit}]")).unwrap_or_default();
+            format!("  {} &= {}{unit}", of.join(" = "), lines.join(" \\\\\n  &\\quad {} "))
+        });
+        let rows: Vec<String> = rows.collect();
+        text.push_str(&format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", rows.join(" \\\\\n")));
+    }
+    text
+}
+
+fn write_typst(info: &ModelInfo) -> String {
+    let symbol = symbols(info);
+    let writer = Writer { markup: Typst, symbol: &symbol };
+    let matrix = |name: MatrixName| match name.name().split_at(1) {
+        (letter, "") => letter.to_owned(),
+        (letter, number) => format!("{letter}_{number}"),
+    };
+    let spaced = |factor: &str| if factor.is_empty() { String::new() } else { format!("{factor} ") };
+    let terms = terms(info, |factor, name| format!("{}{}", spaced(factor), matrix(name)));
+    let coordinates: Vec<String> = info.coordinates.iter().map(|coordinate| writer.name(coordinate.name)).collect();
+    let mut text = format!(
+        "// The equations of motion of {}.\n#show math.equation: set block(breakable: true)\n$ {}, quad q = ({}) $\n",
+        info.name,
+        equation(&terms, ["dot.double(q)", "dot(q)", "q"]),
+        coordinates.join(", "),
+    );
+    for part in parts(info).into_iter().filter(|part| !part.is_empty()) {
+        let rows = equations(info, part, &writer).into_iter().map(|Equation { of, lines, unit }| {
+            let unit = unit.map(|unit| format!(" & quad & [{unit}]")).unwrap_or_default();
+            format!("  {} & = {}{unit}", of.join(" = "), lines.join(" \\\n  & quad \"\" "))
+        });
+        let rows: Vec<String> = rows.collect();
+        text.push_str(&format!("$\n{}\n$\n", rows.join(" \\\n")));
+    }
+    text
+}

@@ -1,0 +1,134 @@
+//! The text of a formula to its parts.
+
+/// A formula. Sums and products are flat, as they are written.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Formula {
+    /// A number, with a unit where one is written.
+    Number(String, Option<String>),
+    /// A parameter, a definition or pi.
+    Name(String),
+    /// Terms, each with whether it is subtracted.
+    Sum(Vec<(bool, Formula)>),
+    /// Factors, each with whether it divides.
+    Product(Vec<(bool, Formula)>),
+    /// A whole power.
+    Power(Box<Formula>, String),
+    /// A function of an argument.
+    Call(String, Box<Formula>),
+}
+
+/// The parts of a formula; `None` if it is none.
+pub fn parse(text: &str) -> Option<Formula> {
+    let mut reader = Reader { rest: text.trim() };
+    let formula = reader.sum()?;
+    reader.rest.is_empty().then_some(formula)
+}
+
+struct Reader<'a> {
+    rest: &'a str,
+}
+
+impl<'a> Reader<'a> {
+    /// Takes a sign that comes next, with what is blank behind it.
+    fn take(&mut self, sign: char) -> bool {
+        let found = self.rest.strip_prefix(sign);
+        self.rest = found.map_or(self.rest, str::trim_start);
+        found.is_some()
+    }
+
+    /// Takes as much as belongs together.
+    fn take_while(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
+        let end = self.rest.find(|c| !belongs(c)).unwrap_or(self.rest.len());
+        let (taken, rest) = self.rest.split_at(end);
+        self.rest = rest.trim_start();
+        taken
+    }
+
+    fn sum(&mut self) -> Option<Formula> {
+        let mut terms = vec![(false, self.product()?)];
+        loop {
+            let negative = match self.rest.chars().next() {
+                Some('+') => false,
+                Some('-') => true,
+                _ => break,
+            };
+            self.take(if negative { '-' } else { '+' });
+            terms.push((negative, self.product()?));
+        }
+        Some(if terms.len() == 1 { terms.remove(0).1 } else { Formula::Sum(terms) })
+    }
+
+    fn product(&mut self) -> Option<Formula> {
+        let mut factors = vec![(false, self.signed()?)];
+        loop {
+            let inverse = match self.rest.chars().next() {
+                Some('*') => false,
+                Some('/') => true,
+                _ => break,
+            };
+            self.take(if inverse { '/' } else { '*' });
+            factors.push((inverse, self.signed()?));
+        }
+        if factors.len() == 1 {
+            return Some(factors.remove(0).1);
+        }
+        // The sign of the first factor is that of the product.
+        match factors[0].1.clone() {
+            Formula::Sum(terms) if matches!(terms[..], [(true, _)]) => {
+                factors[0].1 = terms.into_iter().next()?.1;
+                Some(Formula::Sum(vec![(true, Formula::Product(factors))]))
+            }
+            _ => Some(Formula::Product(factors)),
+        }
+    }
+
+    fn signed(&mut self) -> Option<Formula> {
+        if self.take('-') {
+            return Some(Formula::Sum(vec![(true, self.signed()?)]));
+        }
+        let base = self.single()?;
+        if !self.take('^') {
+            return Some(base);
+        }
+        let sign = if self.take('-') { "-" } else { "" };
+        let digits = self.take_while(|c| c.is_ascii_digit());
+        (!digits.is_empty()).then(|| Formula::Power(Box::new(base), format!("{sign}{digits}")))
+    }
+
+    fn single(&mut self) -> Option<Formula> {
+        if self.take('(') {
+            let inner = self.sum()?;
+            return self.take(')').then_some(inner);
+        }
+        if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
+            return self.number();
+        }
+        let name = self.take_while(|c| c.is_alphanumeric() || c == '_');
+        if name.is_empty() {
+            return None;
+        }
+        if !self.take('(') {
+            return Some(Formula::Name(name.into()));
+        }
+        let argument = self.sum()?;
+        self.take(')').then(|| Formula::Call(name.into(), Box::new(argument)))
+    }
+
+    fn number(&mut self) -> Option<Formula> {
+        let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+        let mut end = digits(self.rest);
+        if let Some(power) = self.rest[end..].strip_prefix('e') {
+            let unsigned = power.strip_prefix('-').unwrap_or(power);
+            end += 1 + power.len() - unsigned.len() + digits(unsigned);
+        }
+        let (number, rest) = self.rest.split_at(end);
+        self.rest = rest.trim_start();
+        let unit = if self.take('[') {
+            let unit = self.take_while(|c| c != ']');
+            self.take(']').then(|| Some(unit.into()))?
+        } else {
+            None
+        };
+        Some(Formula::Number(number.into(), unit))
+    }
+}
