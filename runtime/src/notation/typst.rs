@@ -76,7 +76,7 @@ fn attached(text: &str) -> String {
 
 /// What stands between the names of units: `*`, `/`, `^2/`.
 fn between_units(signs: &str) -> String {
-    let Some(power) = signs.strip_prefix('^') else { return signs.replace('*', " thin ").replace('/', " \\/ ") };
+    let Some(power) = signs.strip_prefix('^') else { return signs.replace('*', " thin ").replace('/', "\"/\"") };
     let end = power.find(|c: char| !c.is_ascii_digit() && c != '-').unwrap_or(power.len());
     let (exponent, rest) = power.split_at(end);
     format!("^{}{}", attached(exponent), between_units(rest))
