@@ -1,6 +1,7 @@
 //! What the parts of this folder ask of Symbolica's formulas.
 
 use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
 
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
 use symbolica::symbol;
@@ -15,10 +16,19 @@ pub fn parameter(index: usize) -> Symbol {
     symbol_at(index + 1)
 }
 
-/// The symbol at a position of the one sequence that there is.
+/// The symbol at a position of the one sequence that there is. The engine looks symbols up by their names, which takes
+/// longer than most of what is done with them.
 pub fn symbol_at(index: usize) -> Symbol {
-    symbol!(format!("carvallo::x{index}"))
+    let mut symbols = SYMBOLS.lock().unwrap_or_else(PoisonError::into_inner);
+    while symbols.len() <= index {
+        let next = symbols.len();
+        symbols.push(symbol!(format!("carvallo::x{next}")));
+    }
+    symbols[index]
 }
+
+/// All symbols so far: they live as long as the process.
+static SYMBOLS: Mutex<Vec<Symbol>> = Mutex::new(Vec::new());
 
 /// The operations and calls that a formula takes as it stands.
 pub fn operations(atom: &Atom) -> usize {

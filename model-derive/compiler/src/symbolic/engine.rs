@@ -123,5 +123,10 @@ impl Algebra for Forms<'_> {
 }
 
 fn decimal(number: &Decimal) -> Atom {
-    symbolica::parse!(&number.digits) * Atom::num(10).pow(i64::from(number.exponent))
+    // Most numbers are short, and need no parser.
+    let digits = match number.digits.parse::<i64>() {
+        Ok(digits) => Atom::num(digits),
+        Err(_) => symbolica::parse!(&number.digits),
+    };
+    if number.exponent == 0 { digits } else { digits * Atom::num(10).pow(i64::from(number.exponent)) }
 }

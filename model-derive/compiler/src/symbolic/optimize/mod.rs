@@ -1,5 +1,6 @@
 //! The search for the cheapest program among equivalent ones.
 
+mod forms;
 mod search;
 mod shapes;
 mod system;
@@ -27,7 +28,7 @@ pub fn compile(equations: Vec<Equations>) -> Result<Vec<Program>, Failure> {
 #[cfg(test)]
 mod tests {
     use super::super::{Engine, Form, enter};
-    use super::shapes::shapes_of;
+    use super::shapes::{Rewritten, shapes_of};
     use super::*;
     use crate::formula::{Factor, Formula, Function, Term};
     use crate::program::Counts;
@@ -105,7 +106,8 @@ mod tests {
             ];
             formulas.iter().all(|formula| {
                 let form = engine.form(formula, &[]).expect("it has a value");
-                let shapes: Vec<Form> = shapes_of(&form).into_iter().map(|(_, shape)| shape).collect();
+                let shapes: Vec<Form> =
+                    shapes_of(&form, &Rewritten::default()).into_iter().map(|(_, shape)| shape).collect();
                 shapes.len() > 1 && shapes.iter().all(|shape| shape.minus(&form).is_zero())
             })
         });

@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use super::super::engine::Engine;
 use super::super::failure::{Place, Undefined};
-use super::super::form::Form;
-use super::shapes::{Shape, Shapes};
+use super::forms::{FormId, Forms, used};
+use super::shapes::Shape;
 use super::system::{Choices, System};
 use crate::equations::Equations;
 use crate::formula::Formula;
@@ -34,13 +34,10 @@ const OTHER_ORDERS: [usize; 3] = [0, 1, 30];
 /// # Errors
 /// If a formula has no value.
 pub fn cheapest(engine: &Engine, equations: &Equations) -> Result<Program, (Place, Undefined)> {
-    let users = equations.definitions.iter().chain(&equations.outputs);
-    let uses: Vec<Vec<usize>> = users.map(used).collect();
     let mut search = Search {
         engine,
         equations,
-        uses,
-        shapes: Shapes::default(),
+        forms: Forms::new(engine, equations),
         seen: HashSet::new(),
         left: MAX_PROGRAMS,
         formulas_left: MAX_FORMULAS,
@@ -53,11 +50,9 @@ pub fn cheapest(engine: &Engine, equations: &Equations) -> Result<Program, (Plac
 struct Search<'a> {
     engine: &'a Engine,
     equations: &'a Equations,
-    /// For each definition and then for each output the definitions that it uses, each once.
-    uses: Vec<Vec<usize>>,
-    shapes: Shapes,
+    forms: Forms<'a>,
     /// The formulas of all programs so far.
-    seen: HashSet<Vec<Form>>,
+    seen: HashSet<Vec<Option<FormId>>>,
     /// How many programs may still be built.
     left: usize,
     /// How many formulas may still be made.
@@ -115,7 +110,7 @@ impl Search<'_> {
 
     /// All formulas in one shape.
     fn choices(&self, inline: &[bool], shape: Option<Shape>) -> Choices {
-        let formulas = self.uses.len();
+        let formulas = self.forms.count();
         Choices { inline: inline.to_vec(), opened: vec![Vec::new(); formulas], shapes: vec![shape; formulas] }
     }
 
@@ -125,9 +120,9 @@ impl Search<'_> {
         if !first && self.is_over() {
             return Ok(false);
         }
-        self.formulas_left = self.formulas_left.saturating_sub(self.uses.len());
-        let system = System::new(self.engine, self.equations, &choices, &mut self.shapes)?;
-        if !self.seen.insert(system.formulas()) {
+        self.formulas_left = self.formulas_left.saturating_sub(self.forms.count());
+        let system = System::new(&mut self.forms, &choices)?;
+        if !self.seen.insert(system.formulas().to_vec()) {
             return Ok(false);
         }
         self.left -= 1;
@@ -136,13 +131,13 @@ impl Search<'_> {
 
     /// Whether nothing more may be tried.
     fn is_over(&self) -> bool {
-        self.left == 0 || self.formulas_left < self.uses.len()
+        self.left == 0 || self.formulas_left < self.forms.count()
     }
 
     /// Keeps a program if it is cheaper than the best so far: of equally cheap ones the first stays, so that the choice is
     /// the same on every run.
     fn compare(&mut self, system: System, choices: Choices, orders: usize) -> bool {
-        let program = passes::optimize(system.program(self.engine, self.equations, orders));
+        let program = passes::optimize(system.program(self.engine, self.equations, &self.forms, orders));
         let cost = Counts::of(&program).cost();
         let cheaper = self.best.cost.is_none_or(|best| cost < best);
         if cheaper {
@@ -153,17 +148,18 @@ impl Search<'_> {
 
     /// Which definitions divide by a sum, in themselves or through what they use, such as a centre of mass, and what they
     /// divide by: once all of it is inside of the formulas further on, the division may cancel out of them.
-    fn find_fractions(&self) -> Result<Vec<bool>, (Place, Undefined)> {
-        let Equations { parameters, definitions, origins, .. } = self.equations;
-        let names = self.engine.definitions(*parameters, definitions.len());
+    fn find_fractions(&mut self) -> Result<Vec<bool>, (Place, Undefined)> {
+        let definitions = &self.equations.definitions;
         let mut inline = vec![false; definitions.len()];
         definitions.iter().flat_map(divisors).for_each(|index| inline[index] = true);
-        let mut values = Vec::new();
-        for (index, formula) in definitions.iter().enumerate() {
-            let form = self.engine.form(formula, &values).map_err(|why| (Place::Definition(origins[index]), why))?;
-            inline[index] |= form.is_fraction();
-            let inside = inline[index] && !System::keeps(&form);
-            values.push(if inside { form } else { names[index].clone() });
+        let mut values = self.forms.names();
+        for (index, inline) in inline.iter_mut().enumerate() {
+            let made = self.forms.make(index, &values)?;
+            let form = self.forms.form(made);
+            *inline |= form.is_fraction();
+            if *inline && !System::keeps(form) {
+                values[index] = made;
+            }
         }
         Ok(inline)
     }
@@ -175,9 +171,9 @@ impl Search<'_> {
             if self.best.choices.inline[index] && !fraction {
                 let mut choices = self.best.choices.clone();
                 choices.inline[index] = false;
-                for (formula, used) in self.uses.iter().enumerate() {
-                    if used.contains(&index) {
-                        choices.shapes[formula] = None;
+                for (formula, shape) in choices.shapes.iter_mut().enumerate() {
+                    if self.forms.uses(formula).contains(&index) {
+                        *shape = None;
                     }
                 }
                 better |= self.try_out(choices)?;
@@ -189,8 +185,8 @@ impl Search<'_> {
     /// Puts definitions into one of the formulas that use them, one by one.
     fn open(&mut self) -> Result<bool, (Place, Undefined)> {
         let mut better = false;
-        for formula in 0..self.uses.len() {
-            for index in self.uses[formula].clone() {
+        for formula in 0..self.forms.count() {
+            for index in self.forms.uses(formula).to_vec() {
                 if self.is_over() {
                     return Ok(better);
                 }
@@ -202,8 +198,8 @@ impl Search<'_> {
                 choices.opened[formula].push(index);
                 let system = &self.best.system;
                 let [closed, opened] = [&self.best.choices, &choices]
-                    .map(|choices| system.form(self.engine, self.equations, formula, &choices.opened[formula]));
-                if !self.shapes.merges(&closed?, system.inside(index), &opened?) {
+                    .map(|choices| system.form(&mut self.forms, formula, &choices.opened[formula]));
+                if !self.forms.merges(closed?, system.inside(index), opened?) {
                     continue;
                 }
                 choices.shapes[formula] = None;
@@ -216,7 +212,7 @@ impl Search<'_> {
     /// Gives formulas other shapes, one by one.
     fn reshape(&mut self) -> Result<bool, (Place, Undefined)> {
         let mut better = false;
-        for formula in 0..self.uses.len() {
+        for formula in 0..self.forms.count() {
             if self.is_over() {
                 break;
             }
@@ -224,8 +220,8 @@ impl Search<'_> {
                 continue;
             }
             let opened = &self.best.choices.opened[formula];
-            let form = self.best.system.form(self.engine, self.equations, formula, opened)?;
-            for shape in self.shapes.worthwhile(&form) {
+            let form = self.best.system.form(&mut self.forms, formula, opened)?;
+            for shape in self.forms.worthwhile(form) {
                 let mut choices = self.best.choices.clone();
                 choices.shapes[formula] = Some(shape);
                 better |= self.try_out(choices)?;
@@ -233,14 +229,6 @@ impl Search<'_> {
         }
         Ok(better)
     }
-}
-
-/// The definitions that a formula uses, each once.
-fn used(formula: &Formula) -> Vec<usize> {
-    let mut used = formula.find_definitions();
-    used.sort_unstable();
-    used.dedup();
-    used
 }
 
 /// Whether a formula is a product that divides by something.

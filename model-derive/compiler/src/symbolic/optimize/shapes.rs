@@ -1,5 +1,6 @@
 //! Equivalent shapes of one formula, all of them made by the engine.
 
+use std::cell::RefCell;
 use std::collections::HashMap;
 
 use symbolica::atom::{Atom, AtomCore, AtomView, Indeterminate};
@@ -34,46 +35,40 @@ const MAX_REWRITTEN: usize = 150;
 /// Formulas that could expand into more terms than this are not rewritten, such as fractions in fractions in fractions.
 const MAX_EXPANDED: f64 = 300.0;
 
-/// The shapes of formulas, each found once.
+/// What was rewritten before, since the shapes of a formula have many parts in common, with each other and with those of
+/// other formulas.
 #[derive(Default)]
-pub struct Shapes {
-    known: HashMap<Form, Vec<(Shape, Form)>>,
+pub struct Rewritten {
+    nested: RefCell<HashMap<Atom, Atom>>,
+    factored: RefCell<HashMap<Atom, Atom>>,
 }
 
-/// A shape that takes so many operations more than another by itself is not tried in its place.
-const MAX_WORSE: usize = 3;
-
-impl Shapes {
-    /// A formula in a shape; without one, or if it has no such shape of its own, in the one that is cheapest by itself.
-    pub fn shaped(&mut self, form: &Form, shape: Option<Shape>) -> Form {
-        if shape == Some(Shape::Written) {
-            return form.clone();
+impl Rewritten {
+    fn once(known: &RefCell<HashMap<Atom, Atom>>, atom: &Atom, rewrite: impl FnOnce() -> Atom) -> Atom {
+        if let Some(before) = known.borrow().get(atom) {
+            return before.clone();
         }
-        let shapes = self.of(form);
-        let found = shape.and_then(|shape| shapes.iter().find(|(other, _)| *other == shape));
-        found.unwrap_or(&shapes[0]).1.clone()
+        let after = rewrite();
+        known.borrow_mut().insert(atom.clone(), after.clone());
+        after
     }
 
-    /// The shapes of a formula that may be worth a try.
-    pub fn worthwhile(&mut self, form: &Form) -> Vec<Shape> {
-        let shapes = self.of(form);
-        let most = cost(&shapes[0].1.0) + MAX_WORSE;
-        shapes.iter().filter(|(_, form)| cost(&form.0) <= most).map(|(shape, _)| *shape).collect()
+    fn factor(&self, atom: &Atom) -> Atom {
+        Self::once(&self.factored, atom, || atom.factor())
     }
 
-    /// Whether a formula into which a definition is put takes fewer operations than both.
-    pub fn merges(&mut self, formula: &Form, definition: &Form, merged: &Form) -> bool {
-        let [formula, merged] = [formula, merged].map(|form| self.of(form)[0].1.operations());
-        merged < formula + definition.operations()
-    }
-
-    fn of(&mut self, form: &Form) -> &[(Shape, Form)] {
-        self.known.entry(form.clone()).or_insert_with(|| shapes_of(form))
+    /// The same with common factors in front of every sum in it, in the order that takes the fewest operations.
+    fn nested(&self, atom: &Atom) -> Atom {
+        atom.replace_map_bottom_up(|view, _, out| {
+            if let AtomView::Add(_) = view {
+                **out = Self::once(&self.nested, &view.to_owned(), || nest(view));
+            }
+        })
     }
 }
 
 /// Distinct shapes, the cheapest first.
-pub(super) fn shapes_of(form: &Form) -> Vec<(Shape, Form)> {
+pub fn shapes_of(form: &Form, rewritten: &Rewritten) -> Vec<(Shape, Form)> {
     let atom = &form.0;
     let mut shapes = vec![(Shape::Written, form.clone())];
     let mut add = |shape, atom| {
@@ -86,18 +81,18 @@ pub(super) fn shapes_of(form: &Form) -> Vec<(Shape, Form)> {
         let divides = atom.count_operations().inversions > 0;
         let flat = if divides { atom.together().expand() } else { atom.expand() };
         if divides_by_a_sum(atom.as_view()) {
-            add(Shape::Factored, nested(&flat.factor()));
+            add(Shape::Factored, rewritten.nested(&rewritten.factor(&flat)));
         } else {
-            add(Shape::Collected, nested(atom));
-            add(Shape::Factored, nested(&atom.factor()));
-            add(Shape::Nested, nested(&atom.expand()));
-            add(Shape::ByDivisors, by_divisors(atom));
+            add(Shape::Collected, rewritten.nested(atom));
+            add(Shape::Factored, rewritten.nested(&rewritten.factor(atom)));
+            add(Shape::Nested, rewritten.nested(&atom.expand()));
+            add(Shape::ByDivisors, by_divisors(atom, rewritten));
         }
-        add(Shape::Together, nested(&flat));
-        add(Shape::ByFunctions, by_functions(&flat));
-        add(Shape::ByLinear, nested(&by_linear(&flat)));
+        add(Shape::Together, rewritten.nested(&flat));
+        add(Shape::ByFunctions, by_functions(&flat, rewritten));
+        add(Shape::ByLinear, rewritten.nested(&by_linear(&flat, rewritten)));
     }
-    shapes.sort_by_key(|(_, form)| cost(&form.0));
+    shapes.sort_by_cached_key(|(_, form)| cost(&form.0));
     shapes
 }
 
@@ -125,7 +120,7 @@ fn divides_by_a_sum(view: AtomView<'_>) -> bool {
 }
 
 /// What a formula takes by itself, in additions: a call counts once however often it occurs.
-fn cost(atom: &Atom) -> usize {
+pub fn cost(atom: &Atom) -> usize {
     let count = atom.count_operations();
     count.additions + count.multiplications + 4 * count.inversions + 20 * functions(atom.as_view()).len()
 }
@@ -134,36 +129,33 @@ fn cheapest<const N: usize>(forms: [Atom; N]) -> Atom {
     forms.into_iter().min_by_key(cost).unwrap_or_default()
 }
 
-/// The same with common factors in front of every sum in it, in the order that takes the fewest operations.
-fn nested(atom: &Atom) -> Atom {
-    atom.replace_map_bottom_up(|view, _, out| {
-        if let AtomView::Add(_) = view {
-            let frequent: Option<&[Indeterminate]> = None;
-            let functions = functions(view).into_iter();
-            let functions: Vec<_> = functions.filter_map(|function| Indeterminate::try_from(function).ok()).collect();
-            let horner = view.collect_horner(frequent);
-            **out = cheapest([
-                view.to_owned(),
-                view.collect_factors(),
-                view.collect_horner(Some(&functions)).collect_factors(),
-                horner.collect_factors(),
-                horner,
-            ]);
-        }
-    })
+/// A sum with common factors in front.
+fn nest(sum: AtomView<'_>) -> Atom {
+    let functions = functions(sum).into_iter();
+    let functions: Vec<_> = functions.filter_map(|function| Indeterminate::try_from(function).ok()).collect();
+    let frequent: Option<&[Indeterminate]> = None;
+    let horner = sum.collect_horner(frequent);
+    cheapest([
+        sum.to_owned(),
+        sum.collect_factors(),
+        sum.collect_horner(Some(&functions)).collect_factors(),
+        horner.collect_factors(),
+        horner,
+    ])
 }
 
-fn by_functions(flat: &Atom) -> Atom {
+fn by_functions(flat: &Atom, rewritten: &Rewritten) -> Atom {
     let functions = functions(flat.as_view());
     let collected = flat.collect_multiple_mapped::<i16>(
         &functions,
         |_, _| {},
         |rest, out| {
             let rest = rest.to_owned();
-            **out = cheapest([nested(&rest), nested(&by_linear(&rest)), nested(&rest.factor())]);
+            let [linear, factored] = [by_linear(&rest, rewritten), rewritten.factor(&rest)];
+            **out = cheapest([&rest, &linear, &factored].map(|rest| rewritten.nested(rest)));
         },
     );
-    nested(&collected)
+    rewritten.nested(&collected)
 }
 
 /// The function calls in a formula, in an order that does not change.
@@ -175,7 +167,7 @@ fn functions(view: AtomView<'_>) -> Vec<Atom> {
     functions
 }
 
-fn by_linear(flat: &Atom) -> Atom {
+fn by_linear(flat: &Atom, rewritten: &Rewritten) -> Atom {
     let AtomView::Add(sum) = flat.as_view() else { return flat.clone() };
     let mut linear: HashMap<Atom, bool> = HashMap::new();
     let mut note = |factor: AtomView<'_>| match factor {
@@ -197,12 +189,15 @@ fn by_linear(flat: &Atom) -> Atom {
     flat.collect_multiple_mapped::<i16>(
         &linear,
         |_, _| {},
-        |rest, out| **out = cheapest([rest.factor(), Form(rest.to_owned()).in_sines().0]),
+        |rest, out| {
+            let rest = rest.to_owned();
+            **out = cheapest([rewritten.factor(&rest), Form(rest).in_sines().0]);
+        },
     )
 }
 
 /// By the symbols and calls that a formula divides by and nowhere multiplies by.
-fn by_divisors(atom: &Atom) -> Atom {
+fn by_divisors(atom: &Atom, rewritten: &Rewritten) -> Atom {
     let plain = |view: AtomView<'_>| matches!(view, AtomView::Var(_) | AtomView::Fun(_));
     let mut divisors: HashMap<Atom, bool> = HashMap::new();
     atom.visitor(&mut |view| match view {
@@ -221,7 +216,7 @@ fn by_divisors(atom: &Atom) -> Atom {
     });
     let divisors = chosen(divisors);
     let apart = divisors.iter().fold(atom.clone(), |atom, divisor| atom.expand_in(divisor));
-    apart.collect_multiple_mapped::<i16>(&divisors, |_, _| {}, |rest, out| **out = nested(&rest.to_owned()))
+    apart.collect_multiple_mapped::<i16>(&divisors, |_, _| {}, |rest, out| **out = rewritten.nested(&rest.to_owned()))
 }
 
 /// Those that are marked, in an order that does not change.

@@ -1,6 +1,5 @@
 //! Formulas in parameters and in the definitions that are kept, and the program that computes them.
 
-use std::borrow::Cow;
 use std::collections::HashSet;
 
 use symbolica::atom::{Atom, AtomCore, AtomView, Symbol};
@@ -10,7 +9,8 @@ use super::super::engine::Engine;
 use super::super::failure::{Place, Undefined};
 use super::super::form::Form;
 use super::super::instructions::append;
-use super::shapes::{Shape, Shapes};
+use super::forms::{FormId, Forms};
+use super::shapes::Shape;
 use crate::equations::Equations;
 use crate::program::{Instruction, Program, Value, passes};
 
@@ -47,62 +47,46 @@ const BLOCK: usize = 250;
 #[derive(Clone, Default)]
 pub struct System {
     /// What stands for each definition in the formulas that use it: a symbol, or what is in it.
-    values: Vec<Form>,
+    values: Vec<FormId>,
     /// What is in each definition.
-    insides: Vec<Form>,
-    /// For each definition its formula, if it is kept.
-    kept: Vec<Option<Form>>,
-    outputs: Vec<Form>,
+    insides: Vec<FormId>,
+    /// For each definition its formula, if it is kept, and for each output its formula: they make the program.
+    formulas: Vec<Option<FormId>>,
 }
 
 impl System {
-    pub fn new(
-        engine: &Engine,
-        equations: &Equations,
-        choices: &Choices,
-        shapes: &mut Shapes,
-    ) -> Result<Self, (Place, Undefined)> {
-        let names = engine.definitions(equations.parameters, equations.definitions.len());
+    pub fn new(forms: &mut Forms<'_>, choices: &Choices) -> Result<Self, (Place, Undefined)> {
         let mut system = Self::default();
-        for (index, name) in names.into_iter().enumerate() {
-            let form = system.form(engine, equations, index, &choices.opened[index])?;
-            let keep = !form.is_trivial() && (!choices.inline[index] || Self::keeps(&form));
-            system.values.push(if keep { name } else { form.clone() });
-            system.kept.push(keep.then(|| shapes.shaped(&form, choices.shapes[index])));
+        for (index, name) in forms.names().iter().enumerate() {
+            let form = system.form(forms, index, &choices.opened[index])?;
+            let inside = forms.form(form);
+            let keep = !inside.is_trivial() && (!choices.inline[index] || Self::keeps(inside));
+            system.values.push(if keep { *name } else { form });
+            system.formulas.push(keep.then(|| forms.shaped(form, choices.shapes[index])));
             system.insides.push(form);
         }
-        for formula in system.kept.len()..system.kept.len() + equations.outputs.len() {
-            let form = system.form(engine, equations, formula, &choices.opened[formula])?;
-            system.outputs.push(shapes.shaped(&form, choices.shapes[formula]));
+        for formula in system.insides.len()..forms.count() {
+            let form = system.form(forms, formula, &choices.opened[formula])?;
+            system.formulas.push(Some(forms.shaped(form, choices.shapes[formula])));
         }
         Ok(system)
     }
 
     /// A formula as it is written, definitions first and then outputs, into which some of its definitions are put.
-    pub fn form(
-        &self,
-        engine: &Engine,
-        equations: &Equations,
-        formula: usize,
-        opened: &[usize],
-    ) -> Result<Form, (Place, Undefined)> {
-        let mut values = Cow::Borrowed(&self.values);
-        for index in opened {
-            if self.insides[*index].operations() <= MAX_OPENED {
-                values.to_mut()[*index] = self.insides[*index].clone();
-            }
+    pub fn form(&self, forms: &mut Forms<'_>, formula: usize, opened: &[usize]) -> Result<FormId, (Place, Undefined)> {
+        let short = |index: &&usize| forms.operations(self.insides[**index]) <= MAX_OPENED;
+        let opened: Vec<usize> = opened.iter().filter(short).copied().collect();
+        if opened.is_empty() {
+            return forms.make(formula, &self.values);
         }
-        let definitions = equations.definitions.len();
-        let (formula, place) = match formula.checked_sub(definitions) {
-            None => (&equations.definitions[formula], Place::Definition(equations.origins[formula])),
-            Some(output) => (&equations.outputs[output], Place::Output(output)),
-        };
-        engine.form(formula, &values).map_err(|why| (place, why))
+        let mut values = self.values.clone();
+        opened.into_iter().for_each(|index| values[index] = self.insides[index]);
+        forms.make(formula, &values)
     }
 
     /// What is in a definition.
-    pub fn inside(&self, definition: usize) -> &Form {
-        &self.insides[definition]
+    pub fn inside(&self, definition: usize) -> FormId {
+        self.insides[definition]
     }
 
     /// Whether a definition keeps its name even if it is to disappear.
@@ -111,25 +95,25 @@ impl System {
     }
 
     /// The formulas of all kept definitions and outputs, which make the program.
-    pub fn formulas(&self) -> Vec<Form> {
-        let kept = self.kept.iter().map(|form| form.clone().unwrap_or_else(|| Form::number(0)));
-        kept.chain(self.outputs.iter().cloned()).collect()
+    pub fn formulas(&self) -> &[Option<FormId>] {
+        &self.formulas
     }
 
     /// One program for all formulas: those of the kept definitions first, then the outputs.
     ///
     /// The engine nests it anew, in the best of so many orders of the symbols, and looks for common pairs.
-    pub fn program(&self, engine: &Engine, equations: &Equations, orders: usize) -> Program {
+    pub fn program(&self, engine: &Engine, equations: &Equations, forms: &Forms<'_>, orders: usize) -> Program {
         let parameters = equations.parameters;
-        let kept: Vec<(usize, &Form)> =
-            self.kept.iter().enumerate().filter_map(|(index, form)| Some((index, form.as_ref()?))).collect();
+        let (definitions, outputs) = self.formulas.split_at(self.insides.len());
+        let kept: Vec<(usize, FormId)> =
+            definitions.iter().enumerate().filter_map(|(index, form)| Some((index, (*form)?))).collect();
         let symbols = (0..parameters).map(|index| engine.parameter(index)).chain([engine.pi()]);
         let symbols: Vec<Symbol> = symbols
-            .chain(kept.iter().map(|(index, _)| self.values[*index].clone()))
+            .chain(kept.iter().map(|(index, _)| forms.form(self.values[*index]).clone()))
             .filter_map(|form| form.0.as_view().get_symbol())
             .collect();
-        let formulas: Vec<Form> =
-            kept.iter().map(|(_, form)| *form).chain(&self.outputs).map(Form::without_tangents_of_numbers).collect();
+        let formulas = kept.iter().map(|(_, form)| *form).chain(outputs.iter().copied().flatten());
+        let formulas: Vec<Form> = formulas.map(|form| forms.form(form).without_tangents_of_numbers()).collect();
         let formulas: Vec<AtomView<'_>> = formulas.iter().map(|form| form.0.as_view()).collect();
 
         // The definitions enter as inputs whose values come out of the same program, and are then put in their place.
