@@ -62,7 +62,7 @@ mod system;
 
 pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, FormulaInfo, FormulaSubject, LengthError,
-    Model, ModelInfo, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo,
+    Model, ModelInfo, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo, WithDerivatives,
 };
 pub use nalgebra::Complex;
 #[cfg(feature = "std")]

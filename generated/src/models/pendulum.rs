@@ -7,7 +7,7 @@
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Scalar, SetInfo,
+    ParameterInfo, Partial, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -252,6 +252,10 @@ impl<T: Scalar> Model<1> for Pendulum<T> {
     #[inline]
     fn coefficients(&self) -> Coefficients<T, 1> {
         Coefficients::from_rows(PendulumMatrices::rows(&self.matrices()))
+    }
+
+    fn derivatives(&self) -> Option<WithDerivatives<Self, 1>> {
+        Some(Differentiable::coefficients_and_derivatives(self))
     }
 
     fn gravity(&self) -> Option<T> {

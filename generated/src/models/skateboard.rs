@@ -7,7 +7,7 @@
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Scalar, SetInfo,
+    ParameterInfo, Partial, Rate, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -542,6 +542,10 @@ impl<T: Scalar> Model<1> for Skateboard<T> {
     #[inline]
     fn coefficients(&self) -> Coefficients<T, 1> {
         Coefficients::from_rows(SkateboardMatrices::rows(&self.matrices()))
+    }
+
+    fn derivatives(&self) -> Option<WithDerivatives<Self, 1>> {
+        Some(Differentiable::coefficients_and_derivatives(self))
     }
 
     fn gravity(&self) -> Option<T> {

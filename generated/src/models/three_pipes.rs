@@ -7,7 +7,7 @@
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Scalar, SetInfo,
+    ParameterInfo, Partial, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -455,6 +455,10 @@ impl<T: Scalar> Model<3> for ThreePipes<T> {
     #[inline]
     fn coefficients(&self) -> Coefficients<T, 3> {
         Coefficients::from_rows(ThreePipesMatrices::rows(&self.matrices()))
+    }
+
+    fn derivatives(&self) -> Option<WithDerivatives<Self, 3>> {
+        Some(Differentiable::coefficients_and_derivatives(self))
     }
 
     fn gravity(&self) -> Option<T> {

@@ -7,7 +7,7 @@
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Scalar, SetInfo,
+    ParameterInfo, Partial, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -371,6 +371,10 @@ impl<T: Scalar> Model<2> for TwoPipes<T> {
     #[inline]
     fn coefficients(&self) -> Coefficients<T, 2> {
         Coefficients::from_rows(TwoPipesMatrices::rows(&self.matrices()))
+    }
+
+    fn derivatives(&self) -> Option<WithDerivatives<Self, 2>> {
+        Some(Differentiable::coefficients_and_derivatives(self))
     }
 
     fn gravity(&self) -> Option<T> {

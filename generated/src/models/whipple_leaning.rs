@@ -7,7 +7,7 @@
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Scalar, SetInfo,
+    ParameterInfo, Partial, Rate, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -1155,6 +1155,10 @@ impl<T: Scalar> Model<3> for WhippleLeaning<T> {
     #[inline]
     fn coefficients(&self) -> Coefficients<T, 3> {
         Coefficients::from_rows(WhippleLeaningMatrices::rows(&self.matrices()))
+    }
+
+    fn derivatives(&self) -> Option<WithDerivatives<Self, 3>> {
+        Some(Differentiable::coefficients_and_derivatives(self))
     }
 
     fn gravity(&self) -> Option<T> {

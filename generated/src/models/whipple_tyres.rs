@@ -7,7 +7,7 @@
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Scalar, SetInfo,
+    ParameterInfo, Partial, Rate, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -1020,6 +1020,10 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
     #[inline]
     fn coefficients(&self) -> Coefficients<T, 2> {
         Coefficients::from_rows(WhippleTyresMatrices::rows(&self.matrices()))
+    }
+
+    fn derivatives(&self) -> Option<WithDerivatives<Self, 2>> {
+        Some(Differentiable::coefficients_and_derivatives(self))
     }
 
     fn gravity(&self) -> Option<T> {

@@ -4,7 +4,7 @@
 use std::any::Any;
 use std::fmt::Debug;
 
-use carvallo::{Coefficients, Complex, Differentiable, Matrix, MatrixName, Model, ModelInfo, Sensitivity, SystemError};
+use carvallo::{Coefficients, Complex, Matrix, MatrixName, Model, ModelInfo, Sensitivity, SystemError};
 use carvallo_models::Whipple;
 
 use crate::number::with_unit;
@@ -38,7 +38,8 @@ pub(crate) type Visitor<'a> = &'a mut dyn FnMut(&dyn Equations) -> Result<(), St
 pub(crate) type Differentiate = fn(&[f64]) -> Result<Option<Sensitivity<2>>, String>;
 
 impl Shipped {
-    const fn of<const N: usize, M: Differentiable<N, Scalar = f64>>() -> Self {
+    /// A model by its type.
+    pub const fn of<const N: usize, M: Model<N, Scalar = f64>>() -> Self {
         Self::new(M::INFO, equations::<N, M>, visit::<N, M>, differentiate::<N, M>)
     }
 
@@ -97,7 +98,8 @@ impl Shipped {
     /// number of coordinates.
     ///
     /// # Errors
-    /// The first of them, or of the model's requirements, that does not hold; or that a derivative is not finite.
+    /// The first of them, or of the model's requirements, that does not hold; that the model was compiled without
+    /// derivatives; or that one is not finite.
     pub fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, String> {
         (self.differentiate)(parameters)
     }
@@ -116,10 +118,10 @@ fn visit<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64], visitor:
     visitor(&valid::<N, M>(parameters)?.coefficients())
 }
 
-fn differentiate<const N: usize, M: Differentiable<N, Scalar = f64>>(
+fn differentiate<const N: usize, M: Model<N, Scalar = f64>>(
     parameters: &[f64],
 ) -> Result<Option<Sensitivity<2>>, String> {
-    let sensitivity = Sensitivity::<N>::of(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
+    let sensitivity = Sensitivity::<N>::of_any(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
     Ok(as_of_two(&sensitivity).cloned())
 }
 

@@ -9,6 +9,11 @@ use crate::system::{Coefficients, MatrixName};
 /// They are derived symbolically and computed together with the matrices, which share most of the arithmetic. The
 /// inherent method `matrices_and_derivatives` of such a model gives only those that are not identically zero, without
 /// filling in all the others.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a model with {N} coordinates that was compiled with its derivatives",
+    label = "a model without derivatives",
+    note = "add `derivatives;` to its declaration"
+)]
 pub trait Differentiable<const N: usize>: Model<N> {
     /// An array with one item for each parameter, in declared order.
     type Derivatives: AsRef<[Coefficients<Self::Scalar, N>]>;

@@ -16,4 +16,4 @@ pub use error::{LengthError, ParameterError};
 pub use formula::{FormulaInfo, FormulaSubject};
 pub use info::{CoordinateInfo, EntryInfo, ModelInfo, ParameterInfo, RequirementInfo, SetInfo};
 pub use rate::Rate;
-pub use traits::{Evaluator, Model};
+pub use traits::{Evaluator, Model, WithDerivatives};

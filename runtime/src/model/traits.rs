@@ -50,9 +50,22 @@ pub trait Model<const N: usize>: Copy {
     /// The parameters are not validated.
     fn coefficients(&self) -> Coefficients<Self::Scalar, N>;
 
+    /// The coefficient matrices, and their derivatives with respect to each parameter in declared order, as
+    /// [`Differentiable`](crate::Differentiable) has them; nothing for a model whose declaration does not say
+    /// `derivatives;`.
+    ///
+    /// For code that takes any model. What needs derivatives takes a [`Differentiable`](crate::Differentiable) one.
+    fn derivatives(&self) -> Option<WithDerivatives<Self, N>> {
+        None
+    }
+
     /// The gravitational field strength g in N/kg, if it is a parameter of the model.
     fn gravity(&self) -> Option<Self::Scalar>;
 }
+
+/// The coefficient matrices of a model, and those derived with respect to each of its parameters.
+pub type WithDerivatives<M, const N: usize> =
+    (Coefficients<<M as Model<N>>::Scalar, N>, <M as Model<N>>::Array<Coefficients<<M as Model<N>>::Scalar, N>>);
 
 /// The parameters of a model over one kind of number, and the program that makes its matrices of them.
 ///

@@ -19,6 +19,11 @@ pub enum SensitivityError {
         /// How many there are.
         found: usize,
     },
+    /// A model that was compiled without its derivatives.
+    WithoutDerivatives {
+        /// The name of the model's type.
+        model: &'static str,
+    },
     /// A standard deviation that is negative or not finite.
     NotADeviation {
         /// Its value.
@@ -38,6 +43,13 @@ impl fmt::Display for SensitivityError {
             Self::System(error) => error.fmt(f),
             Self::TooFew { quantity, expected, found } => {
                 write!(f, "{found} {quantity} are given; there must be {expected}")
+            }
+            Self::WithoutDerivatives { model } => {
+                write!(
+                    f,
+                    "the model `{model}` was compiled without derivatives; add `derivatives;` to its declaration and \
+                     compile it again"
+                )
             }
             Self::NotADeviation { value } => {
                 write!(f, "a standard deviation is {value}; it must be finite and >= 0")

@@ -108,7 +108,16 @@ impl<const N: usize> Sensitivity<N> {
     /// # Errors
     /// If an entry or a derivative is not finite, as they may be for parameters that were not validated.
     pub fn of<M: Differentiable<N>>(model: &M) -> Result<Self, SensitivityError> {
-        let (coefficients, derivatives) = model.coefficients_and_derivatives();
+        Self::of_any(model)
+    }
+
+    /// The same for any model, where only the program that runs finds out whether it has derivatives.
+    ///
+    /// # Errors
+    /// If the model was compiled without derivatives, and those of [`of`](Self::of).
+    pub fn of_any<M: Model<N>>(model: &M) -> Result<Self, SensitivityError> {
+        let without = SensitivityError::WithoutDerivatives { model: M::INFO.name };
+        let (coefficients, derivatives) = Model::derivatives(model).ok_or(without)?;
         let gravity = Model::gravity(model).map_or(0.0, Scalar::to_f64);
         Self::new(&coefficients, derivatives.as_ref(), gravity, M::INFO.gravity)
     }

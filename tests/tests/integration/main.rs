@@ -35,3 +35,5 @@ mod stability;
 mod state_space;
 mod textbook;
 mod trigonometry;
+#[cfg(feature = "compiler")]
+mod without_derivatives;

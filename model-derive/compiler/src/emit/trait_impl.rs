@@ -32,6 +32,13 @@ pub fn emit(
         None => quote!(::core::option::Option::None),
     };
     let requirements = requirements.filter(|_| !model.requirements.is_empty());
+    let derivatives = model.derivatives.is_some().then(|| {
+        quote! {
+            fn derivatives(&self) -> ::core::option::Option<#runtime::WithDerivatives<Self, #n>> {
+                ::core::option::Option::Some(#runtime::Differentiable::coefficients_and_derivatives(self))
+            }
+        }
+    });
     let requirements = requirements.map(|program| validate_requirements(model, names, &info, program));
     let implementation = quote! {
         #allow
@@ -80,6 +87,8 @@ pub fn emit(
             fn coefficients(&self) -> #runtime::Coefficients<#scalar, #n> {
                 #runtime::Coefficients::from_rows(#matrices::rows(&self.matrices()))
             }
+
+            #derivatives
 
             fn gravity(&self) -> ::core::option::Option<#scalar> {
                 #gravity
