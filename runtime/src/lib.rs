@@ -74,7 +74,9 @@ pub use sensitivity::{
     SensitivityError, standard_deviation, variance_shares,
 };
 #[cfg(feature = "std")]
-pub use stability::{Change, CriticalKind, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, Verdict};
+pub use stability::{
+    Change, CriticalKind, CriticalSpeed, MarginalRange, Mode, ModeValue, Modes, Stability, StableRange, Verdict,
+};
 pub use system::{Coefficients, Matrix, MatrixName, StateSpace, System, SystemError, rows};
 
 /// The other half of [`model!`].

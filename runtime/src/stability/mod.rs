@@ -20,7 +20,7 @@ use crate::system::{Coefficients, SystemError, require_speed};
 pub use critical::{Change, CriticalKind, CriticalSpeed};
 pub use mode::Mode;
 pub use modes::{ModeValue, Modes};
-pub use ranges::StableRange;
+pub use ranges::{MarginalRange, StableRange};
 pub use verdict::Verdict;
 
 /// The critical speeds and the stable ranges of a model with two coordinates.
@@ -115,6 +115,11 @@ impl Stability {
         Ok(self.verdicts.at(speed))
     }
 
+    /// The ranges of speed in which the motion is marginal, ascending.
+    pub fn marginal_ranges(&self) -> Vec<MarginalRange> {
+        self.verdicts.marginal_ranges()
+    }
+
     /// Whether the motion is stable just below and just above one of the critical speeds: the same, unless it is one at which
     /// that changes. An eigenvalue may change sides while another one keeps the motion unstable.
     pub fn verdicts_around(&self, critical: &CriticalSpeed) -> [Verdict; 2] {
@@ -124,7 +129,7 @@ impl Stability {
 
 #[cfg(test)]
 mod tests {
-    use super::{Change, CriticalKind, Stability, StableRange, Verdict};
+    use super::{Change, CriticalKind, MarginalRange, Stability, StableRange, Verdict};
     use crate::characteristic::determinant::Rows;
     use crate::stability::Modes;
     use crate::system::{Coefficients, SystemError};
@@ -177,6 +182,9 @@ mod tests {
         assert_speeds(&stability, &[(CriticalKind::DoubleRoot, flutter, Change::Destabilizes)]);
         assert!((stability.critical_speeds[0].eigenvalue.im - 2.5f64.sqrt()).abs() < 1e-7);
         assert!(stability.stable_ranges.is_empty());
+        let marginal = stability.marginal_ranges();
+        assert!(marginal.len() == 1 && marginal[0].from == 0.0, "{marginal:?}");
+        assert!((marginal[0].to.unwrap() - flutter).abs() <= 1e-14 * flutter, "{marginal:?}");
         let verdicts = [0.0, 1.0, flutter + 0.1].map(|speed| stability.verdict(speed));
         assert_eq!(verdicts, [Ok(Verdict::Marginal), Ok(Verdict::Marginal), Ok(Verdict::Unstable)]);
     }
@@ -214,6 +222,7 @@ mod tests {
         assert_eq!([0.5, 1.0, 2.0].map(|speed| stability.verdict(speed).unwrap()), {
             [Verdict::Unstable, Verdict::Marginal, Verdict::Marginal]
         });
+        assert_eq!(stability.marginal_ranges(), [MarginalRange { from: 1.0, to: None }]);
     }
 
     #[test]
@@ -222,9 +231,11 @@ mod tests {
         assert!(damped.critical_speeds.is_empty());
         assert_eq!(damped.stable_ranges, [StableRange { from: 0.0, to: None }]);
         assert_eq!(damped.verdict(0.0), Ok(Verdict::Stable));
+        assert!(damped.marginal_ranges().is_empty());
         let free = stability(ZERO, ZERO, ZERO, ZERO);
         assert!(free.critical_speeds.is_empty() && free.stable_ranges.is_empty());
         assert_eq!(free.verdict(3.0), Ok(Verdict::Marginal));
+        assert_eq!(free.marginal_ranges(), [MarginalRange { from: 0.0, to: None }]);
     }
 
     #[test]

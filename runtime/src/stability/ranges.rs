@@ -14,6 +14,18 @@ pub struct StableRange {
     pub to: Option<f64>,
 }
 
+/// A range of speeds in which no motion grows and some do not die away, as those of a rolling disc above its critical
+/// speed.
+///
+/// [`Stability::verdict`](crate::Stability::verdict) tells what holds at its ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MarginalRange {
+    /// The lower end in m/s.
+    pub from: f64,
+    /// The upper end in m/s; `None` if the range has no end.
+    pub to: Option<f64>,
+}
+
 /// The verdict at every speed: constant between speeds at which an eigenvalue is on the imaginary axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Verdicts {
@@ -67,5 +79,20 @@ impl Verdicts {
         let ends = self.stretches.iter().skip(1).map(|next| Some(next.speed)).chain([None]);
         let ranges = self.stretches.iter().zip(ends).filter(|(stretch, _)| stretch.above == Verdict::Stable);
         ranges.map(|(stretch, to)| StableRange { from: stretch.speed, to }).collect()
+    }
+
+    /// Real parts are continuous, so that no motion grows at a speed between two marginal stretches, which are one range.
+    pub(super) fn marginal_ranges(&self) -> Vec<MarginalRange> {
+        let mut ranges: Vec<MarginalRange> = Vec::new();
+        for stretch in &self.stretches {
+            let is_marginal = stretch.above == Verdict::Marginal;
+            match ranges.last_mut() {
+                Some(open) if open.to.is_none() && !is_marginal => open.to = Some(stretch.speed),
+                Some(open) if open.to.is_none() => {}
+                _ if is_marginal => ranges.push(MarginalRange { from: stretch.speed, to: None }),
+                _ => {}
+            }
+        }
+        ranges
     }
 }

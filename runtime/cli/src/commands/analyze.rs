@@ -86,7 +86,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         let x = options.xlim.map_or_else(|| extremes(&speeds_or(fine_speeds)), |SpeedLimits(low, high)| (low, high));
         let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
-        picture.write(&plot::eigenvalues(&analysis, Limits { x, y })?)?;
+        picture.write(&plot::draw_eigenvalues(&analysis, Limits { x, y })?)?;
     }
     match options.format {
         Format::Table => print(&output::render_table(&analysis, &rows)),

@@ -21,7 +21,9 @@ pub fn run() -> Result<(), Failure> {
     let path = picture_directory().map(|directory| directory.join(format!("{DEFAULT_BICYCLE}.svg")));
     let limits = Limits { x: (0.0, 10.0), y: None };
     // Nobody asked for the picture, so that what keeps it from being written is no failure.
-    match path.filter(|path| plot::eigenvalues(&analysis, limits).and_then(|scene| plot::save(&scene, path)).is_ok()) {
+    match path
+        .filter(|path| plot::draw_eigenvalues(&analysis, limits).and_then(|scene| plot::save(&scene, path)).is_ok())
+    {
         Some(path) => {
             let here = std::env::current_dir().unwrap_or_default();
             let path = path.strip_prefix(here).unwrap_or(&path);

@@ -54,7 +54,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             let title = changes.design.title();
             Failure::Run(format!("{title} has neither a weave nor a capsize speed, so there is no chart to draw"))
         };
-        picture.write(&plot::tornado(&changes).ok_or_else(nothing)?)?;
+        picture.write(&plot::draw_tornado(&changes).ok_or_else(nothing)?)?;
     }
     match options.format {
         Format::Table => print(&output::sensitivity::render_table(&changes)),

@@ -88,12 +88,12 @@ fn length(text: &str, quotes: &str) -> Option<usize> {
     let mut at = 0;
     loop {
         let rest = &text[at..];
-        if rest.starts_with(quotes) {
+        if let Some(behind) = rest.strip_prefix(quotes) {
             // In YAML, two apostrophes within a text are one.
-            match rest[quotes.len()..].starts_with('\'') && quotes == "'" {
-                true => at += 2,
-                false => return Some(at),
+            if quotes != "'" || !behind.starts_with('\'') {
+                return Some(at);
             }
+            at += 2;
         } else {
             let first = rest.chars().next()?;
             let escaped = if first == '\\' && quotes != "'" { rest.chars().nth(1) } else { None };

@@ -6,16 +6,14 @@ use carvallo::{Complex, CriticalSpeed, ModeValue, Stability, StableRange};
 use serde::Serialize;
 
 use super::equations::{Matrix, matrices};
+use super::head::Head;
 use super::layout::{Line, Members, Parts, write_document};
 use crate::analysis::{Analysis, Eigenvalues, Row, Rows};
 
 #[derive(Serialize)]
 struct Document<'a> {
-    model: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bicycle: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    name: Option<&'a str>,
+    #[serde(flatten)]
+    head: Head<'a>,
     parameters: Members<Line<f64>>,
     matrices: Members<Line<Vec<Vec<f64>>>>,
     critical_speeds: Option<Vec<Line<Event>>>,
@@ -58,13 +56,10 @@ struct Named {
 pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> Result<()> {
     let Analysis { design, stability, .. } = analysis;
     let info = design.info();
-    let is_bicycle = design.model.is_whipple();
     let parameters = info.parameters.iter().zip(&design.parameters);
     let matrices = matrices(design).into_iter();
     let document = Document {
-        model: info.name,
-        bicycle: is_bicycle.then_some(&design.name),
-        name: (!is_bicycle).then_some(&design.name),
+        head: Head::of(design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         matrices: Members(matrices.map(|Matrix { name, rows, .. }| (name, Line(rows))).collect()),
         critical_speeds: stability.as_ref().map(events),

@@ -4,6 +4,7 @@ mod cells;
 mod columns;
 mod csv;
 mod equations;
+mod head;
 mod json;
 mod layout;
 mod list;

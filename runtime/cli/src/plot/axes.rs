@@ -29,7 +29,7 @@ impl Axes {
     }
 
     /// The grid, to be drawn under the data.
-    pub fn grid(&self, scene: &mut Scene) {
+    pub fn draw_grid(&self, scene: &mut Scene) {
         let [left, top, right, bottom] = self.area;
         for (x, _) in across(self.x, right - left) {
             let (x, _) = self.place(x, self.y.0);
@@ -42,7 +42,7 @@ impl Axes {
     }
 
     /// The frame with its labels, to be drawn over the data.
-    pub fn frame(&self, scene: &mut Scene, x_label: &str, y_label: &str) {
+    pub fn draw_frame(&self, scene: &mut Scene, x_label: &str, y_label: &str) {
         let [left, top, right, bottom] = self.area;
         if self.y.0 < 0.0 && self.y.1 > 0.0 {
             let (_, zero) = self.place(self.x.0, 0.0);

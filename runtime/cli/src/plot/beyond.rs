@@ -58,7 +58,7 @@ pub fn write(lines: &[String], axes: &Axes, top: f32, scene: &mut Scene) {
 }
 
 /// A head where a line, cut at the upper or lower edge, leaves the axes.
-pub fn heads(points: &[(f32, f32)], axes: &Axes, color: Color, scene: &mut Scene) {
+pub fn draw_heads(points: &[(f32, f32)], axes: &Axes, color: Color, scene: &mut Scene) {
     let [_, top, _, bottom] = axes.area;
     for (x, y) in [points.first(), points.last()].into_iter().flatten().copied() {
         for (edge, outward) in [(top, -1.0), (bottom, 1.0)] {

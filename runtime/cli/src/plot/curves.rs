@@ -77,9 +77,33 @@ pub fn pairs(rows: &[ModeRow]) -> Vec<Pair> {
     };
     let pair = |modes| {
         let parts = |part: fn(&Complex<f64>) -> f64| ranked(rows, |row| of(row, modes).iter().map(part).collect());
-        Pair { modes, real: parts(|value| value.re), imaginary: parts(|value| value.im) }
+        let mut imaginary = parts(|value| value.im);
+        for curve in &mut imaginary {
+            reach_axis(curve, rows, |row| !of(row, modes).is_empty());
+        }
+        Pair { modes, real: parts(|value| value.re), imaginary }
     };
     kinds.map(pair).filter(|pair| !pair.real.is_empty()).collect()
+}
+
+/// Where a pair begins or ends, and the eigenvalues are real beyond, its curve reaches the axis.
+fn reach_axis(curve: &mut Curve, rows: &[ModeRow], is_there: impl Fn(&ModeRow) -> bool) {
+    let oscillating = |row: &ModeRow| row.values.iter().filter(|mode| mode.value.im > 0.0).count();
+    let (Some(&(from, _)), Some(&(to, _))) = (curve.first(), curve.last()) else { return };
+    let (first, behind) = (rows.partition_point(|row| row.speed < from), rows.partition_point(|row| row.speed <= to));
+    let ends_between = |inside: &ModeRow, outside: &ModeRow| {
+        (!is_there(outside) && oscillating(outside) < oscillating(inside)).then_some((outside.speed, 0.0))
+    };
+    if let [.., outside] = &rows[..first]
+        && let Some(point) = ends_between(&rows[first], outside)
+    {
+        curve.insert(0, point);
+    }
+    if let [outside, ..] = &rows[behind..]
+        && let Some(point) = ends_between(&rows[behind - 1], outside)
+    {
+        curve.push(point);
+    }
 }
 
 /// The real parts of a mode where it is not in a pair with another mode.

@@ -16,6 +16,8 @@ const HEIGHT: f32 = 640.0;
 const RIGHT: f32 = WIDTH - 28.0;
 const BOTTOM: f32 = HEIGHT - 66.0;
 const LABEL_SIZE: f32 = 15.0;
+/// A label that is further from its line than this is joined to it.
+const FAR: f32 = 14.0;
 const STABLE: Color = Color(0xdd, 0xf1, 0xde);
 const STABLE_TEXT: Color = Color(0x2e, 0x7d, 0x32);
 const WHITE: Color = Color(0xff, 0xff, 0xff);
@@ -33,7 +35,7 @@ pub struct Limits {
 ///
 /// # Errors
 /// If they cannot be computed at one of the speeds.
-pub fn eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Failure> {
+pub fn draw_eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Failure> {
     let (low, high) = limits.x;
     let rows = analysis.rows(&samples(analysis, low, high))?;
     let series = series(&rows);
@@ -69,7 +71,7 @@ pub fn eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Failure
     for &(left, right) in &stable {
         scene.rectangle([left, top, right, BOTTOM], Paint::Fill, STABLE);
     }
-    axes.grid(&mut scene);
+    axes.draw_grid(&mut scene);
     if y.0 < 0.0 && y.1 > 0.0 {
         let (_, zero) = axes.place(low, 0.0);
         labels.avoid_line(&[(left, zero), (RIGHT, zero)], LINE);
@@ -77,13 +79,14 @@ pub fn eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Failure
     critical::avoid(&critical, &axes, &mut labels);
     // Labels know the curves, and critical speeds the labels, but curves are painted over critical speeds.
     let mut curves = Scene::new(title, WIDTH, height);
-    let to_label = draw(&series, &axes, &mut curves, &mut labels);
-    stable_labels(&stable, top, &mut curves, &mut labels);
-    name(to_label, &mut curves, &mut labels);
+    let to_label = draw_curves(&series, &axes, &mut curves, &mut labels);
+    write_stable_labels(&stable, top, &mut curves, &mut labels);
+    let without_room = write_labels(to_label, &mut curves, &mut labels);
     critical::draw(&critical, &axes, &labels, &mut scene);
     scene.items.append(&mut curves.items);
-    axes.frame(&mut scene, &format!("{speed} v (m/s)"), "eigenvalue λ (1/s)");
+    axes.draw_frame(&mut scene, &format!("{speed} v (m/s)"), "eigenvalue λ (1/s)");
     beyond::write(&note, &axes, HEIGHT - 4.0, &mut scene);
+    write_legend(&without_room, left, &mut scene);
     Ok(scene)
 }
 
@@ -95,7 +98,7 @@ fn stable_ranges(analysis: &Analysis, axes: &Axes) -> Vec<(f32, f32)> {
 }
 
 /// Across where there is room, upwards where there is little; clear of the curves, or else over them with an edge.
-fn stable_labels(ranges: &[(f32, f32)], top: f32, scene: &mut Scene, labels: &mut Labels) {
+fn write_stable_labels(ranges: &[(f32, f32)], top: f32, scene: &mut Scene, labels: &mut Labels) {
     let width = font::width("stable", LABEL_SIZE);
     for &(left, right) in ranges {
         let room = [left + 3.0, top, right - 3.0, BOTTOM - 4.0];
@@ -110,7 +113,7 @@ fn stable_labels(ranges: &[(f32, f32)], top: f32, scene: &mut Scene, labels: &mu
 }
 
 /// The curves as far as the axes show them, with what they are called.
-fn draw(series: &[Series], axes: &Axes, scene: &mut Scene, labels: &mut Labels) -> Vec<Label> {
+fn draw_curves(series: &[Series], axes: &Axes, scene: &mut Scene, labels: &mut Labels) -> Vec<Label> {
     let mut to_label = Vec::new();
     for Series { name, color, paint, border, has_label, curves } in series {
         let lines = lines(curves, axes);
@@ -119,11 +122,11 @@ fn draw(series: &[Series], axes: &Axes, scene: &mut Scene, labels: &mut Labels) 
                 scene.polyline(points, line(6.0), *border);
             }
             scene.polyline(points, *paint, *color);
-            beyond::heads(points, axes, *color, scene);
+            beyond::draw_heads(points, axes, *color, scene);
             labels.avoid_line(points, LINE);
         }
         if *has_label {
-            to_label.push(Label { line: longest(lines), color: *color, text: name.clone() });
+            to_label.push(Label { line: longest(lines), color: *color, paint: *paint, text: name.clone() });
         }
     }
     to_label
@@ -133,20 +136,59 @@ fn draw(series: &[Series], axes: &Axes, scene: &mut Scene, labels: &mut Labels) 
 struct Label {
     line: Vec<(f32, f32)>,
     color: Color,
+    paint: Paint,
     text: String,
 }
 
-/// Labels come last: they keep off every line, or have an edge that does.
-fn name(to_label: Vec<Label>, scene: &mut Scene, labels: &mut Labels) {
-    for Label { line, color, text } in to_label {
-        if let Some((left, base)) = labels.beside(&line, &text, LABEL_SIZE) {
-            let width = font::width(&text, LABEL_SIZE);
-            if labels.is_clear([left, base - LABEL_SIZE, left + width, base + 4.0]) {
-                scene.text((left, base), Anchor::Start, LABEL_SIZE, color, &text);
-            } else {
-                scene.edged_text((left + width / 2.0, base), LABEL_SIZE, color, WHITE, &text);
+/// Labels come last: they keep off every line, or have an edge that does. A label that has room only away from its line is
+/// joined to it; those that have none beside their lines are returned.
+fn write_labels(to_label: Vec<Label>, scene: &mut Scene, labels: &mut Labels) -> Vec<Label> {
+    let mut without_room = Vec::new();
+    for label in to_label {
+        let Label { line: points, color, text, .. } = &label;
+        let Some((left, base)) = labels.beside(points, text, LABEL_SIZE) else {
+            // What lies outside of the axes is told below the graph.
+            if !points.is_empty() {
+                without_room.push(label);
             }
+            continue;
+        };
+        let width = font::width(text, LABEL_SIZE);
+        let bounds = [left, base - LABEL_SIZE, left + width, base + 4.0];
+        if let Some(leader) = leader(bounds, points) {
+            scene.polyline(&leader, line(1.0), *color);
         }
+        if labels.is_clear(bounds) {
+            scene.text((left, base), Anchor::Start, LABEL_SIZE, *color, text);
+        } else {
+            scene.edged_text((left + width / 2.0, base), LABEL_SIZE, *color, WHITE, text);
+        }
+    }
+    without_room
+}
+
+/// A line from a label to the nearest point of what it names, if that is not right beside it.
+fn leader([left, top, right, bottom]: [f32; 4], points: &[(f32, f32)]) -> Option<[(f32, f32); 2]> {
+    let edge = |(x, y): (f32, f32)| (x.clamp(left - 2.0, right + 2.0), y.clamp(top, bottom));
+    let distance = |&(x, y): &(f32, f32)| {
+        let (from_x, from_y) = edge((x, y));
+        (x - from_x).hypot(y - from_y)
+    };
+    let nearest = *points.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    (distance(&nearest) > FAR).then(|| [edge(nearest), nearest])
+}
+
+/// Below everything, the lines that no label has room beside, each with its name.
+fn write_legend(without_room: &[Label], left: f32, scene: &mut Scene) {
+    if without_room.is_empty() {
+        return;
+    }
+    let (mut x, base) = (left, scene.height - 4.0);
+    scene.height += beyond::ROW;
+    for Label { color, paint, text, .. } in without_room {
+        scene.polyline(&[(x, base - 4.5), (x + 28.0, base - 4.5)], *paint, *color);
+        scene.text((x + 34.0, base), Anchor::Start, 13.0, *color, text);
+        x += 34.0 + font::width(text, 13.0) + 22.0;
     }
 }
 

@@ -6,7 +6,7 @@ use super::scene::{Color, Paint, Scene, line};
 pub const DIMENSION: Color = Color(0x60, 0x60, 0x60);
 
 /// A line with a head at each end, where it is long enough for heads.
-pub fn arrow(scene: &mut Scene, from: (f32, f32), to: (f32, f32)) {
+pub fn draw_arrow(scene: &mut Scene, from: (f32, f32), to: (f32, f32)) {
     scene.polyline(&[from, to], line(1.2), DIMENSION);
     let direction = (to.0 - from.0).signum();
     if (to.0 - from.0).abs() > 16.0 {
@@ -18,7 +18,7 @@ pub fn arrow(scene: &mut Scene, from: (f32, f32), to: (f32, f32)) {
 }
 
 /// The usual mark: a disc of which two opposite quarters are filled.
-pub fn center_of_mass((x, y): (f32, f32), scene: &mut Scene) {
+pub fn draw_center_of_mass((x, y): (f32, f32), scene: &mut Scene) {
     let radius = 7.0;
     scene.circle((x, y), radius, Paint::Fill, Color(0xff, 0xff, 0xff));
     for start in [0.0, std::f32::consts::PI] {

@@ -24,11 +24,11 @@ use std::path::Path;
 use crate::failure::Failure;
 
 pub use self::curves::extent;
-pub use self::eigenvalues::{Limits, eigenvalues};
-pub use self::map::{MapAxis, MapCell, map};
+pub use self::eigenvalues::{Limits, draw_eigenvalues};
+pub use self::map::{MapAxis, MapCell, draw_map};
 pub use self::scene::Scene;
-pub use self::side_view::side_view;
-pub use self::tornado::tornado;
+pub use self::side_view::draw_side_view;
+pub use self::tornado::draw_tornado;
 
 /// Tries whether a drawing can be written, before the work for it is done. Nothing is left of a file that was not there.
 ///

@@ -1,8 +1,9 @@
 //! A bicycle from its right side, to scale: wheels, steer axis, trail, and centres of mass.
 
 use super::axes::INK;
+use super::font;
 use super::labels::{LINE, Labels};
-use super::marks::{DIMENSION, arc, arrow, center_of_mass};
+use super::marks::{DIMENSION, arc, draw_arrow, draw_center_of_mass};
 use super::scene::{Anchor, Color, Scene, dashed, line};
 use crate::bodies::body;
 use crate::design::Design;
@@ -47,8 +48,8 @@ impl Geometry {
     fn of(design: &Design) -> Option<Self> {
         let value = |name| design.value(name);
         let (wheel_base, rear, front) = (value("w")?, value("rR")?, value("rF")?);
-        // The parameters of this model are those of the bicycle that it is when it runs backwards.
-        let is_reversed = design.info().name == "RearSteered";
+        // The parameters of such a model are those of the bicycle that it is when it runs backwards.
+        let is_reversed = body(design.info(), "R").starts_with("front");
         // There the letters of the wheels alone would mislead.
         let wheel = |letter: &str| if is_reversed { body(design.info(), letter) } else { letter.to_owned() };
         let mut bodies = vec![
@@ -87,11 +88,12 @@ impl Geometry {
         (self.wheel_base + self.trail - distance * sin, distance * cos)
     }
 
-    /// How far the axis is drawn: past the front frame, unless it lies almost flat.
+    /// How far the axis is drawn: past the front frame, unless it lies almost flat. Wheels that stand one within the other
+    /// are longer than the wheel base.
     fn axis_length(&self) -> f64 {
         let (_, _, (_, height)) = self.bodies[3];
         let height = height.max(2.4 * self.radii[1]) + 0.15 * self.wheel_base;
-        (height / self.tilt.cos()).min(2.0 * self.wheel_base)
+        (height / self.tilt.cos()).min(2.0 * self.wheel_base.max(2.0 * self.radii[1]))
     }
 
     /// How far the vertical is drawn that the tilt is measured from: about as high as the axis, or the front wheel.
@@ -125,7 +127,7 @@ impl Scale {
 }
 
 /// The side view, with what it leaves out; `None` for a model that has not the parameters of a bicycle.
-pub fn side_view(design: &Design) -> Option<(Scene, LeftOut)> {
+pub fn draw_side_view(design: &Design) -> Option<(Scene, LeftOut)> {
     let geometry = Geometry::of(design)?;
     let (scale, height) = scale(&geometry);
     let left_out = geometry.left_out(design);
@@ -137,20 +139,20 @@ pub fn side_view(design: &Design) -> Option<(Scene, LeftOut)> {
     let ground = scale.place((0.0, 0.0)).1;
     scene.polyline(&[(24.0, ground), (WIDTH - 24.0, ground)], line(1.5), INK);
     labels.avoid_line(&[(24.0, ground), (WIDTH - 24.0, ground)], LINE);
-    frame(&geometry, &scale, &mut scene, &mut labels);
+    draw_frame(&geometry, &scale, &mut scene, &mut labels);
     for (radius, hub) in geometry.radii.into_iter().zip([0.0, geometry.wheel_base]) {
         let (center, pixels) = (scale.place((hub, radius)), (radius * scale.factor) as f32);
         scene.circle(center, pixels, line(3.0), INK);
         labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU), LINE);
     }
-    dimensions(&geometry, &scale, &mut scene, &mut labels);
+    draw_dimensions(&geometry, &scale, &mut scene, &mut labels);
     for (_, _, position) in &geometry.bodies {
         let (x, y) = scale.place(*position);
-        center_of_mass((x, y), &mut scene);
+        draw_center_of_mass((x, y), &mut scene);
         labels.avoid_box([x - 7.0, y - 7.0, x + 7.0, y + 7.0]);
     }
-    steer_axis(&geometry, &scale, &mut scene, &mut labels);
-    hip(&geometry, &scale, &mut scene, &mut labels);
+    draw_steer_axis(&geometry, &scale, &mut scene, &mut labels);
+    draw_hip(&geometry, &scale, &mut scene, &mut labels);
     for (name, mass, position) in &geometry.bodies {
         let (x, y) = scale.place(*position);
         let text = format!("{name}  {} kg", three_decimals(*mass));
@@ -165,7 +167,7 @@ pub fn side_view(design: &Design) -> Option<(Scene, LeftOut)> {
 }
 
 /// The axis along which the upper body leans, below or above its centre of mass.
-fn hip(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+fn draw_hip(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
     let Some((height, x)) = geometry.hip else { return };
     let half = 0.2 * geometry.wheel_base;
     let ends = [scale.place((x - half, height)), scale.place((x + half, height))];
@@ -203,7 +205,7 @@ fn scale(geometry: &Geometry) -> (Scale, f32) {
 }
 
 /// A hint of the frame: the model knows only its mass and inertia. The offset of the fork is true.
-fn frame(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+fn draw_frame(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
     let [rear, front] = geometry.radii;
     let end = geometry.fork_end();
     let head = end + 1.3 * front;
@@ -214,7 +216,7 @@ fn frame(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Lab
     labels.avoid_line(&bars, LINE);
 }
 
-fn steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+fn draw_steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
     let length = geometry.axis_length();
     let foot = geometry.steer_axis(0.0);
     let ends = [scale.place(foot), scale.place(geometry.steer_axis(length))];
@@ -242,7 +244,7 @@ fn steer_axis(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mu
 }
 
 /// Wheel base and trail, each on a line of its own below the ground.
-fn dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
+fn draw_dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut Labels) {
     let ground = scale.place((0.0, 0.0)).1;
     let x = |metres: f64| scale.place((metres, 0.0)).0;
     let (rear, front, foot) = (x(0.0), x(geometry.wheel_base), x(geometry.wheel_base + geometry.trail));
@@ -250,11 +252,15 @@ fn dimensions(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mu
         scene.polyline(&[(x, ground + 3.0), (x, ground + depth)], line(1.0), DIMENSION);
     }
     let (row, middle) = (ground + 36.0, (rear + front) / 2.0);
-    arrow(scene, (rear, row), (front, row));
+    draw_arrow(scene, (rear, row), (front, row));
     let text = format!("wheel base w = {} m", three_decimals(geometry.wheel_base));
-    scene.text((middle, row - 6.0), Anchor::Middle, TEXT_SIZE, INK, &text);
+    if font::width(&text, TEXT_SIZE) < (front - rear).abs() {
+        scene.text((middle, row - 6.0), Anchor::Middle, TEXT_SIZE, INK, &text);
+    } else {
+        scene.text((rear.min(front) - 10.0, row + 5.0), Anchor::End, TEXT_SIZE, INK, &text);
+    }
     let row = ground + 72.0;
-    arrow(scene, (front, row), (foot, row));
+    draw_arrow(scene, (front, row), (foot, row));
     let text = format!("trail c = {} m", three_decimals(geometry.trail)).replace('-', "−");
     scene.text((front.min(foot) - 10.0, row + 5.0), Anchor::End, TEXT_SIZE, INK, &text);
     labels.avoid_box([rear.min(front).min(foot), ground, rear.max(front).max(foot), ground + BELOW]);

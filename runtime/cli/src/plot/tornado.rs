@@ -33,7 +33,7 @@ struct Row {
 }
 
 /// The bar chart; `None` if there is nothing to draw.
-pub fn tornado(changes: &Changes) -> Option<Scene> {
+pub fn draw_tornado(changes: &Changes) -> Option<Scene> {
     let rows = rows(changes);
     let series = series(changes);
     let effects = || rows.iter().flat_map(|row| row.effects.iter().copied());

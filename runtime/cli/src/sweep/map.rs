@@ -39,7 +39,7 @@ impl Map {
                 MapAxis::new(label(info), info.unit, &axis.values, values[axis.position])
             })
             .collect();
-        plot::map(&design.title(), &axes, &self.cells)
+        plot::draw_map(&design.title(), &axes, &self.cells)
     }
 }
 

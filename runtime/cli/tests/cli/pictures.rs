@@ -140,6 +140,59 @@ fn a_side_view_copes_with_odd_geometry() {
     assert!(texts.iter().any(|text| text == "wheel base w = 1e300 m"), "{texts:?}");
 }
 
+/// The wheel base is shorter than the wheels: the steer axis still reaches past them, and the dimension has room.
+#[test]
+fn a_short_wheel_base_has_its_steer_axis() {
+    let directory = Directory::new("short");
+    directory.run(&["show", "benchmark", "--set", "w=0.01", "--plot", "picture.svg"]);
+    let svg = std::fs::read_to_string(directory.0.join("picture.svg")).unwrap();
+    let axis = svg.lines().find(|line| line.contains("stroke-dasharray=\"12 4\"")).unwrap();
+    let data = axis.split_once(" d=\"").unwrap().1.split_once('"').unwrap().0;
+    let numbers: Vec<f64> =
+        data.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter_map(|text| text.parse().ok()).collect();
+    let [foot_x, foot_y, x, y] = numbers[..] else { panic!("{axis}") };
+    // In the benchmark the front wheel has a radius of 0.35 m, and the trail is 0.08 m; the view is 960 wide.
+    assert!((foot_x - x).hypot(foot_y - y) > 350.0, "{axis}");
+}
+
+/// The letters of a machine that runs backwards alone would mislead.
+#[test]
+fn wheels_of_a_rear_steered_bicycle_are_named() {
+    let texts = picture(&["show", "--model", "RearSteered"]);
+    for expected in ["front wheel R  2 kg", "rear wheel F  3 kg", "backwards: side view to scale, forward to the right"]
+    {
+        assert!(texts.iter().any(|text| text == expected), "{expected} is not in {texts:?}");
+    }
+}
+
+/// At 0.6843 m/s two real eigenvalues become a pair, whose imaginary part begins at zero, however narrow the axes.
+#[test]
+fn imaginary_parts_begin_at_zero() {
+    let directory = Directory::new("begin");
+    directory.run(&["analyze", "--plot", "picture.svg", "--ylim", "-0.02:0.02"]);
+    let svg = std::fs::read_to_string(directory.0.join("picture.svg")).unwrap();
+    let of = |wanted: &str| {
+        let line = svg.lines().find(|line| line.contains(wanted)).unwrap();
+        let data = line.split_once(" d=\"").unwrap().1.split_once('"').unwrap().0;
+        let numbers = data.split(|c: char| c.is_ascii_alphabetic() || c == ' ');
+        numbers.filter_map(|text| text.parse::<f64>().ok()).skip(1).step_by(2).fold(0.0, f64::max)
+    };
+    let zero = of("stroke=\"#222222\" stroke-width=\"1.2\"");
+    let lowest = of("stroke-dasharray=\"7 5\"");
+    assert!((lowest - zero).abs() < 1.0, "the pair begins at {lowest}, and zero is at {zero}");
+}
+
+/// A curve that no label has room beside is named below the graph.
+#[test]
+fn every_curve_has_its_name() {
+    let texts = picture(&["analyze", "pista", "--speeds", "0:1e3:1"]);
+    for expected in
+        ["castering", "capsize", "weave, real part", "weave, imaginary part", "castering/capsize, imaginary part"]
+    {
+        assert!(texts.iter().any(|text| text == expected), "{expected} is not in {texts:?}");
+    }
+}
+
 #[test]
 fn eigenvalues_can_be_drawn_at_any_speeds_and_gravity() {
     for speeds in ["3,5", "0:30:1", "0:0.001:0.001", "0:1e6:1e3"] {

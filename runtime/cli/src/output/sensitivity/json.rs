@@ -7,16 +7,14 @@ use serde::Serialize;
 
 use crate::model::Equations;
 use crate::output::equations::{Matrix, matrices};
+use crate::output::head::Head;
 use crate::output::layout::{Line, Members, Parts, write_document};
 use crate::sensitivity::{Changes, Critical};
 
 #[derive(Serialize)]
 struct Document<'a> {
-    model: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bicycle: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    name: Option<&'a str>,
+    #[serde(flatten)]
+    head: Head<'a>,
     parameters: Members<Line<Parameter>>,
     critical_speeds: Vec<CriticalSpeed>,
     matrices: Members<Line<Vec<Vec<f64>>>>,
@@ -59,11 +57,8 @@ pub fn write_json(changes: &Changes, output: &mut dyn Write) -> Result<()> {
         let known = known.matrices().into_iter().filter(|(name, _)| info.matrices.contains(name));
         Members(known.map(|(name, rows)| (name.name(), Line(entries(rows)))).collect())
     });
-    let is_bicycle = design.model.is_whipple();
     let document = Document {
-        model: info.name,
-        bicycle: is_bicycle.then_some(&design.name),
-        name: (!is_bicycle).then_some(&design.name),
+        head: Head::of(design),
         parameters: by_parameter(changes, parameters),
         critical_speeds: changes.critical_speeds.iter().map(|critical| critical_speed(changes, critical)).collect(),
         matrices: Members(
