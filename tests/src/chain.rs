@@ -30,3 +30,30 @@ pub fn declaration(n: usize) -> String {
          mechanism {{ {mechanism} }}\ncoordinates {{ {coordinates} }} }}"
     )
 }
+
+/// The declaration of a chain of `n` point masses on massless links, which hangs.
+///
+/// The parameters are the length of each link and its mass, from the highest, then gravity; the coordinates are the angles
+/// at the hinges.
+pub fn hanging_points(n: usize) -> String {
+    let links = 1..=n;
+    let list = |text: &dyn Fn(usize) -> String| links.clone().map(text).collect::<String>();
+    // From the ground down to the hinge of a link.
+    let depth = |link: usize| (1..link).fold(String::from("0"), |sum, above| format!("{sum} - l{above}"));
+    let above = |link: usize| if link == 1 { String::from("ground") } else { format!("b{}", link - 1) };
+    let parameters = list(&|link| format!("l{link}: m, > 0; m{link}: kg, > 0;\n"));
+    let mechanism = list(&|link| {
+        format!(
+            "body b{link}: mass m{link}, at (0, 0, -({} - l{link})), inertia 0;\n\
+             revolute q{link}: {} to b{link}, through (0, 0, -({})), along (1, 0, 0);\n",
+            depth(link),
+            above(link),
+            depth(link),
+        )
+    });
+    let coordinates = list(&|link| format!("q{link}: rad;\n"));
+    format!(
+        "model Points {{ parameters {{ {parameters} g: N/kg, >= 0, gravity; }}\n\
+         mechanism {{ {mechanism} }}\ncoordinates {{ {coordinates} }} }}"
+    )
+}

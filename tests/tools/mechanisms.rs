@@ -1,8 +1,10 @@
 //! What it takes to derive mechanisms: time by phase, and operations of the programs that come out.
 //!
 //! ```text
-//! cargo run -p carvallo-tools --bin mechanisms
+//! cargo run -p carvallo-tools --bin mechanisms [LINKS…]
 //! ```
+//!
+//! With numbers behind it, chains of so many links alone, with inertia and of point masses, once each.
 //!
 //! The derivation holds the checks of the declaration, the proofs and the published matrices in it; the code generation
 //! the search for the shortest programs, and writing them. Each in one thread, the shortest of several runs. Times are those
@@ -22,6 +24,14 @@ const RUNS: usize = 5;
 
 fn main() {
     println!("{:<24} {:>4} {:>14} {:>16} {:>11}", "model", "N", "derivation (s)", "generation (s)", "operations");
+    let long: Vec<usize> = std::env::args().skip(1).map(|n| n.parse().expect("a number of links")).collect();
+    if !long.is_empty() {
+        for n in long {
+            measure(&format!("chain of {n}"), &chain::declaration(n), 1);
+            measure(&format!("chain of {n} points"), &chain::hanging_points(n), 1);
+        }
+        return;
+    }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../generated/models");
     let mut sources: Vec<_> =
         fs::read_dir(folder).expect("the models").map(|entry| entry.expect("an entry").path()).collect();
@@ -31,11 +41,11 @@ fn main() {
         let (_, body) = text.split_once('{').expect("an opening brace");
         let (body, _) = body.rsplit_once('}').expect("a closing brace");
         let stem = path.file_stem().expect("a name").to_string_lossy();
-        measure(&stem, body);
+        measure(&stem, body, RUNS);
     }
     let mut last: Option<(f64, f64)> = None;
     for n in 1..=8 {
-        let (seconds, operations) = measure(&format!("chain of {n}"), &chain::declaration(n));
+        let (seconds, operations) = measure(&format!("chain of {n}"), &chain::declaration(n), RUNS);
         if let Some((before, fewer)) = last {
             let power = |now: f64, before: f64| (now / before).ln() / (n as f64 / (n as f64 - 1.0)).ln();
             println!(
@@ -50,10 +60,10 @@ fn main() {
 }
 
 /// Prints a line, and returns the time of both phases in seconds and the number of operations.
-fn measure(name: &str, declaration: &str) -> (f64, f64) {
+fn measure(name: &str, declaration: &str, runs: usize) -> (f64, f64) {
     let tokens = || declaration.parse::<TokenStream>().expect("tokens");
-    let derivation = shortest(|| drop(check(tokens()).expect("a model")));
-    let all = shortest(|| drop(expand(tokens(), &Driver::File).expect("a model")));
+    let derivation = shortest(runs, || drop(check(tokens()).expect("a model")));
+    let all = shortest(runs, || drop(expand(tokens(), &Driver::File).expect("a model")));
     let compiled = compile(tokens()).expect("a model");
     let operations = Counts::of(&compiled.programs.matrices).total();
     let n = compiled.model.coordinates.len();
@@ -66,11 +76,11 @@ fn measure(name: &str, declaration: &str) -> (f64, f64) {
     (all.as_secs_f64(), operations as f64)
 }
 
-fn shortest(run: impl Fn()) -> Duration {
+fn shortest(runs: usize, run: impl Fn()) -> Duration {
     let time = |_| {
         let start = Instant::now();
         run();
         start.elapsed()
     };
-    (0..RUNS).map(time).min().unwrap_or_default()
+    (0..runs).map(time).min().unwrap_or_default()
 }

@@ -59,6 +59,11 @@ impl Constant {
         Self(BigFloat::from_word(0, PRECISION))
     }
 
+    /// The number one.
+    pub fn one() -> Self {
+        Self(BigFloat::from_word(1, PRECISION))
+    }
+
     /// The number π.
     pub fn pi() -> Self {
         // Without memory for the digits there is none for the rest of the compiler either.
@@ -167,6 +172,11 @@ impl Constant {
         self.0 > scale.0.abs().div(&rounding, PRECISION, ROUNDING)
     }
 
+    /// Whether its size is more than the rounding of a calculation with numbers of the size of `scale`.
+    pub fn is_apart_from_zero_beside(&self, scale: &Self) -> bool {
+        Self(self.0.abs()).is_positive_beside(scale)
+    }
+
     /// Whether it is zero.
     pub fn is_zero(&self) -> bool {
         self.0.is_zero()
@@ -199,16 +209,36 @@ impl PartialEq for Constant {
     }
 }
 
+/// Eliminates below the diagonal of a symmetric matrix. Returns the first row whose pivot is refused, beside the entry
+/// that was there before, and then stops.
+pub fn eliminate(matrix: &mut [Vec<Constant>], accepts: impl Fn(&Constant, &Constant) -> bool) -> Option<usize> {
+    let diagonal: Vec<Constant> = matrix.iter().enumerate().map(|(index, row)| row[index].clone()).collect();
+    for (pivot, before) in diagonal.iter().enumerate() {
+        let (done, rest) = matrix.split_at_mut(pivot + 1);
+        let value = &done[pivot][pivot];
+        if !accepts(value, before) {
+            return Some(pivot);
+        }
+        for row in rest {
+            let factor = row[pivot].over(value);
+            for (entry, above) in row.iter_mut().zip(&done[pivot]).skip(pivot + 1) {
+                *entry = entry.minus_product(&factor, above);
+            }
+        }
+    }
+    None
+}
+
 /// The constants that parameters and definitions are, for formulas in them.
 #[derive(Debug)]
-pub struct Constants<'a> {
+pub struct Constants {
     /// By position.
-    pub parameters: &'a [Constant],
+    pub parameters: Vec<Constant>,
     /// By position.
     pub definitions: Vec<Constant>,
 }
 
-impl Constants<'_> {
+impl Constants {
     /// The value of a formula.
     ///
     /// # Errors
@@ -218,7 +248,7 @@ impl Constants<'_> {
     }
 }
 
-impl Algebra for Constants<'_> {
+impl Algebra for Constants {
     type Value = Constant;
     type Error = NoValue;
 

@@ -117,16 +117,22 @@ impl Faulty<'_> {
                 );
                 (self.region(*joint), message)
             }
-            Fault::Massless { joint } => {
-                let first = self.declaration.coordinates.first().map(|coordinate| coordinate.name.to_string());
-                let along = match first == self.coordinate(*joint).map(ToString::to_string) {
-                    true => "",
-                    false => ", with the coordinates before it moving along,",
-                };
+            Fault::Massless { joint, along } => {
                 let message = format!(
-                    "a singular mass matrix: {} can move{along} without moving any mass; expected masses or moments of \
+                    "a singular mass matrix: {} can move{} without moving any mass; expected masses or moments of \
                      inertia that every motion of the coordinates moves",
-                    self.joint(*joint)
+                    self.joint(*joint),
+                    self.moving_along(along),
+                );
+                (self.region(*joint), message)
+            }
+            Fault::PerhapsMassless { joint, along } => {
+                let message = format!(
+                    "it could not be decided whether {} can move{} without moving any mass: the mass matrix is singular \
+                     for all values that were tried, which is not proved for all others; expected masses or moments of \
+                     inertia that every motion of the coordinates moves",
+                    self.joint(*joint),
+                    self.moving_along(along),
                 );
                 (self.region(*joint), message)
             }
@@ -168,6 +174,11 @@ impl Faulty<'_> {
             ),
         };
         (Region::from(name), message)
+    }
+
+    /// What is said of joints that move with another one, if there are any.
+    fn moving_along(&self, joints: &[usize]) -> String {
+        if joints.is_empty() { String::new() } else { format!(", with {} moving along,", self.list(joints)) }
     }
 
     fn list(&self, joints: &[usize]) -> String {
@@ -253,7 +264,8 @@ fn joint_of(fault: &Fault) -> Option<usize> {
         | Fault::Unbalanced { joint, .. }
         | Fault::Coupled { joint }
         | Fault::Remains { joint }
-        | Fault::Massless { joint }
+        | Fault::Massless { joint, .. }
+        | Fault::PerhapsMassless { joint, .. }
         | Fault::Dragged { joint } => Some(*joint),
         Fault::OffGround { .. } | Fault::Tied { .. } | Fault::Undecided { .. } | Fault::Undetermined(_) => None,
     }

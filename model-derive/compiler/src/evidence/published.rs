@@ -18,7 +18,8 @@ pub fn check_set(
     derived: &Derived,
     report: &mut Report,
 ) {
-    let mut values = Constants { parameters: exact, definitions: Vec::with_capacity(derived.definitions.len()) };
+    let mut values =
+        Constants { parameters: exact.to_vec(), definitions: Vec::with_capacity(derived.definitions.len()) };
     for definition in &derived.definitions {
         // At some parameters a definition may have no value.
         match values.of(definition) {
@@ -40,7 +41,7 @@ fn compare(
     set: &ParameterSet,
     published: &Published,
     derived: &Derived,
-    values: &Constants<'_>,
+    values: &Constants,
     report: &mut Report,
 ) {
     let name = published.name.name();

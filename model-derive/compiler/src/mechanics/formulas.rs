@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 
+use crate::constant::{Constant, Constants, NoValue};
 use crate::formula::Formula;
 use crate::symbolic::{Engine, Form, Sample};
 
@@ -12,6 +13,8 @@ pub struct Formulas<'e> {
     parameters: usize,
     /// What each definition stands for.
     values: Vec<Form>,
+    /// What stands for each.
+    stand_ins: Vec<Form>,
     /// The names of those that the derivation made.
     names: Vec<String>,
     /// Some values of the parameters, and those of the definitions for them: what is clearly not zero there needs no
@@ -31,6 +34,7 @@ impl<'e> Formulas<'e> {
             engine,
             parameters,
             values: Vec::new(),
+            stand_ins: Vec::new(),
             names: Vec::new(),
             sample: (Sample::spread(0, parameters), Vec::new()),
             simplest: RefCell::default(),
@@ -42,12 +46,36 @@ impl<'e> Formulas<'e> {
     fn push(&mut self, value: Form) {
         let at_sample = self.at_sample(&value);
         self.sample.1.push(at_sample);
+        self.stand_ins.push(self.engine.definition(self.parameters, self.values.len()));
         self.values.push(value);
     }
 
     /// The value of a formula for some values of the parameters.
     pub fn at_sample(&self, form: &Form) -> Sample {
         Sample::of(&form.to_formula(self.parameters), &self.sample.0, &self.sample.1)
+    }
+
+    /// Values of the parameters, others on each turn, and those of the definitions for them, with many digits.
+    ///
+    /// # Errors
+    /// If a definition has no value there.
+    pub fn constants(&self, turn: usize) -> Result<Constants, NoValue> {
+        let count = self.parameters;
+        let parameters = Sample::spread(turn * count, count).into_iter().map(Sample::to_constant);
+        let mut constants = Constants { parameters: parameters.collect::<Result<_, _>>()?, definitions: Vec::new() };
+        for value in &self.values {
+            let value = self.at(value, &constants)?;
+            constants.definitions.push(value);
+        }
+        Ok(constants)
+    }
+
+    /// The value of a formula for such values.
+    ///
+    /// # Errors
+    /// If it has none.
+    pub fn at(&self, form: &Form, constants: &Constants) -> Result<Constant, NoValue> {
+        constants.of(&form.to_formula(self.parameters))
     }
 
     /// A stand-in for a formula, under a name; zero, and what is too short for a name, stays as it is.
@@ -59,17 +87,16 @@ impl<'e> Formulas<'e> {
         if form.is_short() {
             return form;
         }
-        let stand_in = |index| self.engine.definition(self.parameters, index);
         if let Some(index) = self.values.iter().position(|known| *known == form) {
-            return stand_in(index);
+            return self.stand_ins[index].clone();
         }
-        if let Some(index) = self.values.iter().position(|known| *known == self.simplest(&-&form)) {
-            return -&stand_in(index);
+        let opposite = self.simplest(&-&form);
+        if let Some(index) = self.values.iter().position(|known| *known == opposite) {
+            return -&self.stand_ins[index];
         }
-        let stand_in = stand_in(self.values.len());
         self.push(form);
         self.names.push(name.into());
-        stand_in
+        self.stand_ins[self.values.len() - 1].clone()
     }
 
     /// The shortest form of a formula that is found as it stands, or with what its names stand for: names hide what cancels.
@@ -81,11 +108,11 @@ impl<'e> Formulas<'e> {
             if shortest.is_short() {
                 break;
             }
-            let name = self.engine.definition(self.parameters, index);
-            if !open.mentions(&name) {
+            let name = &self.stand_ins[index];
+            if !open.mentions(name) {
                 continue;
             }
-            open = open.replace(&name, &self.values[index]);
+            open = open.replace(name, &self.values[index]);
             if open.operations() > MAX_OPENED {
                 break;
             }
@@ -118,10 +145,9 @@ impl<'e> Formulas<'e> {
             return true;
         }
         let mut form = form.clone();
-        for (index, value) in self.values.iter().enumerate().rev() {
-            let name = self.engine.definition(self.parameters, index);
-            if form.mentions(&name) {
-                form = form.replace(&name, value);
+        for (name, value) in self.stand_ins.iter().zip(&self.values).rev() {
+            if form.mentions(name) {
+                form = form.replace(name, value);
                 if form.is_zero() {
                     return true;
                 }
@@ -139,10 +165,8 @@ impl<'e> Formulas<'e> {
     /// A formula without the definitions that the derivation made.
     pub fn opened(&self, form: &Form) -> Form {
         let first = self.values.len() - self.names.len();
-        let made = self.values.iter().enumerate().skip(first).rev();
-        let open = made.fold(form.clone(), |form, (index, value)| {
-            form.replace(&self.engine.definition(self.parameters, index), value)
-        });
+        let made = self.stand_ins.iter().zip(&self.values).skip(first).rev();
+        let open = made.fold(form.clone(), |form, (name, value)| form.replace(name, value));
         self.simplest(&open)
     }
 

@@ -11,6 +11,7 @@ mod contact;
 mod elimination;
 mod formulas;
 mod loads;
+mod massless;
 mod matrix;
 mod mechanism;
 mod motion;
@@ -77,8 +78,10 @@ pub enum Fault {
     Coupled { joint: usize },
     /// A joint that rolls, and on whose position the motion of the coordinates depends.
     Remains { joint: usize },
-    /// A coordinate that moves no mass.
-    Massless { joint: usize },
+    /// A coordinate that moves no mass, where others move along.
+    Massless { joint: usize, along: Vec<usize> },
+    /// A coordinate of which it could not be proved that it moves no mass, where others move along, nor that it does.
+    PerhapsMassless { joint: usize, along: Vec<usize> },
     /// A damper that makes a stiffness proportional to the speed.
     Dragged { joint: usize },
 }

@@ -11,13 +11,14 @@
 //! virtual motions N the contacts do no work.
 
 use super::formulas::Formulas;
+use super::massless::find_massless;
 use super::matrix::{self, Matrix, plus, times, transposed};
 use super::mechanism::Mechanism;
 use super::motion::Motions;
 use super::unreduced::Unreduced;
 use super::{Fault, Matrices};
 use crate::matrix_name::MatrixName;
-use crate::symbolic::{Form, Sample};
+use crate::symbolic::Form;
 
 /// The equations of motion with a row for each freedom: the coordinates, and behind them the forward motion if there is
 /// one.
@@ -91,33 +92,10 @@ impl<'a> Projection<'a> {
         let joints = 0..self.mechanism.joints.len();
         let dragged = joints.filter(|joint| self.dragged.iter().any(|row| stays(&row[*joint])));
         faults.extend(dragged.map(|joint| Fault::Dragged { joint }));
-        faults.extend(self.massless(formulas).map(|q| Fault::Massless { joint: coordinates[q] }));
-        faults
-    }
-
-    /// A coordinate that, with those before it, moves without a kinetic energy, whatever the parameters.
-    fn massless(&self, formulas: &Formulas<'_>) -> Option<usize> {
-        let n = self.mechanism.coordinates.len();
         let [(_, mass), ..] = &self.by_rates;
-        let mut rows: Vec<Vec<Sample>> =
-            mass[..n].iter().map(|row| row[..n].iter().map(|entry| formulas.at_sample(entry)).collect()).collect();
-        for pivot in 0..n {
-            let divisor = rows[pivot][pivot];
-            if divisor.is_finite() && !divisor.is_not_zero() {
-                let leading: Matrix = mass[..=pivot].iter().map(|row| row[..=pivot].to_vec()).collect();
-                // At other values it may be another number; the parameter sets of the model are looked at elsewhere.
-                return (pivot >= MAX_PROVED || formulas.is_zero(&matrix::determinant(&leading))).then_some(pivot);
-            }
-            let (done, rest) = rows.split_at_mut(pivot + 1);
-            for row in rest {
-                let factor = row[pivot].over(divisor);
-                row.iter_mut()
-                    .zip(&done[pivot])
-                    .skip(pivot)
-                    .for_each(|(entry, above)| *entry = entry.minus_product(factor, *above));
-            }
-        }
-        None
+        let mass = matrix::new(n, n, |row, column| mass[row][column].clone());
+        faults.extend(find_massless(&mass, coordinates, formulas));
+        faults
     }
 
     /// The coefficient matrices of the coordinates; those that are zero are left out.
@@ -138,9 +116,6 @@ impl<'a> Projection<'a> {
         all.filter(|(name, matrix)| *name == MatrixName::M || is_there(matrix)).collect()
     }
 }
-
-/// Larger determinants would grow too long to be proved zero.
-const MAX_PROVED: usize = 4;
 
 /// With the same form for entries that mirror each other, where they are equal.
 fn mirrored(matrix: Matrix, formulas: &Formulas<'_>) -> Matrix {

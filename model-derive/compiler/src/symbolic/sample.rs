@@ -2,6 +2,7 @@
 
 use std::convert::Infallible;
 
+use crate::constant::{Constant, NoValue};
 use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
 
 /// A value, and a bound on the error that rounding can have left in it.
@@ -32,6 +33,19 @@ impl Sample {
 
     fn rounded(value: f64, error: f64) -> Self {
         Self { value, error: error + f64::EPSILON * value.abs() }
+    }
+
+    /// The value alone, which is exact if nothing was rounded.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn to_constant(self) -> Result<Constant, NoValue> {
+        if !self.value.is_finite() {
+            return Err(NoValue);
+        }
+        let size = Decimal::nearest(self.value.abs());
+        let sign = if self.value < 0.0 { Term::minus } else { Term::plus };
+        Constant::sum([sign(Constant::of_decimal(&size)?)])
     }
 
     /// This less a multiple of another one.

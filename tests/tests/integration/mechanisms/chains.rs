@@ -1,7 +1,8 @@
 //! Chains of one to eight links against the textbook.
 
+use carvallo::Coefficients;
 use carvallo_compiler::compile;
-use carvallo_tests::chain::declaration;
+use carvallo_tests::chain::{declaration, hanging_points};
 use carvallo_tests::textbook::pendulum::{Link, standing_at_hinges};
 
 use super::{assert_close, interpreted};
@@ -31,4 +32,17 @@ fn one_to_eight_links_are_the_textbooks() {
     check::<6>();
     check::<7>();
     check::<8>();
+}
+
+/// Many links, of point masses and of links with inertia: rounding must not be taken for a mass that is missing.
+#[test]
+fn long_chains_are_the_textbooks() {
+    check::<22>();
+    // Where each mass is at the end of its link.
+    let links: [Link; 18] = std::array::from_fn(|index| Link { a: link(index).l, i: 0.0, ..link(index) });
+    let compiled = compile(hanging_points(18).parse().expect("tokens")).expect("the chain compiles");
+    let parameters: Vec<f64> = links.iter().flat_map(|link| [link.l, link.m]).chain([9.81]).collect();
+    let standing = standing_at_hinges(links);
+    let hanging = Coefficients { k0: -standing.k0, ..standing };
+    assert_close(&interpreted(&compiled, &parameters), &hanging, 1e-14, "18 point masses");
 }
