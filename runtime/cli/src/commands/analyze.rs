@@ -11,12 +11,19 @@ use crate::plot::{self, Limits};
 use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
+Examples:
+  carvallo analyze                              The benchmark bicycle, from 0 to 10 m/s
+  carvallo analyze pista --speeds 0:30:5        A measured bicycle at other speeds
+  carvallo analyze --set 'w=102 cm' --set c=0   The benchmark bicycle, changed
+  carvallo analyze my-bike.toml --plot my-bike.png
+
 DESIGN is a name that `carvallo bicycles` lists, or with --model a parameter set that `carvallo models` lists; the path
 of a file; or - for the standard input. A file that says `model = \"NAME\"` chooses its model by itself.
 Files: TOML as `carvallo show` writes it; YAML `name: value` and text `name = value+/-deviation` as
 BicycleParameters writes them, also as scripts of Python and MATLAB; JSON, also as --format json writes it, or with
 matrices instead of parameters. Values may be expressions, in other units, and have standard deviations: pi/10,
-atan(1/3), 18 deg, 102 cm, 1.02+/-0.01, 1.020(3). docs/files.md has every form.
+atan(1/3), 18 deg, 102 cm, 1.02+/-0.01, 1.020(3). The page docs/files.md, beside the source of this program, has every form; docs/modes.md
+says what castering, capsize and weave are.
 
 JSON for the Whipple model, in SI units, every number reading back to the same double:
   {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},

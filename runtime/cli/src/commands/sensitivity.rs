@@ -18,7 +18,7 @@ Standard deviations of parameters, where the file has them, propagate to first o
 entry, with the shares of the variance that come from each parameter.
 
 DESIGN and MODEL are as for `carvallo analyze`, of models with two coordinates. JSON and CSV have all critical speeds,
-those of double roots too; their layout is in docs/sensitivity.md.
+those of double roots too; their layout is in docs/sensitivity.md, beside the source of this program.
 
 Examples:
   carvallo sensitivity                          The benchmark bicycle
