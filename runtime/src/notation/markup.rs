@@ -84,7 +84,7 @@ impl<M: Markup> Writer<'_, M> {
         match formula {
             Formula::Number(number, None) => self.markup.number(number),
             Formula::Number(number, Some(unit)) => {
-                format!("{} {}", self.markup.number(number), self.markup.unit(unit))
+                format!("{}{}{}", self.markup.number(number), M::BETWEEN, self.markup.unit(unit))
             }
             Formula::Name(name) => self.name(name),
             Formula::Sum(terms) => {

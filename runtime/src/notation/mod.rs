@@ -4,6 +4,8 @@ mod latex;
 mod markup;
 mod parse;
 mod symbol;
+#[cfg(test)]
+mod tests;
 mod typst;
 
 use std::fmt::Write as _;
@@ -73,7 +75,7 @@ fn write_text(info: &ModelInfo) -> String {
     for part in [definitions, entries] {
         // Writing to a string cannot fail.
         part.iter().enumerate().for_each(|(index, formula)| {
-            let _ = write!(text, "{}{formula}\n", if index == 0 { "\n" } else { "" });
+            let _ = writeln!(text, "{}{formula}", if index == 0 { "\n" } else { "" });
         });
     }
     text

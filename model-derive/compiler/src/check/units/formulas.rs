@@ -92,8 +92,9 @@ impl Algebra for Units {
         &self,
         factors: impl Values<Factor<Option<Dimension>>, Infallible>,
     ) -> Result<Option<Dimension>, Infallible> {
-        Ok(factors.fold(Some(Dimension::NUMBER), |product, Ok(Factor { inverse, value })| {
-            product?.times(if inverse { value?.power(-1)? } else { value? })
+        let mut factors = factors.map(|Ok(factor)| factor);
+        Ok(factors.try_fold(Dimension::NUMBER, |product, Factor { inverse, value }| {
+            product.times(if inverse { value?.power(-1)? } else { value? })
         }))
     }
 

@@ -1,0 +1,74 @@
+use super::latex::Latex;
+use super::markup::{Markup, Writer};
+use super::parse::parse;
+use super::typst::Typst;
+
+fn write(markup: impl Markup, text: &str) -> String {
+    let symbol = |name: &str| (name == "angle").then_some("λ_s");
+    let formula = parse(text).unwrap_or_else(|| panic!("{text} is a formula"));
+    Writer { markup, symbol: &symbol }.lines(&formula).join(" | ")
+}
+
+/// What stands behind a sign, below a line or under an exponent is all of what the declaration has there.
+#[test]
+fn formulas_keep_their_meaning() {
+    let cases = [
+        ("a - (b - c)", "a - (b - c)", "a - (b - c)"),
+        ("-a*b + c", "-a b + c", "-a b + c"),
+        ("a + (-b)*c", "a + (-b c)", "a + (-b c)"),
+        ("a/b*c/d", "\\frac{a c}{b d}", "frac(a c, b d)"),
+        ("a/(b*c)", "\\frac{a}{b c}", "frac(a, b c)"),
+        ("1/(a + b)", "\\frac{1}{a + b}", "frac(1, a + b)"),
+        ("(a + b)^2*c", "(a + b)^2 c", "(a + b)^2 c"),
+        ("(a/b)^-2", "\\left(\\frac{a}{b}\\right)^{-2}", "(frac(a, b))^(-2)"),
+        ("-a^2", "-a^2", "-a^2"),
+        ("2*3*a", "2 \\cdot 3 a", "2 dot 3 a"),
+        ("2*(1/2)*a", "2 \\cdot \\frac{1}{2} a", "2 dot frac(1, 2) a"),
+        ("sin(a + b)^2", "\\sin^2 (a + b)", "sin^2 (a + b)"),
+        ("sqrt(a/b)", "\\sqrt{\\frac{a}{b}}", "sqrt(frac(a, b))"),
+        ("1.5e-7*tan(2*x)", "1.5 \\cdot 10^{-7} \\tan (2 x)", "1.5 dot 10^(-7) tan (2 x)"),
+        ("0.1 [kg*m^2/s]", "0.1\\,\\mathrm{kg\\,m^{2}/s}", "0.1 thin \"kg\" thin \"m\"^2\"/\"\"s\""),
+    ];
+    for (text, latex, typst) in cases {
+        assert_eq!(write(Latex, text), latex, "{text}");
+        assert_eq!(write(Typst, text), typst, "{text}");
+    }
+}
+
+#[test]
+fn names_are_letters_with_indices_or_words() {
+    let cases = [
+        ("IBxx", "I_{Bxx}", "I_(B x x)"),
+        ("angle", "\\lambda_s", "lambda_s"),
+        ("mu", "\\mu", "mu"),
+        ("deltaF", "\\delta_F", "delta_F"),
+        ("theta1", "\\theta_1", "theta_1"),
+        ("mus", "\\mathrm{mus}", "\"mus\""),
+        ("Jxz_delta", "J_{xz\\,\\delta}", "J_(x z thin delta)"),
+        ("yaw_by_delta", "\\mathrm{yaw}_{\\mathrm{by}\\,\\delta}", "\"yaw\"_(\"by\" thin delta)"),
+        ("l1", "l_1", "l_1"),
+        ("pi", "\\pi", "pi"),
+    ];
+    for (name, latex, typst) in cases {
+        assert_eq!(write(Latex, name), latex, "{name}");
+        assert_eq!(write(Typst, name), typst, "{name}");
+    }
+    // A word runs into no letter beside it.
+    assert_eq!(write(Latex, "3*load*a/2"), "\\frac{3\\,\\mathrm{load}\\,a}{2}");
+}
+
+#[test]
+fn long_sums_have_several_lines() {
+    let terms: Vec<String> = (1..=20).map(|index| format!("a{index}*b{index}")).collect();
+    let lines = write(Latex, &terms.join(" - "));
+    assert_eq!(lines.split(" | ").count(), 3, "{lines}");
+    assert_eq!(lines.replace("| ", ""), lines.replace(" | ", " "));
+    assert!(lines.split(" | ").skip(1).all(|line| line.starts_with("- ")), "{lines}");
+}
+
+#[test]
+fn what_is_no_formula_is_none() {
+    for text in ["", "a +", "(a", "a b", "f(a", "2 [kg", "a^b", "a)"] {
+        assert_eq!(parse(text), None, "{text}");
+    }
+}
