@@ -447,7 +447,7 @@ impl<T: Scalar> Model<3> for ThreePipes<T> {
     }
 
     fn validate(&self) -> Result<(), ParameterError> {
-        let info = <Self as Model<3>>::INFO;
+        let info = const { &<Self as Model<3>>::INFO.without_formulas() };
         info.validate(&self.to_array().map(Scalar::to_f64))?;
         Ok(())
     }

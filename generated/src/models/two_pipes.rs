@@ -363,7 +363,7 @@ impl<T: Scalar> Model<2> for TwoPipes<T> {
     }
 
     fn validate(&self) -> Result<(), ParameterError> {
-        let info = <Self as Model<2>>::INFO;
+        let info = const { &<Self as Model<2>>::INFO.without_formulas() };
         info.validate(&self.to_array().map(Scalar::to_f64))?;
         Ok(())
     }

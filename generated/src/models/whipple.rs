@@ -830,7 +830,7 @@ impl<T: Scalar> Model<2> for Whipple<T> {
     }
 
     fn validate(&self) -> Result<(), ParameterError> {
-        let info = <Self as Model<2>>::INFO;
+        let info = const { &<Self as Model<2>>::INFO.without_formulas() };
         info.validate(&self.to_array().map(Scalar::to_f64))?;
         let t4 = self.mH + self.mF;
         let t6 = self.mR + self.mB + t4;

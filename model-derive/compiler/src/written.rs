@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::check::Checked;
+use crate::check::{Checked, Units};
 use crate::derivation::Derived;
 use crate::equations::Equations;
 use crate::formula::Formula;
@@ -31,9 +31,8 @@ pub enum Of {
 
 /// The definitions that the matrices depend on, each in those before it, and the entries that are not zero: as they are
 /// declared, or as they are derived.
-pub fn write_formulas(checked: &Checked<'_>, derived: &Derived) -> Vec<Written> {
+pub fn write_formulas(checked: &Checked<'_>, derived: &Derived, units: &Units) -> Vec<Written> {
     let declaration = checked.declaration;
-    let units = checked.units.with_derived(&derived.definitions);
     let entries: Vec<Formula> = derived.matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).cloned().collect();
     let needed = Equations::of_formulas(checked.domains.len(), &derived.definitions, entries).origins;
     let text = |formula: &Formula| derived.names.text_in_order(formula).to_string();

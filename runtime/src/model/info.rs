@@ -38,6 +38,12 @@ pub struct ModelInfo {
 }
 
 impl ModelInfo {
+    /// The same without formulas: all that checks of parameters need, so that a program that only checks carries no more.
+    #[must_use]
+    pub const fn without_formulas(&self) -> Self {
+        Self { formulas: &[], ..*self }
+    }
+
     /// The position of the parameter called `name`.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.parameters.iter().position(|p| p.name == name)

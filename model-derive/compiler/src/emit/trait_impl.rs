@@ -77,7 +77,7 @@ pub fn emit(
             }
 
             fn validate(&self) -> ::core::result::Result<(), #runtime::ParameterError> {
-                let #info = <Self as #runtime::Model<#n>>::INFO;
+                let #info = const { &<Self as #runtime::Model<#n>>::INFO.without_formulas() };
                 #info.validate(&self.to_array().map(#runtime::Scalar::to_f64))?;
                 #requirements
                 ::core::result::Result::Ok(())

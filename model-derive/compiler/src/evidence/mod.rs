@@ -16,7 +16,7 @@ use self::claims::Claim;
 use self::counterexample::Space;
 use self::divisors::SourcedFormulas;
 use self::sourced::{Source, Sourced};
-use crate::check::{Checked, CheckedSet};
+use crate::check::{Checked, CheckedSet, Units};
 use crate::derivation::Derived;
 use crate::formula::Formula;
 use crate::matrix_name::MatrixName;
@@ -35,10 +35,12 @@ pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Mod
     if checked.is_complete && has_all {
         unused::report_unused(&checked, &derived.definitions, &outputs, report);
     }
-    let formulas = if report.is_empty() { write_formulas(&checked, &derived) } else { Vec::new() };
-    let requirements = match report.is_empty() {
-        true => prove(&checked, &derived, report),
-        false => checked.requirements,
+    let (formulas, requirements) = match report.is_empty() {
+        true => {
+            let units = checked.units.with_derived(&derived.definitions);
+            (write_formulas(&checked, &derived, &units), prove(&checked, &derived, &units, report))
+        }
+        false => (Vec::new(), checked.requirements),
     };
     let declaration = checked.declaration;
     let parameters = declaration.parameters.iter().zip(checked.domains).zip(used).enumerate();
@@ -84,10 +86,11 @@ fn unit_text(unit: Option<&Unit>) -> String {
 
 /// Puts the requirements that the formulas have of themselves before the declared ones, and reports what is not as it is
 /// said to be.
-fn prove(checked: &Checked<'_>, derived: &Derived, report: &mut Report) -> Vec<Requirement> {
+fn prove(checked: &Checked<'_>, derived: &Derived, units: &Units, report: &mut Report) -> Vec<Requirement> {
     let declaration = checked.declaration;
     // Whatever is needed for a requirement to have a value comes before it.
     let mut requirements = divisors::find_requirements(checked, derived, &gather(checked, derived), report);
+    requirements.iter_mut().for_each(|requirement| requirement.unit = units.of(&requirement.value));
     requirements.extend(checked.requirements.iter().cloned());
     let formulas_have_values = report.is_empty();
     let sets: Vec<&ParameterSet> = checked.sets.iter().map(|CheckedSet { set, .. }| set).collect();

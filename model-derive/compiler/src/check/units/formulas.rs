@@ -37,6 +37,12 @@ impl Units {
         units
     }
 
+    /// The unit of a formula; empty where it is not known.
+    pub fn of(&self, formula: &Formula) -> String {
+        let Ok(dimension) = formula.fold(self);
+        text(dimension)
+    }
+
     /// The unit of a definition; empty where it is not known.
     pub fn of_definition(&self, index: usize) -> String {
         text(self.definitions[index])
