@@ -25,7 +25,12 @@ use carvallo::{
 ///
 /// <details><summary>The formulas of its matrices</summary>
 ///
-/// A name has behind it the joint that it belongs to, or `all` for the whole machine. `m` is the mass that the joint moves, `S` its static moment and `J` its inertia about the point of the joint; `p` and `h` are the momentum and the angular momentum at unit rate, `h_spin` is the spin momentum of a wheel divided by the speed, and `load` the steady force of the ground on it along z, divided by gravity. `M` and `K` are entries of the matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` is the rate of a for that of b, and `a_per_v_b` that for the position of b, divided by the speed.
+/// A name has behind it the joint that it belongs to, or `all` for the whole machine. `m` is the mass that the
+/// joint moves, `S` its static moment and `J` its inertia about the point of the joint; `p` and `h` are the
+/// momentum and the angular momentum at unit rate, `h_spin` is the spin momentum of a wheel divided by the speed,
+/// and `load` the steady force of the ground on it along z, divided by gravity. `M` and `K` are entries of the
+/// matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` is
+/// the rate of a for that of b, and `a_per_v_b` that for the position of b, divided by the speed.
 ///
 /// ```text
 /// Jxx_all = It + r^2*m [kg*m^2]

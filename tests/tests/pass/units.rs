@@ -55,7 +55,7 @@ fn main() {
     assert_eq!(said(small), Err("Units: `m` is 0.4 kg; it must be > 0.5".into()));
     let requirements: &[carvallo::RequirementInfo] = <Units as carvallo::Model<2>>::INFO.requirements;
     let required: Vec<_> = requirements.iter().map(|r| format!("{} [{}] {}", r.expression, r.unit, r.domain)).collect();
-    assert_eq!(required, ["f [] not 0", "m [kg] > 0.5", "l + b [m] > 0"]);
+    assert_eq!(required, ["f [1/s] not 0", "m [kg] > 0.5", "l + b [m] > 0"]);
     let [[m11, _], [_, m22]] = example.matrices().m;
     assert!((m11 - 3.0).abs() < 1e-15 && (m22 - 0.375 * core::f64::consts::FRAC_1_SQRT_2).abs() < 1e-16);
 }
