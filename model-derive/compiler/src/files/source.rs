@@ -2,38 +2,79 @@
 
 use std::fmt::Write as _;
 use std::hash::Hasher as _;
-use std::path::Path;
+use std::path::PathBuf;
 
-use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use quote::quote;
 
 use super::layout;
 use crate::emit::{self, Driver};
 
+/// A file with a declaration.
+pub struct Source {
+    pub path: PathBuf,
+    /// Its path in messages.
+    pub shown: String,
+}
+
 /// What a source is compiled to.
 pub struct Generated {
+    /// The name of the file, without its extension.
+    pub module: String,
     /// The name of the model.
     pub model: String,
     /// The text of a Rust file.
     pub text: String,
 }
 
-/// Compiles the source in `path`.
+/// Compiles sources, which `command` does as well.
 ///
 /// # Errors
-/// Every mistake, as `path:line:column: error: …` with the line and a mark below it.
-pub fn compile(path: &Path, shown: &str) -> Result<Generated, String> {
-    let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
-    let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
-    let compiled = crate::compile(tokens).map_err(|error| render(&error, shown, &text))?;
-    let rust = layout::lay_out(&emit::emit_sections(&compiled, &Driver::File));
-    let rust = rust.map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
-    Ok(Generated { model: compiled.model.name.to_string(), text: format!("{}\n{rust}", header(shown, &text)) })
+/// Every mistake of all of them, as `path:line:column: error: …` with the line and a mark below it.
+pub fn compile_all(sources: &[Source], command: &str) -> Result<Vec<Generated>, String> {
+    let mut generated = Vec::new();
+    let mut errors = Vec::new();
+    for source in sources {
+        match source.compile(command) {
+            Ok(compiled) => generated.push(compiled),
+            Err(error) => errors.push(error),
+        }
+    }
+    if errors.is_empty() { Ok(generated) } else { Err(errors.join("\n")) }
 }
 
-fn header(shown: &str, text: &str) -> String {
+impl Source {
+    fn compile(&self, command: &str) -> Result<Generated, String> {
+        let Self { path, shown } = self;
+        let module = self.module()?;
+        let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
+        let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
+        let mut compiled = crate::compile(tokens).map_err(|error| render(&error, shown, &text))?;
+        if compiled.model.visibility.is_empty() {
+            // What is private where it is declared is for the module around its file.
+            compiled.model.visibility = quote!(pub(super));
+        }
+        let rust = layout::lay_out(&emit::emit_sections(&compiled, &Driver::File));
+        let rust = rust.map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
+        let text = format!("{}\n{rust}", header(shown, &text, command));
+        Ok(Generated { module, model: compiled.model.name.to_string(), text })
+    }
+
+    /// The module that the file becomes.
+    fn module(&self) -> Result<String, String> {
+        let name = self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        if name == "mod" || syn::parse_str::<Ident>(&name).is_err() {
+            let shown = &self.shown;
+            return Err(format!("error: {shown}: expected a file named like a module, such as `my_bicycle.rs`"));
+        }
+        Ok(name)
+    }
+}
+
+fn header(shown: &str, text: &str, command: &str) -> String {
     format!(
         "// @generated from {shown} by carvallo-compiler {}; do not edit.\n\
-         // To write it anew: cargo regenerate\n\
+         // To write it anew: {command}\n\
          // Hash of the source: {:016x}\n",
         env!("CARGO_PKG_VERSION"),
         hash(text),

@@ -1,0 +1,10 @@
+carvallo::model! {
+    model Coin {
+        parameters { r: m, > 0; m: kg, > 0; g: N/kg, >= 0, gravity; }
+        mechanism {
+            wheel D: mass m, at (0, 0, -r), radius r, axial m*r^2/2, radial m*r^2/4;
+            free D: lean phi, yaw psi;
+        }
+        coordinates { phi "lean": rad; psi "yaw": rad; }
+    }
+}
