@@ -4,6 +4,11 @@ use std::path::PathBuf;
 
 use super::source::{self, Generated, Source};
 
+/// The generated files are laid out by the compiler, the same with every version of rustfmt.
+const SKIP: &str = "#[rustfmt::skip]\n";
+/// A crate of one's own may ask for lints that generated code does not keep to.
+const OWN: &str = "#[rustfmt::skip]\n#[allow(clippy::pedantic)]\n";
+
 /// The module that declares the generated ones, exports what is in them, and lists the models.
 pub fn declare(generated: &[Generated], command: &str, lists_models: bool) -> String {
     let mut text = format!(
@@ -11,8 +16,8 @@ pub fn declare(generated: &[Generated], command: &str, lists_models: bool) -> St
          //! The models compiled ahead of time.\n\n"
     );
     for Generated { module, .. } in generated {
-        // The generated files are laid out by the compiler, the same with every version of rustfmt.
-        text.push_str(&format!("#[rustfmt::skip]\nmod {module};\n"));
+        let attributes = if lists_models { SKIP } else { OWN };
+        text.push_str(&format!("{attributes}mod {module};\n"));
     }
     text.push('\n');
     for Generated { module, .. } in generated {
@@ -37,7 +42,7 @@ pub fn include(paths: &[PathBuf]) -> Result<String, String> {
         paths.iter().map(|path| Source { path: path.clone(), shown: super::show(path) }).collect();
     let mut text = String::new();
     for Generated { module, text: content, .. } in source::compile_all(&sources, "cargo build")? {
-        text.push_str(&format!("#[rustfmt::skip]\nmod {module} {{\n{content}}}\n"));
+        text.push_str(&format!("{OWN}mod {module} {{\n{content}}}\n"));
         // Of a model that is not `pub` nothing leaves the crate.
         text.push_str(&format!("#[allow(unused_imports)]\npub use {module}::*;\n"));
     }
