@@ -2,6 +2,7 @@
 //! straight-line program, and elimination of dead code.
 
 use std::collections::HashMap;
+use std::mem::{Discriminant, discriminant};
 
 use crate::program::{Instruction, Program, Value};
 
@@ -15,28 +16,25 @@ pub struct Builder {
 #[derive(PartialEq, Eq, Hash)]
 enum Key {
     Constant(u64),
-    Other(&'static str, i64, i64),
+    Other(Discriminant<Instruction>, i64, i64),
 }
 
 fn key(instruction: Instruction) -> Key {
-    let pair = |name, a: Value, b: Value| Key::Other(name, a as i64, b as i64);
-    let one = |name, a: Value| Key::Other(name, a as i64, -1);
-    match instruction {
-        Instruction::Parameter(index) => Key::Other("parameter", index as i64, -1),
-        Instruction::Constant(value) => Key::Constant(value.to_bits()),
-        Instruction::Add(a, b) => pair("add", a.min(b), a.max(b)),
-        Instruction::Sub(a, b) => pair("sub", a, b),
-        Instruction::Mul(a, b) => pair("mul", a.min(b), a.max(b)),
-        Instruction::Div(a, b) => pair("div", a, b),
-        Instruction::Neg(a) => one("neg", a),
-        Instruction::Square(a) => one("square", a),
-        Instruction::Reciprocal(a) => one("reciprocal", a),
-        Instruction::Power(a, n) => Key::Other("power", a as i64, i64::from(n)),
-        Instruction::Sqrt(a) => one("sqrt", a),
-        Instruction::Sin(a) => one("sin", a),
-        Instruction::Cos(a) => one("cos", a),
-        Instruction::Tan(a) => one("tan", a),
-    }
+    let (first, second) = match instruction {
+        Instruction::Constant(value) => return Key::Constant(value.to_bits()),
+        Instruction::Parameter(index) => (index as i64, -1),
+        Instruction::Add(a, b) | Instruction::Mul(a, b) => (a.min(b) as i64, a.max(b) as i64),
+        Instruction::Sub(a, b) | Instruction::Div(a, b) => (a as i64, b as i64),
+        Instruction::Power(a, n) => (a as i64, i64::from(n)),
+        Instruction::Neg(a)
+        | Instruction::Square(a)
+        | Instruction::Reciprocal(a)
+        | Instruction::Sqrt(a)
+        | Instruction::Sin(a)
+        | Instruction::Cos(a)
+        | Instruction::Tan(a) => (a as i64, -1),
+    };
+    Key::Other(discriminant(&instruction), first, second)
 }
 
 impl Builder {

@@ -24,6 +24,10 @@ const MAX_OPERATIONS: usize = 2_500;
 /// are made at most, beyond those of the first program.
 const MAX_FORMULAS: usize = 20_000;
 
+/// Definitions do not disappear together if the formulas then take so many times the operations, each by itself: programs
+/// that came out cheaper had up to 2.2 times as many.
+const MAX_GROWTH: usize = 4;
+
 /// In how many orders of the symbols the engine nests the formulas: it keeps the best, and then goes on from there.
 const ORDERS: usize = 10;
 /// What is tried at last: more orders take longer, and fewer can come out better, since it looks at the formulas alone.
@@ -94,7 +98,14 @@ impl Search<'_> {
             .collect();
         // All formulas alike first: from the best of these starts single changes go on, and none of them would lead from
         // one such start to another.
+        let written = self.best.system.operations(&self.forms);
         for inline in [&none, &used_once, &fractions, &quotients] {
+            // What multiplies the formulas is seen before any program is built of them.
+            let choices = self.choices(inline, Some(Shape::Written));
+            let inlined = System::new(&mut self.forms, &choices)?;
+            if inlined.operations(&self.forms) > MAX_GROWTH * written {
+                continue;
+            }
             for shape in [Some(Shape::Written), None, Some(Shape::ByFunctions), Some(Shape::ByLinear)] {
                 self.try_out(self.choices(inline, shape))?;
             }

@@ -35,6 +35,10 @@ const MAX_REWRITTEN: usize = 150;
 /// Formulas that could expand into more terms than this are not rewritten, such as fractions in fractions in fractions.
 const MAX_EXPANDED: f64 = 300.0;
 
+/// Fractions that stay fractions and could expand into more terms than this are not sorted: each of their coefficients is
+/// such a fraction, too, and the engine then takes tens of milliseconds to sort a term.
+const MAX_SORTED: f64 = 50.0;
+
 /// What was rewritten before, since the shapes of a formula have many parts in common, with each other and with those of
 /// other formulas.
 #[derive(Default)]
@@ -76,8 +80,9 @@ pub fn shapes_of(form: &Form, rewritten: &Rewritten) -> Vec<(Shape, Form)> {
             shapes.push((shape, Form(atom)));
         }
     };
+    let terms = expanded_terms(atom.as_view());
     // One operation cannot become fewer.
-    if form.operations() > 1 && can_be_rewritten(form) {
+    if (2..=MAX_REWRITTEN).contains(&form.operations()) && terms <= MAX_EXPANDED {
         let divides = atom.count_operations().inversions > 0;
         let flat = if divides { atom.together().expand() } else { atom.expand() };
         if divides_by_a_sum(atom.as_view()) {
@@ -85,12 +90,14 @@ pub fn shapes_of(form: &Form, rewritten: &Rewritten) -> Vec<(Shape, Form)> {
         } else {
             add(Shape::Collected, rewritten.nested(atom));
             add(Shape::Factored, rewritten.nested(&rewritten.factor(atom)));
-            add(Shape::Nested, rewritten.nested(&atom.expand()));
+            add(Shape::Nested, rewritten.nested(&if divides { atom.expand() } else { flat.clone() }));
             add(Shape::ByDivisors, by_divisors(atom, rewritten));
         }
         add(Shape::Together, rewritten.nested(&flat));
-        add(Shape::ByFunctions, by_functions(&flat, rewritten));
-        add(Shape::ByLinear, rewritten.nested(&by_linear(&flat, rewritten)));
+        if terms <= MAX_SORTED || !divides_by_a_sum(flat.as_view()) {
+            add(Shape::ByFunctions, by_functions(&flat, rewritten));
+            add(Shape::ByLinear, rewritten.nested(&by_linear(&flat, rewritten)));
+        }
     }
     shapes.sort_by_cached_key(|(_, form)| cost(&form.0));
     shapes
@@ -135,13 +142,12 @@ fn nest(sum: AtomView<'_>) -> Atom {
     let functions: Vec<_> = functions.filter_map(|function| Indeterminate::try_from(function).ok()).collect();
     let frequent: Option<&[Indeterminate]> = None;
     let horner = sum.collect_horner(frequent);
-    cheapest([
-        sum.to_owned(),
-        sum.collect_factors(),
-        sum.collect_horner(Some(&functions)).collect_factors(),
-        horner.collect_factors(),
-        horner,
-    ])
+    let factors = sum.collect_factors();
+    let by_functions = match functions.is_empty() {
+        true => factors.clone(),
+        false => sum.collect_horner(Some(&functions)).collect_factors(),
+    };
+    cheapest([sum.to_owned(), factors, by_functions, horner.collect_factors(), horner])
 }
 
 fn by_functions(flat: &Atom, rewritten: &Rewritten) -> Atom {

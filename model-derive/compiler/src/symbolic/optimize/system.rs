@@ -99,6 +99,11 @@ impl System {
         &self.formulas
     }
 
+    /// The operations of all these formulas, each by itself.
+    pub fn operations(&self, forms: &Forms<'_>) -> usize {
+        self.formulas.iter().flatten().map(|form| forms.operations(*form)).sum()
+    }
+
     /// One program for all formulas: those of the kept definitions first, then the outputs.
     ///
     /// The engine nests it anew, in the best of so many orders of the symbols, and looks for common pairs.
