@@ -22,8 +22,9 @@ of a file; or - for the standard input. A file that says `model = \"NAME\"` choo
 Files: TOML as `carvallo show` writes it; YAML `name: value` and text `name = value+/-deviation` as
 BicycleParameters writes them, also as scripts of Python and MATLAB; JSON, also as --format json writes it, or with
 matrices instead of parameters. Values may be expressions, in other units, and have standard deviations: pi/10,
-atan(1/3), 18 deg, 102 cm, 1.02+/-0.01, 1.020(3). The page docs/files.md, beside the source of this program, has every form; docs/modes.md
-says what castering, capsize and weave are.
+atan(1/3), 18 deg, 102 cm, 1.02+/-0.01, 1.020(3).
+Pages beside the source of this program: docs/files.md has every form, docs/modes.md says what castering, capsize and
+weave are.
 
 JSON for the Whipple model, in SI units, every number reading back to the same double:
   {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},
