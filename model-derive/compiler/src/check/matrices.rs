@@ -10,6 +10,33 @@ use crate::model::Matrices;
 use crate::report::{Region, Report};
 use crate::syntax::Declaration;
 
+/// Reports what is added to matrices where there is no mechanism that has them, twice, or in another shape.
+pub fn check_added(declaration: &Declaration, report: &mut Report) {
+    let size = find_size(declaration);
+    for (index, matrix) in declaration.added.iter().enumerate() {
+        let name = matrix.name.name();
+        if declaration.mechanism.is_none() {
+            let message = format!(
+                "`add {name}` without a mechanism, whose matrix it could be added to: expected `{name} = …`, which declares \
+                 it, or a `mechanism {{ … }}`"
+            );
+            report.error(matrix.span, message);
+        } else if declaration.added[..index].iter().any(|known| known.name == matrix.name) {
+            report.error(matrix.span, format!("`add {name}` twice: expected the sum of both in one"));
+        } else if let Some(n) = size {
+            check_shape(name, &matrix.rows, matrix.region, n, report);
+        }
+    }
+}
+
+/// The number of coordinates; without them, or with one declared twice, it is not known what shape is right.
+fn find_size(declaration: &Declaration) -> Option<usize> {
+    let n = declaration.coordinates.len();
+    let distinct: HashSet<String> =
+        declaration.coordinates.iter().map(|coordinate| coordinate.name.to_string()).collect();
+    (n > 0 && n == distinct.len()).then_some(n)
+}
+
 /// The declared matrices, in the order of the equation of motion, and where their entries stand, row by row.
 ///
 /// Unless all statements of the declaration could be read, those that are missing are probably among them.
@@ -19,19 +46,17 @@ pub fn resolve_matrices(
     scope: &mut Scope,
     report: &mut Report,
 ) -> (Matrices, Vec<Region>) {
-    let n = declaration.coordinates.len();
-    let distinct: HashSet<String> =
-        declaration.coordinates.iter().map(|coordinate| coordinate.name.to_string()).collect();
-    if n == 0 && is_complete {
+    if declaration.coordinates.is_empty() && is_complete {
         report.error(&declaration.name, "no coordinates: expected `coordinates { … }` with at least one");
     }
-    // Without coordinates, or with one declared twice, it is not known what shape is right.
-    let is_known = n > 0 && n == distinct.len();
-    for asserted in declaration.asserted.iter().filter(|_| is_known) {
-        check_shape(asserted.name.name(), &asserted.rows, asserted.region, n, report);
-    }
-    for published in declaration.sets.iter().flat_map(|set| &set.published).filter(|_| is_known) {
-        check_shape(published.name.name(), &published.rows, published.region, n, report);
+    let size = find_size(declaration);
+    if let Some(n) = size {
+        for asserted in &declaration.asserted {
+            check_shape(asserted.name.name(), &asserted.rows, asserted.region, n, report);
+        }
+        for published in declaration.sets.iter().flat_map(|set| &set.published) {
+            check_shape(published.name.name(), &published.rows, published.region, n, report);
+        }
     }
     let mut matrices: Vec<(MatrixName, Vec<Vec<Formula>>, Vec<Region>)> = Vec::new();
     for matrix in &declaration.matrices {
@@ -40,12 +65,12 @@ pub fn resolve_matrices(
             report.error(matrix.span, format!("`{name}` is declared twice: expected one of each matrix"));
             continue;
         }
-        if is_known {
+        if let Some(n) = size {
             check_shape(name, &matrix.rows, matrix.region, n, report);
         }
         let mut resolve = |row: &Vec<_>| row.iter().map(|entry| resolve::resolve(entry, scope, report)).collect();
         let rows = matrix.rows.iter().map(|(_, row)| resolve(row)).collect();
-        let regions = matrix.rows.iter().flat_map(|(_, row)| row.iter().map(|entry| entry.region)).collect();
+        let regions = matrix.entries().map(|entry| entry.region).collect();
         matrices.push((matrix.name, rows, regions));
     }
     if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && is_complete && declaration.mechanism.is_none() {

@@ -52,7 +52,7 @@ pub struct Checked<'a> {
     pub matrices: Matrices,
     /// Where their entries stand, row by row.
     pub entries: Vec<Region>,
-    /// The formulas in the mechanism, one by one.
+    /// What equations of motion are derived from, as [`Declaration::attributes`].
     pub attributes: Vec<Formula>,
     /// The mechanism, if there is one, and nothing that its derivation depends on is a mistake.
     pub assembly: Option<Assembly>,
@@ -96,6 +96,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     let units::Found { definitions: defined, requirements: required } =
         units::check(declaration, &dimensions, &scope, ordered, report);
     // Mistakes so far keep a mechanism from being derived; those behind it do not concern it.
+    matrices::check_added(declaration, report);
     let (attributes, assembly) = check_mechanism(declaration, tree, &dimensions, &defined, &mut scope, report);
 
     let requirements = resolve_requirements(declaration, &required, &mut scope, report);
@@ -131,8 +132,8 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     }
 }
 
-/// The formulas in the mechanism, and the mechanism if there is no mistake so far. `defined` are the dimensions of the
-/// definitions.
+/// What equations of motion are derived from, one by one, and the mechanism if there is no mistake so far. `defined` are
+/// the dimensions of the definitions.
 fn check_mechanism(
     declaration: &Declaration,
     tree: Option<Tree>,
@@ -143,7 +144,7 @@ fn check_mechanism(
 ) -> (Vec<Formula>, Option<Assembly>) {
     let Some(mechanism) = &declaration.mechanism else { return (Vec::new(), None) };
     units::check_mechanism(declaration, mechanism, dimensions, scope, defined, report);
-    let attributes: Vec<_> = mechanism.formulas().map(|formula| resolve::resolve(formula, scope, report)).collect();
+    let attributes: Vec<_> = declaration.attributes().map(|formula| resolve::resolve(formula, scope, report)).collect();
     let assembly = mechanism::assemble(declaration, mechanism, tree, &attributes, report);
     // Without coordinates it is not known what is determined by others.
     let assembly = assembly.filter(|_| report.is_empty() && !declaration.coordinates.is_empty());

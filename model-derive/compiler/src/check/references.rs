@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use super::names::{Meaning, Scope};
 use super::units::dimension::Dimension;
 use crate::model::{References, Target};
-use crate::syntax::{Declaration, Definition};
+use crate::syntax::{Declaration, Definition, Matrix};
 
 /// All uses of parameters and definitions, in formulas and in parameter sets; `dimensions` are those of the definitions.
 pub fn find_references(declaration: &Declaration, scope: &Scope, dimensions: &[Option<Dimension>]) -> References {
@@ -17,16 +17,14 @@ pub fn find_references(declaration: &Declaration, scope: &Scope, dimensions: &[O
         Some(Meaning::Definition(_)) => uses.push((Target::Definition, name.clone())),
         Some(Meaning::Coordinate | Meaning::Refused) | None => {}
     };
-    if let Some(mechanism) = &declaration.mechanism {
-        mechanism.formulas().for_each(|formula| formula.names(&mut note));
-    }
-    let Declaration { definitions, requirements, assertions, asserted, matrices, sets, .. } = declaration;
+    declaration.attributes().for_each(|formula| formula.names(&mut note));
+    let Declaration { definitions, requirements, assertions, asserted, matrices, added, sets, .. } = declaration;
     let formulas = definitions.iter().map(|definition| &definition.value);
     let formulas = formulas.chain(requirements.iter().map(|requirement| &requirement.value));
     let sides = assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
     // Matrices beside a mechanism are a mistake.
     let matrices = if declaration.mechanism.is_some() { &[] } else { &matrices[..] };
-    let entries = asserted.iter().chain(matrices).flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    let entries = asserted.iter().chain(matrices).flat_map(Matrix::entries);
     formulas.chain(sides).chain(entries).for_each(|formula| formula.names(&mut note));
     for entry in sets.iter().flat_map(|set| &set.values) {
         // In a set a name is a parameter's.
@@ -48,6 +46,6 @@ pub fn find_references(declaration: &Declaration, scope: &Scope, dimensions: &[O
     References {
         definitions: first.filter_map(definition).collect(),
         uses,
-        matrices: matrices.iter().map(|matrix| (matrix.name, matrix.span)).collect(),
+        matrices: matrices.iter().chain(added).map(|matrix| (matrix.name, matrix.span)).collect(),
     }
 }

@@ -62,7 +62,7 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         kinematics: None,
     };
     let Some(mechanism) = &declaration.mechanism else { return written };
-    // Matrices beside a mechanism are a mistake.
+    // Declared matrices beside a mechanism are a mistake.
     let nothing = Derived { matrices: Vec::new(), entries: Vec::new(), symmetric: Vec::new(), ..written };
     let Some(assembly) = &checked.assembly else { return nothing };
     let declared = Declared {
@@ -90,7 +90,7 @@ fn find_region(checked: &Checked<'_>, mechanism: &Mechanism, failure: &Failure) 
     match failure {
         Failure::Undefined { place: Place::Definition(index), .. } => checked.definition(*index).into(),
         Failure::Undefined { place: Place::Output(index), .. } => {
-            mechanism.formulas().nth(*index).map_or(mechanism.span.into(), |formula| formula.region)
+            checked.declaration.attributes().nth(*index).map_or(mechanism.span.into(), |formula| formula.region)
         }
         Failure::Engine(_) => mechanism.span.into(),
     }

@@ -44,20 +44,15 @@ impl Claim {
     }
 }
 
-/// The claims of symmetric matrices: a pair of entries each.
-pub fn of_symmetry(Derived { matrices, entries, symmetric, .. }: &Derived) -> Vec<Claim> {
-    let mut claims = Vec::new();
-    for (position, (name, rows)) in matrices.iter().enumerate().filter(|(_, (name, _))| symmetric.contains(name)) {
-        let n = rows.len();
-        let side = |row: usize, column: usize| (rows[row][column].clone(), entries[(position * n + row) * n + column]);
-        for row in 0..n {
-            for column in row + 1..n {
-                let sides = [side(row, column), side(column, row)];
-                claims.push(Claim { sides, kind: Kind::Mirrored(*name, row + 1, column + 1) });
-            }
-        }
-    }
-    claims
+/// The claims of a symmetric matrix, whose entries stand at `regions`, row by row: a pair of entries each.
+pub fn of_symmetry(name: MatrixName, rows: &[Vec<Formula>], regions: &[Region]) -> impl Iterator<Item = Claim> {
+    let n = rows.len();
+    let side = move |row: usize, column: usize| (rows[row][column].clone(), regions[row * n + column]);
+    let pairs = (0..n).flat_map(move |row| (row + 1..n).map(move |column| (row, column)));
+    pairs.map(move |(row, column)| Claim {
+        sides: [side(row, column), side(column, row)],
+        kind: Kind::Mirrored(name, row + 1, column + 1),
+    })
 }
 
 /// Proves claims; those that are wrong or cannot be proved are reported.

@@ -117,35 +117,54 @@ fn gather<'a>(checked: &'a Checked<'_>, derived: &'a Derived) -> SourcedFormulas
     let place = Source::Derived(mechanism.map_or(Region::from(&declaration.name), |mechanism| mechanism.span.into()));
     let written = checked.order.iter().map(|declared| Source::Written(&declaration.definitions[*declared].value));
     let definitions = derived.definitions.iter().zip(written.chain(std::iter::repeat(place)));
-    let attributes = mechanism.into_iter().flat_map(|mechanism| mechanism.formulas());
     let entries = match mechanism {
         Some(_) => derived.outputs().map(|formula| sourced(formula, place)).collect(),
         None => {
             // In the order of the equation of motion, as the formulas are.
             let mut matrices: Vec<&Matrix> = declaration.matrices.iter().collect();
             matrices.sort_by_key(|matrix| matrix.name);
-            let written = matrices.into_iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+            let written = matrices.into_iter().flat_map(Matrix::entries);
             derived.outputs().zip(written).map(|(formula, entry)| sourced(formula, Source::Written(entry))).collect()
         }
     };
+    let attributes = checked.attributes.iter().zip(declaration.attributes());
     let requirements = checked.requirements.iter().zip(&declaration.requirements);
     let sides = declaration.assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
     let sides = checked.assertions.iter().flatten().zip(sides);
-    let asserted = declaration.asserted.iter().flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    let asserted = declaration.asserted.iter().flat_map(Matrix::entries);
     let asserted = checked.asserted.iter().flatten().flatten().zip(asserted);
     SourcedFormulas {
         definitions: definitions.map(|(formula, source)| sourced(formula, source)).collect(),
-        attributes: checked.attributes.iter().zip(attributes).map(|(f, w)| sourced(f, Source::Written(w))).collect(),
+        attributes: attributes.map(|(formula, written)| sourced(formula, Source::Written(written))).collect(),
         entries,
         requirements: requirements.map(|(r, written)| sourced(&r.value, Source::Written(&written.value))).collect(),
         claims: sides.chain(asserted).map(|(formula, side)| sourced(formula, Source::Written(side))).collect(),
     }
 }
 
+/// The claims of symmetric matrices, and of what is added to those of a mechanism.
+fn claim_symmetry(checked: &Checked<'_>, Derived { matrices, entries, symmetric, .. }: &Derived) -> Vec<Claim> {
+    let mut claims = Vec::new();
+    let mut entries = entries.iter().copied();
+    for (name, rows) in matrices {
+        let regions: Vec<Region> = entries.by_ref().take(rows.len().pow(2)).collect();
+        if symmetric.contains(name) {
+            claims.extend(claims::of_symmetry(*name, rows, &regions));
+        }
+    }
+    let added = checked.assembly.iter().flat_map(|assembly| &assembly.mechanism.added);
+    for (written, (name, rows)) in checked.declaration.added.iter().zip(added).filter(|(written, _)| written.symmetric)
+    {
+        let regions: Vec<Region> = written.entries().map(|entry| entry.region).collect();
+        claims.extend(claims::of_symmetry(*name, rows, &regions));
+    }
+    claims
+}
+
 /// What the declaration claims: matrices that are symmetric, and assertions.
 fn claim(checked: &Checked<'_>, derived: &Derived) -> Vec<Claim> {
-    let mut claims = claims::of_symmetry(derived);
     let declaration = checked.declaration;
+    let mut claims = claim_symmetry(checked, derived);
     claims.extend(declaration.assertions.iter().zip(&checked.assertions).map(|(written, [left, right])| {
         let sides = [(left.clone(), written.left.region), (right.clone(), written.right.region)];
         Claim::asserted([&written.left, &written.right].map(ToString::to_string), sides)

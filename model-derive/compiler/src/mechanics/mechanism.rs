@@ -2,6 +2,8 @@
 
 use nanoserde::SerBin;
 
+use crate::matrix_name::MatrixName;
+
 /// Bodies in a tree of joints, with formulas of type `V`. The axes are x forward, y to the right, z down; the ground is
 /// at z = 0.
 #[derive(Clone, Debug, SerBin)]
@@ -16,6 +18,8 @@ pub struct Mechanism<V> {
     pub coordinates: Vec<usize>,
     /// The joints that an applied force or torque acts on.
     pub forces: Vec<usize>,
+    /// What is added to the matrices of the coordinates, in rows of theirs.
+    pub added: Vec<(MatrixName, Vec<Vec<V>>)>,
     /// Whether there is gravity.
     pub has_weight: bool,
 }
@@ -112,9 +116,14 @@ impl<V> Mechanism<V> {
             })
         });
         let wheels = wheels.collect::<Result<_, E>>()?;
+        let added = self.added.iter().map(|(name, rows)| {
+            let rows = rows.iter().map(|row| row.iter().map(&mut *f).collect::<Result<_, E>>());
+            Ok((*name, rows.collect::<Result<_, E>>()?))
+        });
+        let added = added.collect::<Result<_, E>>()?;
         let Self { root, coordinates, forces, has_weight, .. } = self;
         let (coordinates, forces) = (coordinates.clone(), forces.clone());
-        Ok(Mechanism { joints, bodies, wheels, root: *root, coordinates, forces, has_weight: *has_weight })
+        Ok(Mechanism { joints, bodies, wheels, root: *root, coordinates, forces, added, has_weight: *has_weight })
     }
 
     /// What a joint moves, in names of definitions.

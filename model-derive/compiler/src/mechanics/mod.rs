@@ -101,7 +101,7 @@ pub struct Declared {
     pub parameters: usize,
     /// The definitions, each in those before it.
     pub definitions: Vec<Formula>,
-    /// The formulas in the mechanism, one by one.
+    /// The formulas that the mechanism is made of, one by one.
     pub attributes: Vec<Formula>,
 }
 

@@ -54,7 +54,7 @@ impl<'a> Projection<'a> {
         // Spin stays as it is, since much of it cancels; of springs and dampers there are few.
         let [spin, damping, stiffness] = [&unreduced.spin, &unreduced.damping, &unreduced.stiffness].map(project);
         let moving = plus(&times(&mass, positions), &spin);
-        Self {
+        let mut projection = Self {
             mechanism,
             by_rates: [
                 (MatrixName::M, times(&mass, rates)),
@@ -67,6 +67,25 @@ impl<'a> Projection<'a> {
                 (MatrixName::K2, times(&moving, positions)),
             ],
             dragged: times(&damping, positions),
+        };
+        mechanism.added.iter().for_each(|(name, rows)| projection.add(*name, rows));
+        projection
+    }
+
+    /// Adds to a matrix what is declared beside the mechanism: forces of the coordinates, by their rates and positions.
+    fn add(&mut self, name: MatrixName, rows: &Matrix) {
+        let coordinates = &self.mechanism.coordinates;
+        for (row, entries) in rows.iter().enumerate() {
+            for (column, entry) in entries.iter().enumerate() {
+                let by_rates = self.by_rates.iter_mut().find(|(known, _)| *known == name);
+                let by_positions = self.by_positions.iter_mut().find(|(known, _)| *known == name);
+                let sum = match (by_rates, by_positions) {
+                    (Some((_, matrix)), _) => &mut matrix[row][column],
+                    (None, Some((_, matrix))) => &mut matrix[row][coordinates[column]],
+                    (None, None) => unreachable!("one of the two has it"),
+                };
+                *sum = &*sum + entry;
+            }
         }
     }
 

@@ -1,6 +1,8 @@
 //! Models that are derived from mechanisms, against formulas, figures and dynamics from elsewhere.
 
 #[cfg(feature = "compiler")]
+mod added;
+#[cfg(feature = "compiler")]
 mod attachments;
 mod bicycles;
 #[cfg(feature = "compiler")]

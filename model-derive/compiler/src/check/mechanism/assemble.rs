@@ -18,7 +18,8 @@ pub struct Assembly {
     pub tree: Tree,
 }
 
-/// Puts the parts of a mechanism in the order of its tree, if there is one; `attributes` are its formulas in their order.
+/// Puts the parts of a mechanism in the order of its tree, if there is one; `attributes` are the formulas of
+/// [`Declaration::attributes`].
 /// Mistakes are reported in any case.
 pub fn assemble(
     declaration: &Declaration,
@@ -27,7 +28,7 @@ pub fn assemble(
     attributes: &[Formula],
     report: &mut Report,
 ) -> Option<Assembly> {
-    // In the order of `Mechanism::formulas`.
+    // In the order of `Declaration::attributes`.
     let mut attributes = Attributes(attributes.iter().cloned());
     let masses: Vec<_> = mechanism
         .bodies
@@ -57,6 +58,11 @@ pub fn assemble(
             damping: joint.damper.as_ref().map(|_| attributes.next()),
         })
         .collect();
+    let added = declaration.added.iter().map(|matrix| {
+        let rows = matrix.rows.iter().map(|(_, row)| row.iter().map(|_| attributes.next()).collect());
+        (matrix.name, rows.collect())
+    });
+    let added = added.collect();
     let named = find_joints(declaration, mechanism, tree.is_some(), report);
     let tree = tree?;
 
@@ -125,6 +131,7 @@ pub fn assemble(
         root: root.map(|(forward, yaw)| Root { count: tree.root(), forward, yaw }),
         coordinates,
         forces,
+        added,
         has_weight: declaration.parameters.iter().any(|parameter| parameter.gravity.is_some()),
     };
     Some(Assembly { mechanism, tree })

@@ -6,6 +6,7 @@ mod coordinates;
 mod tree;
 
 pub use self::assemble::{Assembly, assemble};
+pub use self::coordinates::axis_of;
 pub use self::tree::{Role, Tree};
 
 use crate::report::Report;
@@ -15,7 +16,8 @@ use crate::syntax::{Declaration, Mechanism};
 pub fn find_tree(declaration: &Declaration, mechanism: &Mechanism, report: &mut Report) -> Option<Tree> {
     if let Some(matrix) = declaration.matrices.first() {
         let message = format!(
-            "`{0}` beside a mechanism, from which it follows: expected `assert {0} == …` to have both compared",
+            "`{0}` beside a mechanism, from which it follows: expected `assert {0} == …` to have both compared, or \
+             `add {0} = …` for what the mechanism does not have",
             matrix.name.name()
         );
         report.error(matrix.span, message);

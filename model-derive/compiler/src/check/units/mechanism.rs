@@ -1,12 +1,14 @@
 //! Units and mirrors of what a mechanism is given.
 
-use super::Analysis;
 use super::analysis::short;
 use super::declared::Dimensions;
 use super::dimension::Dimension;
+use super::{Analysis, check_matrix};
+use crate::check::mechanism::axis_of;
 use crate::check::names::Scope;
+use crate::mechanics::Motion;
 use crate::report::Report;
-use crate::syntax::{Declaration, Direction, Expression, Inertia, JointKind, Mechanism, Vector};
+use crate::syntax::{Coordinate, Declaration, Direction, Expression, Inertia, JointKind, Mechanism, Vector};
 
 const MASS: Dimension = Dimension::new([1, 0, 0]);
 const LENGTH: Dimension = Dimension::new([0, 1, 0]);
@@ -58,6 +60,35 @@ pub fn check_mechanism(
             check.formula_in(formula, Dimension::new([1, metres, seconds]), &format!("the {what} of `{name}`"), unit);
         }
     }
+    let Check { analysis, report } = check;
+    let coordinates: Vec<_> = declaration
+        .coordinates
+        .iter()
+        .zip(&dimensions.coordinates)
+        .map(|(coordinate, dimension)| {
+            Some(dimension.as_ref()?.directed(Some(find_direction(coordinate, mechanism, &analysis)?)))
+        })
+        .collect();
+    for matrix in &declaration.added {
+        check_matrix(&analysis, matrix, &coordinates, dimensions.mirrored, report);
+    }
+}
+
+/// How a coordinate mirrors: along or about the axis of its joint, whose components have signs of their own.
+fn find_direction(coordinate: &Coordinate, mechanism: &Mechanism, analysis: &Analysis<'_>) -> Option<Direction> {
+    let mut freedoms = mechanism.free.iter().flat_map(|free| &free.names);
+    let (turns, axis, odd) = if let Some((freedom, _)) = freedoms.find(|(_, name)| *name == coordinate.name) {
+        let (motion, axis) = axis_of(*freedom);
+        (motion == Motion::Turns, axis, [false; 3])
+    } else {
+        let joint = mechanism.joints.iter().find(|joint| joint.name == coordinate.name)?;
+        let mut components = joint.along.components.iter().enumerate();
+        // Mistakes in it are reported where it is checked, and zero has no sign.
+        let dimension = |formula| analysis.dimension(formula, &mut Report::default());
+        let (axis, component) = components.find_map(|(axis, formula)| Some((axis, dimension(formula)?)))?;
+        (joint.kind == JointKind::Revolute, axis, component.odd)
+    };
+    Some(Direction::Along([0, 1, 2].map(|mirrored| odd[mirrored] != ((mirrored == axis) != turns))))
 }
 
 struct Check<'a> {

@@ -51,12 +51,11 @@ pub fn check(
     for assertion in &declaration.assertions {
         analysis.check_equal(assertion, report);
     }
-    for matrix in &declaration.asserted {
-        check_matrix(&analysis, matrix, report);
-    }
-    // Beside a mechanism they are a mistake.
-    for matrix in declaration.matrices.iter().filter(|_| declaration.mechanism.is_none()) {
-        check_matrix(&analysis, matrix, report);
+    // Beside a mechanism declared matrices are a mistake, and asserted ones are held against what mirrors right.
+    let declared = declaration.matrices.iter().filter(|_| declaration.mechanism.is_none());
+    let mirrored = dimensions.mirrored && declaration.mechanism.is_none();
+    for matrix in declaration.asserted.iter().chain(declared) {
+        check_matrix(&analysis, matrix, &dimensions.coordinates, mirrored, report);
     }
     Found { definitions: analysis.definitions, requirements }
 }
@@ -94,13 +93,20 @@ fn check_requirement(
     Some(dimension)
 }
 
-/// An entry has the unit and the mirrors that make the work of its force on the coordinate of its row an energy.
-fn check_matrix(analysis: &Analysis<'_>, matrix: &Matrix, report: &mut Report) {
+/// An entry has the unit and, if that is `mirrored`, the mirrors that make the work of its force on the coordinate of its
+/// row an energy; `dimensions` are those of the coordinates.
+fn check_matrix(
+    analysis: &Analysis<'_>,
+    matrix: &Matrix,
+    dimensions: &[Option<Dimension>],
+    mirrored: bool,
+    report: &mut Report,
+) {
     let coordinates = &analysis.declaration.coordinates;
     for (row, (_, entries)) in matrix.rows.iter().enumerate() {
         for (column, entry) in entries.iter().enumerate() {
             let Some(found) = analysis.dimension(entry, report) else { continue };
-            let at = |index: usize| analysis.dimensions.coordinates.get(index).copied().flatten();
+            let at = |index: usize| dimensions.get(index).copied().flatten();
             let Some(expected) =
                 at(row).zip(at(column)).and_then(|(row, column)| entry_dimension(matrix.name, row, column))
             else {
@@ -118,7 +124,7 @@ fn check_matrix(analysis: &Analysis<'_>, matrix: &Matrix, report: &mut Report) {
                     unit_text(column),
                 );
                 report.error(entry.region, message);
-            } else if analysis.dimensions.mirrored && analysis.declaration.mechanism.is_none() && found != expected {
+            } else if mirrored && found != expected {
                 let message = format!(
                     "this entry of `{name}` {}: expected one that {}, as its row is `{}` and its column `{}`",
                     found.sign(),

@@ -40,6 +40,7 @@ pub fn parse_declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Re
         coordinates: Vec::new(),
         matrices: Vec::new(),
         mechanism: None,
+        added: Vec::new(),
         derivatives: None,
         unread: Vec::new(),
     };

@@ -12,20 +12,44 @@ use crate::syntax::tree::{Declaration, Matrix};
 
 /// `symmetric M = …;`, behind its first word.
 pub fn parse_symmetric(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
-    let what = "a matrix after `symmetric`: `M`, `C0`, `C1`, `Kc`, `K0` or `K2`";
+    let (name, span) = parse_matrix_name(input, "a matrix after `symmetric`: `M`, `C0`, `C1`, `Kc`, `K0` or `K2`")?;
+    model.matrices.push(parse_matrix(input, name, span, true)?);
+    parse_semicolon(input, "`;`", "the matrix")
+}
+
+/// `add C0 = …;` or `add symmetric C0 = …;`, behind its first word.
+pub fn parse_added(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
+    let is_symmetric = input.cursor().ident().is_some_and(|(word, _)| word == "symmetric");
+    if is_symmetric {
+        input.parse::<syn::Ident>()?;
+    }
+    let what = "a matrix after `add`: `M`, `C0`, `C1`, `Kc`, `K0` or `K2`, with `symmetric` before it if that is to be \
+                proved";
+    let (name, span) = parse_matrix_name(input, what)?;
+    model.added.push(parse_matrix(input, name, span, is_symmetric)?);
+    parse_semicolon(input, "`;`", "the matrix")
+}
+
+fn parse_matrix_name(input: ParseStream<'_>, what: &str) -> syn::Result<(MatrixName, Span)> {
     if !input.peek(syn::Ident) {
         return Err(expected(input, what));
     }
     let name: syn::Ident = input.parse()?;
-    let Some(matrix_name) = MatrixName::from_name(&name.to_string()) else {
-        return Err(error(&name, format!("found `{name}`: expected {what}")));
-    };
-    model.matrices.push(parse_matrix(input, matrix_name, name.span(), true)?);
-    parse_semicolon(input, "`;`", "the matrix")
+    match MatrixName::from_name(&name.to_string()) {
+        Some(matrix) => Ok((matrix, name.span())),
+        None => Err(error(&name, format!("found `{name}`: expected {what}"))),
+    }
 }
 
 /// `M = …`, behind its name.
 pub fn parse_matrix(input: ParseStream<'_>, name: MatrixName, span: Span, symmetric: bool) -> syn::Result<Matrix> {
+    if input.peek(Token![+=]) {
+        let what = format!(
+            "`=` and the rows of the matrix; to that of a mechanism one is added by `add {0} = …`",
+            name.name()
+        );
+        return Err(expected(input, &what));
+    }
     if input.parse::<Option<Token![=]>>()?.is_none() {
         return Err(expected(input, "`=` and the rows of the matrix"));
     }

@@ -8,7 +8,7 @@ use syn::parse::discouraged::Speculative as _;
 use super::docs::{LOST, parse_docs};
 use super::domains::parse_comparison;
 use super::expressions::parse_expression;
-use super::matrices::{parse_matrix, parse_rows, parse_symmetric};
+use super::matrices::{parse_added, parse_matrix, parse_rows, parse_symmetric};
 use super::mechanism::parse_mechanism;
 use super::names::parse_declared;
 use super::parameters::{parse_coordinates, parse_parameters};
@@ -23,7 +23,7 @@ use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requiremen
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
                           `set name { … }`, `coordinates { … }`, `mechanism { … }`, `derivatives;`, \
                           `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, `K0`, `K2`, with `symmetric` before \
-                          it if that is to be proved";
+                          it if that is to be proved, and `add` if it is added to that of a mechanism";
 
 /// One statement. A misspelt first word is noted, and what follows read as what was meant.
 pub fn parse_statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
@@ -65,7 +65,7 @@ pub fn starts_statement(input: ParseStream<'_>) -> bool {
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 15] = [
+const KEYWORDS: [&str; 16] = [
     "source",
     "parameters",
     "coordinates",
@@ -75,6 +75,7 @@ const KEYWORDS: [&str; 15] = [
     "assert",
     "set",
     "symmetric",
+    "add",
     "M",
     "C0",
     "C1",
@@ -125,6 +126,7 @@ fn parse_after_keyword(
         }
         "assert" => parse_assertion(input, model),
         "symmetric" => parse_symmetric(input, model),
+        "add" => parse_added(input, model),
         "set" => parse_set(input, docs, model, report),
         other => match MatrixName::from_name(other) {
             Some(matrix_name) => {

@@ -28,10 +28,21 @@ pub struct Declaration {
     pub matrices: Vec<Matrix>,
     /// What the matrices are derived from, unless they are written.
     pub mechanism: Option<Mechanism>,
+    /// What is added to the matrices of the mechanism.
+    pub added: Vec<Matrix>,
     /// Where the derivatives of the matrices are asked for.
     pub derivatives: Option<Span>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,
+}
+
+impl Declaration {
+    /// The formulas that equations of motion are derived from: those in the mechanism, and behind them the entries that
+    /// are added to its matrices, row by row.
+    pub fn attributes(&self) -> impl Iterator<Item = &Expression> {
+        let added = self.added.iter().flat_map(Matrix::entries);
+        self.mechanism.iter().flat_map(Mechanism::formulas).chain(added)
+    }
 }
 
 /// `lam "λ": rad, in (-pi/2, pi/2);`
@@ -160,7 +171,7 @@ pub struct Coordinate {
     pub direction: Option<Direction>,
 }
 
-/// `M = [[a, b], [b, c]];`
+/// `M = [[a, b], [b, c]];`, or `add M = …` beside a mechanism.
 #[derive(Debug)]
 pub struct Matrix {
     pub name: MatrixName,
@@ -171,4 +182,11 @@ pub struct Matrix {
     pub rows: Vec<(Region, Vec<Expression>)>,
     /// The brackets and all between.
     pub region: Region,
+}
+
+impl Matrix {
+    /// Row by row.
+    pub fn entries(&self) -> impl Iterator<Item = &Expression> {
+        self.rows.iter().flat_map(|(_, row)| row)
+    }
 }
