@@ -47,7 +47,7 @@
 ///         w: m, > 0, along x;  c: m, along x;  r: m, > 0, along z;  h: m, > 0, along z;
 ///         lam: rad, in (-90 deg, 90 deg), about y;
 ///         m: kg, > 0;  I: kg*m^2, > 0;  P: kg*m^2, along x*z;  A: kg*m^2, > 0;
-///         k: N/m, >= 0;  d: N*s/m, >= 0;
+///         k: N/m, >= 0;  d: N*s/m, >= 0;  D: N*m*s, >= 0;
 ///         g: N/kg, >= 0, gravity;
 ///     }
 ///
@@ -69,6 +69,8 @@
 ///     }
 ///
 ///     coordinates { phi "lean": rad; delta "steer": rad; y "rider": m; }
+///
+///     add C0 = [[D, 0, 0], [0, 0, 0], [0, 0, 0]];
 /// }
 /// ```
 ///
@@ -99,6 +101,11 @@
 /// do not slip. What follows beside the matrices is computed by `Name::kinematics`: the rates of all that is no
 /// coordinate, yaw and wheels among them, as [`Rate`](crate::Rate)s, and `forces`, which makes f out of applied forces.
 /// A joint that goes on by its own position, as a trailing caster does, has no rate that follows from the coordinates.
+///
+/// What acts on the coordinates and is no part of a mechanism, as a drag, a spinning rotor or the inertia of a geared
+/// motor, is added to its matrices: `add C0 = [[…]];`, and so M, C1, Kc, K0 and K2, each once; `add symmetric C0 = [[…]];`
+/// has it proved that what is added is symmetric. The model has the sum, in its documentation, its derivatives and all
+/// else, and it is the sum that assertions and published matrices are held against.
 ///
 /// Where formulas for a matrix are known, `assert M == [[…]];` has them compared: every entry that was derived is proved
 /// to be the one that is written.

@@ -19,7 +19,7 @@ carvallo::model! {
             beta: rad;
         }
 
-        add C0 = [[0, 0], [0, d/(l - l)*1 [m]]];
+        add C0 = [[0, 0], [0, d*l/(l - l)]];
     }
 }
 

@@ -11,7 +11,7 @@ use crate::report::{Region, Report};
 use crate::syntax::Declaration;
 
 /// Reports what is added to matrices where there is no mechanism that has them, twice, or in another shape.
-pub fn check_added(declaration: &Declaration, report: &mut Report) {
+pub fn check_added(declaration: &Declaration, scope: &mut Scope, report: &mut Report) {
     let size = find_size(declaration);
     for (index, matrix) in declaration.added.iter().enumerate() {
         let name = matrix.name.name();
@@ -21,6 +21,12 @@ pub fn check_added(declaration: &Declaration, report: &mut Report) {
                  it, or a `mechanism {{ … }}`"
             );
             report.error(matrix.span, message);
+            // They are meant, so it is no second mistake that nothing depends on them.
+            matrix.entries().for_each(|entry| {
+                entry.names(&mut |name| {
+                    scope.excused.insert(name.to_string());
+                });
+            });
         } else if declaration.added[..index].iter().any(|known| known.name == matrix.name) {
             report.error(matrix.span, format!("`add {name}` twice: expected the sum of both in one"));
         } else if let Some(n) = size {

@@ -96,7 +96,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     let units::Found { definitions: defined, requirements: required } =
         units::check(declaration, &dimensions, &scope, ordered, report);
     // Mistakes so far keep a mechanism from being derived; those behind it do not concern it.
-    matrices::check_added(declaration, report);
+    matrices::check_added(declaration, &mut scope, report);
     let (attributes, assembly) = check_mechanism(declaration, tree, &dimensions, &defined, &mut scope, report);
 
     let requirements = resolve_requirements(declaration, &required, &mut scope, report);

@@ -7,11 +7,16 @@ use syn::parse::ParseStream;
 use super::expressions::parse_expression;
 use super::tokens::{expected, parse_list, parse_semicolon};
 use crate::matrix_name::MatrixName;
-use crate::report::{Region, error};
+use crate::report::{Region, Report, error};
 use crate::syntax::tree::{Declaration, Matrix};
 
 /// `symmetric M = …;`, behind its first word.
-pub fn parse_symmetric(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
+pub fn parse_symmetric(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
+    if input.cursor().ident().is_some_and(|(word, _)| word == "add") {
+        let add: syn::Ident = input.parse()?;
+        report.error(&add, "found `symmetric add`: expected `add symmetric`");
+        return parse_added(input, model);
+    }
     let (name, span) = parse_matrix_name(input, "a matrix after `symmetric`: `M`, `C0`, `C1`, `Kc`, `K0` or `K2`")?;
     model.matrices.push(parse_matrix(input, name, span, true)?);
     parse_semicolon(input, "`;`", "the matrix")

@@ -125,7 +125,7 @@ fn parse_after_keyword(
             parse_semicolon(input, AFTER_FORMULA, "the requirement")
         }
         "assert" => parse_assertion(input, model),
-        "symmetric" => parse_symmetric(input, model),
+        "symmetric" => parse_symmetric(input, model, report),
         "add" => parse_added(input, model),
         "set" => parse_set(input, docs, model, report),
         other => match MatrixName::from_name(other) {
