@@ -45,7 +45,7 @@ fn by_hand(p: &DoublePendulum) -> [[[f64; 2]; 2]; 2] {
 
 fn generated(p: &DoublePendulum) -> [[[f64; 2]; 2]; 2] {
     let DoublePendulumMatrices { m, k0 } = p.matrices();
-    [m, k0]
+    [m.0, k0.0]
 }
 
 fn main() {

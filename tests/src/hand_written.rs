@@ -5,7 +5,7 @@
 
 #![allow(non_snake_case)] // The names are the paper's.
 
-use carvallo::Scalar;
+use carvallo::{Rows, Scalar};
 use carvallo_models::{Whipple, WhippleMatrices};
 
 /// A number whose sine and cosine come from the standard library, whatever the runtime does.
@@ -70,5 +70,5 @@ pub fn matrices<T: Float>(design: &Whipple<T>) -> WhippleMatrices<T> {
     let K2 = [[zero, (ST - mT * zT) / w * cos], [zero, (SA + SF * sin) / w * cos]];
     let C21 = mu * ST + SF * cos;
     let C1 = [[zero, C21 + ITxz / w * cos - mu * mT * zT], [-C21, IAlz / w * cos + mu * (SA + ITzz / w * cos)]];
-    WhippleMatrices { m: M, c1: C1, k0: K0, k2: K2 }
+    WhippleMatrices { m: Rows(M), c1: Rows(C1), k0: Rows(K0), k2: Rows(K2) }
 }

@@ -7,7 +7,7 @@
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Scalar, SetInfo, WithDerivatives,
+    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -90,9 +90,9 @@ pub struct DoublePendulum<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulumMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
-    pub m: [[T; 2]; 2],
+    pub m: Rows<T, 2>,
     /// Stiffness K0, a coefficient of g q. Symmetric, proved.
-    pub k0: [[T; 2]; 2],
+    pub k0: Rows<T, 2>,
 }
 
 impl<T: Number> DoublePendulum<T> {
@@ -257,8 +257,14 @@ impl<T: Number> DoublePendulumMatrices<T> {
     /// The rows of M, C0, C1, Kc, K0 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 6] {
-        let zeros = [[self.m[0][0].like(0.0); 2]; 2];
-        [self.m, zeros, zeros, zeros, self.k0, zeros]
+        let zeros = [[self.m.0[0][0].like(0.0); 2]; 2];
+        [self.m.0, zeros, zeros, zeros, self.k0.0, zeros]
+    }
+}
+
+impl<T: Scalar> core::convert::From<DoublePendulumMatrices<T>> for Coefficients<T, 2> {
+    fn from(matrices: DoublePendulumMatrices<T>) -> Self {
+        Self::from_rows(matrices.rows())
     }
 }
 
@@ -424,8 +430,8 @@ impl<T: Scalar> DoublePendulumDerivatives<T> {
         }
         let zero = <T as Scalar>::from_f64(0.0);
         let mut matrices = DoublePendulumMatrices {
-            m: [[zero; 2]; 2],
-            k0: [[zero; 2]; 2],
+            m: Rows([[zero; 2]; 2]),
+            k0: Rows([[zero; 2]; 2]),
         };
         for position in 0..29 {
             let partial = <DoublePendulumDerivatives>::PARTIALS[position];

@@ -7,7 +7,7 @@
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Scalar, SetInfo, WithDerivatives,
+    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -57,11 +57,11 @@ pub struct Pendulum<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PendulumMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
-    pub m: [[T; 1]; 1],
+    pub m: Rows<T, 1>,
     /// Damping C0, a coefficient of q'.
-    pub c0: [[T; 1]; 1],
+    pub c0: Rows<T, 1>,
     /// Stiffness K0, a coefficient of g q. Symmetric, proved.
-    pub k0: [[T; 1]; 1],
+    pub k0: Rows<T, 1>,
 }
 
 impl<T: Number> Pendulum<T> {
@@ -168,8 +168,14 @@ impl<T: Number> PendulumMatrices<T> {
     /// The rows of M, C0, C1, Kc, K0 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 1]; 1]; 6] {
-        let zeros = [[self.m[0][0].like(0.0); 1]; 1];
-        [self.m, self.c0, zeros, zeros, self.k0, zeros]
+        let zeros = [[self.m.0[0][0].like(0.0); 1]; 1];
+        [self.m.0, self.c0.0, zeros, zeros, self.k0.0, zeros]
+    }
+}
+
+impl<T: Scalar> core::convert::From<PendulumMatrices<T>> for Coefficients<T, 1> {
+    fn from(matrices: PendulumMatrices<T>) -> Self {
+        Self::from_rows(matrices.rows())
     }
 }
 
@@ -297,9 +303,9 @@ impl<T: Scalar> PendulumDerivatives<T> {
         }
         let zero = <T as Scalar>::from_f64(0.0);
         let mut matrices = PendulumMatrices {
-            m: [[zero; 1]; 1],
-            c0: [[zero; 1]; 1],
-            k0: [[zero; 1]; 1],
+            m: Rows([[zero; 1]; 1]),
+            c0: Rows([[zero; 1]; 1]),
+            k0: Rows([[zero; 1]; 1]),
         };
         for position in 0..5 {
             let partial = <PendulumDerivatives>::PARTIALS[position];

@@ -7,7 +7,7 @@
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Scalar, SetInfo, WithDerivatives,
+    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -128,15 +128,15 @@ pub struct Skateboard<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkateboardMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''.
-    pub m: [[T; 1]; 1],
+    pub m: Rows<T, 1>,
     /// Damping C1, a coefficient of v q'.
-    pub c1: [[T; 1]; 1],
+    pub c1: Rows<T, 1>,
     /// Stiffness Kc, a coefficient of q.
-    pub kc: [[T; 1]; 1],
+    pub kc: Rows<T, 1>,
     /// Stiffness K0, a coefficient of g q.
-    pub k0: [[T; 1]; 1],
+    pub k0: Rows<T, 1>,
     /// Stiffness K2, a coefficient of v^2 q.
-    pub k2: [[T; 1]; 1],
+    pub k2: Rows<T, 1>,
 }
 
 impl<T: Number> Skateboard<T> {
@@ -403,8 +403,14 @@ impl<T: Number> SkateboardMatrices<T> {
     /// The rows of M, C0, C1, Kc, K0 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 1]; 1]; 6] {
-        let zeros = [[self.m[0][0].like(0.0); 1]; 1];
-        [self.m, zeros, self.c1, self.kc, self.k0, self.k2]
+        let zeros = [[self.m.0[0][0].like(0.0); 1]; 1];
+        [self.m.0, zeros, self.c1.0, self.kc.0, self.k0.0, self.k2.0]
+    }
+}
+
+impl<T: Scalar> core::convert::From<SkateboardMatrices<T>> for Coefficients<T, 1> {
+    fn from(matrices: SkateboardMatrices<T>) -> Self {
+        Self::from_rows(matrices.rows())
     }
 }
 
@@ -598,8 +604,8 @@ impl<T: Scalar> SkateboardDerivatives<T> {
         }
         let zero = <T as Scalar>::from_f64(0.0);
         let mut matrices = SkateboardMatrices {
-            m: [[zero; 1]; 1], c1: [[zero; 1]; 1], kc: [[zero; 1]; 1], k0: [[zero; 1]; 1],
-            k2: [[zero; 1]; 1],
+            m: Rows([[zero; 1]; 1]), c1: Rows([[zero; 1]; 1]), kc: Rows([[zero; 1]; 1]),
+            k0: Rows([[zero; 1]; 1]), k2: Rows([[zero; 1]; 1]),
         };
         for position in 0..21 {
             let partial = <SkateboardDerivatives>::PARTIALS[position];

@@ -7,7 +7,7 @@
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Scalar, SetInfo, WithDerivatives,
+    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -84,17 +84,17 @@ pub struct ThreePipes<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ThreePipesMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
-    pub m: [[T; 3]; 3],
+    pub m: Rows<T, 3>,
     /// Damping C0, a coefficient of q'. Symmetric, proved.
-    pub c0: [[T; 3]; 3],
+    pub c0: Rows<T, 3>,
     /// Damping C1, a coefficient of v q'.
-    pub c1: [[T; 3]; 3],
+    pub c1: Rows<T, 3>,
     /// Stiffness Kc, a coefficient of q. Symmetric, proved.
-    pub kc: [[T; 3]; 3],
+    pub kc: Rows<T, 3>,
     /// Stiffness K0, a coefficient of g q. Symmetric, proved.
-    pub k0: [[T; 3]; 3],
+    pub k0: Rows<T, 3>,
     /// Stiffness K2, a coefficient of v^2 q.
-    pub k2: [[T; 3]; 3],
+    pub k2: Rows<T, 3>,
 }
 
 impl<T: Number> ThreePipes<T> {
@@ -279,7 +279,13 @@ impl<T: Number> ThreePipesMatrices<T> {
     /// The rows of M, C0, C1, Kc, K0 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 3]; 3]; 6] {
-        [self.m, self.c0, self.c1, self.kc, self.k0, self.k2]
+        [self.m.0, self.c0.0, self.c1.0, self.kc.0, self.k0.0, self.k2.0]
+    }
+}
+
+impl<T: Scalar> core::convert::From<ThreePipesMatrices<T>> for Coefficients<T, 3> {
+    fn from(matrices: ThreePipesMatrices<T>) -> Self {
+        Self::from_rows(matrices.rows())
     }
 }
 
@@ -507,8 +513,8 @@ impl<T: Scalar> ThreePipesDerivatives<T> {
         }
         let zero = <T as Scalar>::from_f64(0.0);
         let mut matrices = ThreePipesMatrices {
-            m: [[zero; 3]; 3], c0: [[zero; 3]; 3], c1: [[zero; 3]; 3], kc: [[zero; 3]; 3],
-            k0: [[zero; 3]; 3], k2: [[zero; 3]; 3],
+            m: Rows([[zero; 3]; 3]), c0: Rows([[zero; 3]; 3]), c1: Rows([[zero; 3]; 3]),
+            kc: Rows([[zero; 3]; 3]), k0: Rows([[zero; 3]; 3]), k2: Rows([[zero; 3]; 3]),
         };
         for position in 0..70 {
             let partial = <ThreePipesDerivatives>::PARTIALS[position];

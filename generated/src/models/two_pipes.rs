@@ -7,7 +7,7 @@
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Scalar, SetInfo, WithDerivatives,
+    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -81,17 +81,17 @@ pub struct TwoPipes<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoPipesMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
-    pub m: [[T; 2]; 2],
+    pub m: Rows<T, 2>,
     /// Damping C0, a coefficient of q'. Symmetric, proved.
-    pub c0: [[T; 2]; 2],
+    pub c0: Rows<T, 2>,
     /// Damping C1, a coefficient of v q'.
-    pub c1: [[T; 2]; 2],
+    pub c1: Rows<T, 2>,
     /// Stiffness Kc, a coefficient of q. Symmetric, proved.
-    pub kc: [[T; 2]; 2],
+    pub kc: Rows<T, 2>,
     /// Stiffness K0, a coefficient of g q. Symmetric, proved.
-    pub k0: [[T; 2]; 2],
+    pub k0: Rows<T, 2>,
     /// Stiffness K2, a coefficient of v^2 q.
-    pub k2: [[T; 2]; 2],
+    pub k2: Rows<T, 2>,
 }
 
 impl<T: Number> TwoPipes<T> {
@@ -255,7 +255,13 @@ impl<T: Number> TwoPipesMatrices<T> {
     /// The rows of M, C0, C1, Kc, K0 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 6] {
-        [self.m, self.c0, self.c1, self.kc, self.k0, self.k2]
+        [self.m.0, self.c0.0, self.c1.0, self.kc.0, self.k0.0, self.k2.0]
+    }
+}
+
+impl<T: Scalar> core::convert::From<TwoPipesMatrices<T>> for Coefficients<T, 2> {
+    fn from(matrices: TwoPipesMatrices<T>) -> Self {
+        Self::from_rows(matrices.rows())
     }
 }
 
@@ -422,8 +428,8 @@ impl<T: Scalar> TwoPipesDerivatives<T> {
         }
         let zero = <T as Scalar>::from_f64(0.0);
         let mut matrices = TwoPipesMatrices {
-            m: [[zero; 2]; 2], c0: [[zero; 2]; 2], c1: [[zero; 2]; 2], kc: [[zero; 2]; 2],
-            k0: [[zero; 2]; 2], k2: [[zero; 2]; 2],
+            m: Rows([[zero; 2]; 2]), c0: Rows([[zero; 2]; 2]), c1: Rows([[zero; 2]; 2]),
+            kc: Rows([[zero; 2]; 2]), k0: Rows([[zero; 2]; 2]), k2: Rows([[zero; 2]; 2]),
         };
         for position in 0..36 {
             let partial = <TwoPipesDerivatives>::PARTIALS[position];

@@ -7,7 +7,7 @@
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Scalar, SetInfo, WithDerivatives,
+    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -194,13 +194,13 @@ pub struct WhippleMechanism<T = f64> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WhippleMechanismMatrices<T = f64> {
     /// Mass matrix M, the coefficient of q''. Symmetric, proved.
-    pub m: [[T; 2]; 2],
+    pub m: Rows<T, 2>,
     /// Damping C1, a coefficient of v q'.
-    pub c1: [[T; 2]; 2],
+    pub c1: Rows<T, 2>,
     /// Stiffness K0, a coefficient of g q. Symmetric, proved.
-    pub k0: [[T; 2]; 2],
+    pub k0: Rows<T, 2>,
     /// Stiffness K2, a coefficient of v^2 q.
-    pub k2: [[T; 2]; 2],
+    pub k2: Rows<T, 2>,
 }
 
 impl<T: Number> WhippleMechanism<T> {
@@ -759,8 +759,14 @@ impl<T: Number> WhippleMechanismMatrices<T> {
     /// The rows of M, C0, C1, Kc, K0 and K2.
     #[inline(always)]
     fn rows(&self) -> [[[T; 2]; 2]; 6] {
-        let zeros = [[self.m[0][0].like(0.0); 2]; 2];
-        [self.m, zeros, self.c1, zeros, self.k0, self.k2]
+        let zeros = [[self.m.0[0][0].like(0.0); 2]; 2];
+        [self.m.0, zeros, self.c1.0, zeros, self.k0.0, self.k2.0]
+    }
+}
+
+impl<T: Scalar> core::convert::From<WhippleMechanismMatrices<T>> for Coefficients<T, 2> {
+    fn from(matrices: WhippleMechanismMatrices<T>) -> Self {
+        Self::from_rows(matrices.rows())
     }
 }
 
@@ -1016,7 +1022,8 @@ impl<T: Scalar> WhippleMechanismDerivatives<T> {
         }
         let zero = <T as Scalar>::from_f64(0.0);
         let mut matrices = WhippleMechanismMatrices {
-            m: [[zero; 2]; 2], c1: [[zero; 2]; 2], k0: [[zero; 2]; 2], k2: [[zero; 2]; 2],
+            m: Rows([[zero; 2]; 2]), c1: Rows([[zero; 2]; 2]), k0: Rows([[zero; 2]; 2]),
+            k2: Rows([[zero; 2]; 2]),
         };
         for position in 0..158 {
             let partial = <WhippleMechanismDerivatives>::PARTIALS[position];

@@ -164,7 +164,7 @@
 /// # What it makes
 /// - A struct `Name<T = f64>` with the parameters as public fields, for `f32` and `f64`; `Name::EXAMPLE` for each
 ///   parameter set; `from_array`, `to_array`, `cast`.
-/// - A struct `NameMatrices<T>` with the declared matrices as arrays of rows, and `Name::matrices`, which computes them
+/// - A struct `NameMatrices<T>` with the declared matrices as [`Rows`](crate::Rows), and `Name::matrices`, which computes them
 ///   in one straight-line function whose documentation states its operation counts.
 /// - [`Model<N>`](crate::Model) for `Name<T>`: names, units, domains, validation, conversion from and to slices, and the
 ///   matrices as [`Coefficients`](crate::Coefficients).

@@ -4,6 +4,7 @@ use core::fmt;
 
 use nalgebra::SMatrix;
 
+use super::rows::Rows;
 use crate::number::Scalar;
 
 /// A matrix of N x N numbers.
@@ -81,12 +82,12 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
 /// # Panics
 /// If the array ends before the matrix.
 #[inline(always)]
-pub fn rows<T: Copy, const N: usize, const ENTRIES: usize>(entries: &[T; ENTRIES], first: usize) -> [[T; N]; N] {
+pub fn rows<T: Copy, const N: usize, const ENTRIES: usize>(entries: &[T; ENTRIES], first: usize) -> Rows<T, N> {
     let mut rows = [[entries[first]; N]; N];
     for index in 0..N * N {
         rows[index / N][index % N] = entries[first + index];
     }
-    rows
+    Rows(rows)
 }
 
 /// One of the coefficient matrices.

@@ -3,6 +3,7 @@
 mod at_speed;
 mod coefficients;
 mod error;
+mod rows;
 mod state_space;
 
 pub use at_speed::System;
@@ -10,4 +11,5 @@ pub use at_speed::System;
 pub(crate) use at_speed::{require_finite, require_in_range, require_speed};
 pub use coefficients::{Coefficients, Matrix, MatrixName, rows};
 pub use error::SystemError;
+pub use rows::Rows;
 pub use state_space::StateSpace;

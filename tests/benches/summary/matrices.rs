@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::hint::black_box;
 
 use carvallo::batch::{Batch, Blocks};
-use carvallo::{Model, Scalar};
+use carvallo::{Model, Rows, Scalar};
 use carvallo_models::{Whipple, WhippleMatrices, WhippleMechanism, WhippleMechanismMatrices};
 use carvallo_tests::designs;
 use carvallo_tests::hand_written::{self, Float};
@@ -62,7 +62,7 @@ fn upright(number: u64) -> Whipple {
 
 /// All who compute one design after the other.
 fn one_by_one<'a, T: Float + Symplex>(task: Task<'a>, turns: &Turns, designs: &'a [Whipple<T>]) -> Task<'a> {
-    let zero = [[T::from_f64(0.0); 2]; 2];
+    let zero = Rows([[T::from_f64(0.0); 2]; 2]);
     let by =
         |each| turns.each(turns.portions(designs), WhippleMatrices { m: zero, c1: zero, k0: zero, k2: zero }, each);
     let mechanisms = turns.portions(designs).map(mechanisms);
@@ -188,7 +188,7 @@ fn copy<T: Scalar>(design: &Whipple<T>) -> WhippleMatrices<T> {
     for (written, read) in written.iter_mut().zip(&read[16..]) {
         *written = *written + *read;
     }
-    let matrix = |first: usize| [[written[first], written[first + 1]], [written[first + 2], written[first + 3]]];
+    let matrix = |first: usize| Rows([[written[first], written[first + 1]], [written[first + 2], written[first + 3]]]);
     WhippleMatrices { m: matrix(0), c1: matrix(4), k0: matrix(8), k2: matrix(12) }
 }
 

@@ -62,12 +62,12 @@ pub fn matrices(bicycle: &Whipple, upper: &UpperBody) -> Coefficients<f64, 3> {
     let rigid = hand_written::matrices(&with_rigid(bicycle, upper));
     let lean = [Ixx - m * a * z, mu * yaw, Ixx + m * a * a];
     Coefficients {
-        m: bordered(rigid.m, lean, true),
+        m: bordered(rigid.m.0, lean, true),
         c0: bordered([[0.0; 2]; 2], [0.0, 0.0, damping], false),
-        c1: bordered(rigid.c1, [0.0, turn * yaw + mu * m * a, 0.0], false),
+        c1: bordered(rigid.c1.0, [0.0, turn * yaw + mu * m * a, 0.0], false),
         kc: bordered([[0.0; 2]; 2], [0.0, 0.0, stiffness], false),
-        k0: bordered(rigid.k0, [-m * a, 0.0, -m * a], true),
-        k2: bordered(rigid.k2, [0.0, turn * m * a, 0.0], false),
+        k0: bordered(rigid.k0.0, [-m * a, 0.0, -m * a], true),
+        k2: bordered(rigid.k2.0, [0.0, turn * m * a, 0.0], false),
     }
 }
 

@@ -40,9 +40,9 @@ pub fn matrices(design: &Whipple, rhoR: f64, rhoF: f64) -> Coefficients<f64, 2> 
     let on_rear = mT - on_front;
     let sin = lam.sin();
 
-    let [[K11, K12], [K21, K22]] = edge.k0;
+    let [[K11, K12], [K21, K22]] = edge.k0.0;
     let rise = on_front * rhoF;
     let K0 = [[K11 + on_rear * rhoR + rise, K12 + rise * sin], [K21 + rise * sin, K22 + rise * sin * sin]];
     let zero = [[0.0; 2]; 2];
-    Coefficients::from_rows([edge.m, zero, edge.c1, zero, K0, edge.k2])
+    Coefficients::from_rows([edge.m.0, zero, edge.c1.0, zero, K0, edge.k2.0])
 }

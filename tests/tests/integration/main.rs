@@ -30,6 +30,7 @@ mod published;
 #[cfg(feature = "compiler")]
 mod regenerate;
 mod rounding;
+mod rows;
 mod sensitivity;
 mod stability;
 mod state_space;

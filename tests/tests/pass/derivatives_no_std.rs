@@ -24,7 +24,7 @@ carvallo::model! {
 fn main() {
     let at = Any { x: 4.0_f64, a: 0.0, n: 3.0, I: 1.0 };
     let (matrices, derivatives) = at.matrices_and_derivatives();
-    assert_eq!((matrices.m, matrices.kc), ([[192.0]], [[1.125]]));
+    assert_eq!((*matrices.m, *matrices.kc), ([[192.0]], [[1.125]]));
     // M = (sqrt(x) + x) tan(a) + n x^3 and Kc = n^2 x^(-3/2), by x, a and n.
     let by_hand = [
         (MatrixName::M, 0, 144.0),

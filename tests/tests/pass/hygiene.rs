@@ -66,7 +66,7 @@ mod called_like_a_type_parameter {
     }
 
     pub fn mass() -> [[f64; 1]; 1] {
-        T { t: 3.0 }.matrices().m
+        T { t: 3.0 }.matrices().m.0
     }
 }
 

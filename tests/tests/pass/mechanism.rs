@@ -48,7 +48,7 @@ carvallo::model! {
 
 fn main() {
     let matrices = Pendulum::BOB.matrices();
-    assert_eq!((matrices.m, matrices.k0), ([[12.0]], [[6.0]]));
+    assert_eq!((*matrices.m, *matrices.k0), ([[12.0]], [[6.0]]));
     let words = Words {
         mass: 1.0,
         radius: 0.3,

@@ -142,7 +142,7 @@ fn in_a_function() -> [[f64; 1]; 1] {
             set one { l = 1; }
         }
     }
-    Inside::ONE.matrices().m
+    Inside::ONE.matrices().m.0
 }
 
 macro_rules! declare {

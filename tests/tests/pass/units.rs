@@ -56,6 +56,6 @@ fn main() {
     let requirements: &[carvallo::RequirementInfo] = <Units as carvallo::Model<2>>::INFO.requirements;
     let required: Vec<_> = requirements.iter().map(|r| format!("{} [{}] {}", r.expression, r.unit, r.domain)).collect();
     assert_eq!(required, ["f [1/s] not 0", "m [kg] > 0.5", "l + b [m] > 0"]);
-    let [[m11, _], [_, m22]] = example.matrices().m;
+    let [[m11, _], [_, m22]] = *example.matrices().m;
     assert!((m11 - 3.0).abs() < 1e-15 && (m22 - 0.375 * core::f64::consts::FRAC_1_SQRT_2).abs() < 1e-16);
 }

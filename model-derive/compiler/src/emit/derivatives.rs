@@ -141,7 +141,7 @@ fn with_respect_to(model: &Model, names: &GeneratedNames, count: usize) -> Token
                 return ::core::option::Option::None;
             }
             let #zero = <#scalar as #runtime::Scalar>::from_f64(0.0);
-            let mut #matrices = #all { #(#fields: [[#zero; #n]; #n],)* };
+            let mut #matrices = #all { #(#fields: #runtime::Rows([[#zero; #n]; #n]),)* };
             for #position in 0..#count {
                 let #partial = <#derivatives>::PARTIALS[#position];
                 if #partial.parameter != #parameter {

@@ -44,7 +44,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
         #allow
         #derive
         #visibility struct #matrices<#scalar = ::core::primitive::f64> {
-            #(#field_docs pub #fields: [[#scalar; #size]; #size],)*
+            #(#field_docs pub #fields: #runtime::Rows<#scalar, #size>,)*
         }
 
         #allow
@@ -64,7 +64,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
 pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
     let GeneratedNames { runtime, matrices, scalar, .. } = names;
     let allow = names.allow();
-    let entries = names.variable("entries");
+    let [entries, all] = ["entries", "matrices"].map(|name| names.variable(name));
     let fields = fields(model);
     let n = model.coordinates.len();
     let count = Literal::usize_unsuffixed(fields.len() * n * n);
@@ -73,10 +73,10 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
     let zeros = names.variable("zeros");
     let rows = MatrixName::ALL.map(|matrix| {
         let field = field(matrix, model);
-        if fields.contains(&field) { quote!(self.#field) } else { quote!(#zeros) }
+        if fields.contains(&field) { quote!(self.#field.0) } else { quote!(#zeros) }
     });
     let zeros = (fields.len() < rows.len()).then(|| {
-        let zero = names.call("like", &quote!(self.m[0][0]), Some(&quote!(0.0)));
+        let zero = names.call("like", &quote!(self.m.0[0][0]), Some(&quote!(0.0)));
         quote!(let #zeros = [[#zero; #size]; #size];)
     });
     quote! {
@@ -93,6 +93,13 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
             fn rows(&self) -> [[[#scalar; #size]; #size]; 6] {
                 #zeros
                 [#(#rows),*]
+            }
+        }
+
+        #allow
+        impl<#scalar: #runtime::Scalar> ::core::convert::From<#matrices<#scalar>> for #runtime::Coefficients<#scalar, #size> {
+            fn from(#all: #matrices<#scalar>) -> Self {
+                Self::from_rows(#all.rows())
             }
         }
     }

@@ -4,7 +4,7 @@
 //! `mul_add`, which is a slow call of a function where the target has no such instruction. To write them anew:
 //! `cargo run --release --manifest-path tests/peers/symplex/Cargo.toml`.
 
-use carvallo::Scalar;
+use carvallo::{Rows, Scalar};
 use carvallo_models::{Whipple, WhippleMatrices};
 
 #[allow(non_snake_case, unused_parens)] // As it comes.
@@ -63,6 +63,6 @@ pub fn matrices<T: Symplex>(design: &Whipple<T>) -> WhippleMatrices<T> {
 
 #[inline(always)]
 fn rows<T: Scalar>(entries: &[T; 16]) -> WhippleMatrices<T> {
-    let matrix = |first: usize| [[entries[first], entries[first + 1]], [entries[first + 2], entries[first + 3]]];
+    let matrix = |first: usize| Rows([[entries[first], entries[first + 1]], [entries[first + 2], entries[first + 3]]]);
     WhippleMatrices { m: matrix(0), c1: matrix(4), k0: matrix(8), k2: matrix(12) }
 }
