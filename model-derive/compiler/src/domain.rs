@@ -1,5 +1,7 @@
 //! The values that a parameter, or a formula in several, may have.
 
+use crate::report::number;
+
 /// Finite values between two bounds, with or without zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {
@@ -49,13 +51,13 @@ impl std::fmt::Display for Domain {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let lower = match self.lower {
             Bound::Unbounded => None,
-            Bound::Open(bound) => Some(format!("> {bound}")),
-            Bound::Closed(bound) => Some(format!(">= {bound}")),
+            Bound::Open(bound) => Some(format!("> {}", number(bound))),
+            Bound::Closed(bound) => Some(format!(">= {}", number(bound))),
         };
         let upper = match self.upper {
             Bound::Unbounded => None,
-            Bound::Open(bound) => Some(format!("< {bound}")),
-            Bound::Closed(bound) => Some(format!("<= {bound}")),
+            Bound::Open(bound) => Some(format!("< {}", number(bound))),
+            Bound::Closed(bound) => Some(format!("<= {}", number(bound))),
         };
         match (lower, upper) {
             (None, None) if self.nonzero => return f.write_str("not 0"),

@@ -84,7 +84,12 @@ fn read_values(
             match parameter {
                 Some(index) if !domains[index].contains(&constant) => Err(crate::report::error(
                     written.region(),
-                    format!("`{name}` is {value} in the set `{}`: expected {}", set.name, domains[index].to_model()),
+                    format!(
+                        "`{name}` is {} in the set `{}`: expected {}",
+                        crate::report::number(value),
+                        set.name,
+                        domains[index].to_model()
+                    ),
                 )),
                 _ => Ok((value, constant)),
             }

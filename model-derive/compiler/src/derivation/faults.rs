@@ -79,12 +79,20 @@ impl Faulty<'_> {
                 (Region::from(name), message)
             }
             Fault::Undetermined(joints) => {
+                let is_sprung = |joint: &usize| match self.tree.joints[*joint].role {
+                    Role::Joint(index) => self.mechanism.joints[index].spring.is_some(),
+                    _ => false,
+                };
+                let hint = match joints.iter().any(is_sprung) {
+                    true => "; as a coordinate of its own a joint has its weight carried by its spring",
+                    false => "",
+                };
                 let expected = match joints.len() {
                     1 => "a coordinate for it, or a wheel that determines it",
                     _ => "coordinates for them, or wheels that determine them",
                 };
                 let message = format!(
-                    "more freedoms than coordinates: nothing determines {}; expected {expected}",
+                    "more freedoms than coordinates: nothing determines {}; expected {expected}{hint}",
                     self.list(joints)
                 );
                 (joints.first().map_or(self.model(), |joint| self.region(*joint)), message)
@@ -96,7 +104,8 @@ impl Faulty<'_> {
                     false => "which the loads of the wheels do not balance",
                 };
                 let message = format!(
-                    "the reference state is no steady motion: gravity makes the {kind} `{}` {of} {}, {balance}; expected 0",
+                    "the reference state is no steady motion: gravity makes the {kind} `{}` {of} {}, {balance}; expected \
+                     0",
                     self.times_gravity(force),
                     self.joint(*joint),
                 );
@@ -168,9 +177,10 @@ impl Faulty<'_> {
             ),
             _ => format!(
                 "too many constraints: as the wheel `{name}` {condition}, {} cannot move{}; expected independent \
-                 coordinates, or fewer wheels",
+                 coordinates, or fewer wheels{}",
                 self.list(joints),
                 if joints.len() == 1 { "" } else { " independently" },
+                self.leave_out(joints),
             ),
         };
         (Region::from(name), message)
@@ -179,6 +189,17 @@ impl Faulty<'_> {
     /// What is said of joints that move with another one, if there are any.
     fn moving_along(&self, joints: &[usize]) -> String {
         if joints.is_empty() { String::new() } else { format!(", with {} moving along,", self.list(joints)) }
+    }
+
+    /// What to say of motions of a free body among joints that a wheel holds.
+    fn leave_out(&self, joints: &[usize]) -> String {
+        let is_free = |joint: &&usize| matches!(self.tree.joints[**joint].role, Role::Freedom(_));
+        match (joints.iter().find(is_free), self.mechanism.free.first()) {
+            (Some(_), Some(free)) => {
+                format!("; leave out of `free {}` what the wheels determine", free.body)
+            }
+            _ => String::new(),
+        }
     }
 
     fn list(&self, joints: &[usize]) -> String {

@@ -9,7 +9,7 @@ use crate::derivation::Derived;
 use crate::equations::Equations;
 use crate::formula::{Formula, Names};
 use crate::matrix_name::MatrixName;
-use crate::report::{Region, Report};
+use crate::report::{Region, Report, number};
 use crate::symbolic::{self, Depth, Place, Proof};
 
 /// Two formulas that are claimed to be equal for all parameters.
@@ -113,7 +113,8 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
 fn describe_refuted(claim: &Claim, counterexample: &Counterexample, parameters: &[Ident]) -> String {
     let Counterexample { set, values, left, right } = counterexample;
     let [left, right] = set_apart(*left, *right);
-    let values: Vec<String> = values.iter().map(|(index, value)| format!("{} = {value}", parameters[*index])).collect();
+    let values: Vec<String> =
+        values.iter().map(|(index, value)| format!("{} = {}", parameters[*index], number(*value))).collect();
     let place = match (set, values.is_empty()) {
         (_, true) => String::new(),
         (Some(set), false) => format!(" in the set `{set}`, at {}", values.join(", ")),
@@ -154,9 +155,9 @@ fn describe_tried(tried: usize) -> String {
 fn set_apart(left: f64, right: f64) -> [String; 2] {
     let short = |value: f64, digits: usize| {
         let rounded = format!("{value:.digits$e}").parse().unwrap_or(value);
-        format!("{rounded}")
+        number(rounded)
     };
     let texts = [5, 9, 13].map(|digits| [left, right].map(|value| short(value, digits)));
     let different = texts.into_iter().find(|[left, right]| left != right);
-    different.unwrap_or_else(|| [left, right].map(|value| value.to_string()))
+    different.unwrap_or_else(|| [left, right].map(number))
 }

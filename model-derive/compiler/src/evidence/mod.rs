@@ -5,6 +5,7 @@ mod counterexample;
 mod definite;
 mod divisors;
 mod intervals;
+mod physical;
 mod published;
 mod ranges;
 mod samples;
@@ -18,6 +19,7 @@ use self::divisors::SourcedFormulas;
 use self::sourced::{Source, Sourced};
 use crate::check::{Checked, CheckedSet, Units};
 use crate::derivation::Derived;
+use crate::equations::Equations;
 use crate::formula::Formula;
 use crate::matrix_name::MatrixName;
 use crate::model::{Coordinate, Model, Parameter, ParameterSet, Requirement};
@@ -89,8 +91,12 @@ fn unit_text(unit: Option<&Unit>) -> String {
 fn prove(checked: &Checked<'_>, derived: &Derived, units: &Units, report: &mut Report) -> Vec<Requirement> {
     let declaration = checked.declaration;
     // Whatever is needed for a requirement to have a value comes before it.
-    let mut requirements = divisors::find_requirements(checked, derived, &gather(checked, derived), report);
+    let formulas = gather(checked, derived);
+    let mut requirements = divisors::find_requirements(checked, derived, &formulas, report);
     requirements.iter_mut().for_each(|requirement| requirement.unit = units.of(&requirement.value));
+    if let Some(mechanism) = &declaration.mechanism {
+        physical::check_physical(mechanism, &formulas.attributes, checked, derived, report);
+    }
     requirements.extend(checked.requirements.iter().cloned());
     let formulas_have_values = report.is_empty();
     let sets: Vec<&ParameterSet> = checked.sets.iter().map(|CheckedSet { set, .. }| set).collect();
@@ -161,6 +167,16 @@ fn claim_symmetry(checked: &Checked<'_>, Derived { matrices, entries, symmetric,
     claims
 }
 
+/// A derived formula as text, with what the names stand for that the derivation made.
+fn describe_derived(formula: &Formula, checked: &Checked<'_>, derived: &Derived) -> String {
+    let Derived { definitions, names, .. } = derived;
+    let needed = Equations::of_formulas(names.parameters.len(), definitions, vec![formula.clone()]).origins;
+    let made = needed.into_iter().filter(|index| *index >= checked.definitions.len()).rev();
+    let made =
+        made.map(|index| format!(", {} = {}", names.definitions[index], names.text_in_order(&definitions[index])));
+    format!("{}{}", names.text_in_order(formula), made.collect::<String>())
+}
+
 /// What the declaration claims: matrices that are symmetric, and assertions.
 fn claim(checked: &Checked<'_>, derived: &Derived) -> Vec<Claim> {
     let declaration = checked.declaration;
@@ -176,7 +192,8 @@ fn claim(checked: &Checked<'_>, derived: &Derived) -> Vec<Claim> {
                 let written = &matrix.rows[row].1[column];
                 // A matrix that the model does not have is zero.
                 let own = known.map_or_else(Formula::zero, |rows| rows[row][column].clone());
-                let name = format!("{}, row {}, column {}", matrix.name.name(), row + 1, column + 1);
+                let place = format!("{}, row {}, column {}", matrix.name.name(), row + 1, column + 1);
+                let name = format!("{place}, = {}", describe_derived(&own, checked, derived));
                 let sides = [(own, written.region), (entry.clone(), written.region)];
                 claims.push(Claim::asserted([name, written.to_string()], sides));
             }

@@ -2,7 +2,7 @@
 
 use crate::formula::Formula;
 use crate::model::{Origin, ParameterSet, Requirement};
-use crate::report::Report;
+use crate::report::{Report, number};
 
 /// Reports sets that do not fulfil a requirement; only for a declaration without mistakes.
 pub fn check_sets(sets: &[&ParameterSet], definitions: &[Formula], requirements: &[Requirement], report: &mut Report) {
@@ -20,7 +20,8 @@ pub fn check_sets(sets: &[&ParameterSet], definitions: &[Formula], requirements:
                     (_, true) => ", and a formula divides by it",
                     (_, false) => ", and a formula takes its root",
                 };
-                let message = format!("`{text}` is {value} in the set `{}`{why}: expected {domain}", set.name);
+                let message =
+                    format!("`{text}` is {} in the set `{}`{why}: expected {domain}", number(value), set.name);
                 report.error(&set.name, message);
             }
         }

@@ -8,7 +8,7 @@ use syn::parse::{ParseStream, Parser};
 use super::rust_syntax::{describe_expected, reject_rust_syntax, starts_rust_statement};
 use super::tokens::{expected, operator_at, parse_signed_integer};
 use super::units::parse_unit;
-use crate::formula::Decimal;
+use crate::formula::{Decimal, Function};
 use crate::report::{Region, error};
 use crate::syntax::tree::{Expression, Factor, Kind, Term};
 
@@ -104,7 +104,7 @@ fn parse_power(input: ParseStream<'_>, depth: usize) -> syn::Result<Expression> 
         let parentheses = syn::parenthesized!(content in input);
         let (exponent, _) = parse_signed_integer(&content)?;
         if !content.is_empty() {
-            return Err(expected(&content, "`)`: an exponent is one whole number"));
+            return Err(expected(&content, "`)`: an exponent is one whole number, and a root is written `sqrt(x)`"));
         }
         (exponent, Region::from(parentheses.span.close()))
     } else {
@@ -192,6 +192,11 @@ fn parse_name_or_call(input: ParseStream<'_>, depth: usize) -> syn::Result<Expre
     let argument = parse_sum(&content, depth + 1)?;
     reject_rust_syntax(&content)?;
     if !content.is_empty() {
+        if Function::from_name(&text).is_none() {
+            let known = Function::ALL.map(Function::name).join(", ");
+            let message = format!("`{text}` is no function of several arguments: expected one of {known}, each of one");
+            return Err(error(&ident, message));
+        }
         return Err(expected(&content, &format!("`)`: `{text}` takes one argument")));
     }
     Ok(Expression { kind: Kind::Call(ident, Box::new(argument)), region })

@@ -95,7 +95,10 @@ pub fn parse_free(input: ParseStream<'_>) -> syn::Result<Free> {
             let Some(freedom) = Freedom::from_word(&word.to_string()) else {
                 return Err(error(&word, format!("found `{word}`: expected {what}")));
             };
-            names.push((freedom, parse_name(input, "the name of the coordinate")?));
+            names.push((
+                freedom,
+                parse_name(input, "the name of the coordinate; what the wheels determine is left out")?,
+            ));
             if input.parse::<Option<Token![,]>>()?.is_none() {
                 break;
             }

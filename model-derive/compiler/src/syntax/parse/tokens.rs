@@ -103,7 +103,9 @@ pub fn parse_signed_integer(input: ParseStream<'_>) -> syn::Result<(i32, Region)
     let number = Decimal::from_literal(&literal).map_err(|message| error(literal.span(), message))?;
     let integer = number.to_integer().filter(|value| value.unsigned_abs() <= MAX_EXPONENT);
     let Some(value) = integer else {
-        return Err(error(region, format!("found `{literal}`: expected {what}, at most {MAX_EXPONENT}")));
+        // A power of ten below one is a fraction.
+        let root = if number.exponent < 0 { "; a root is written `sqrt(x)`" } else { "" };
+        return Err(error(region, format!("found `{literal}`: expected {what}, at most {MAX_EXPONENT}{root}")));
     };
     Ok((if minus.is_some() { -value } else { value }, region))
 }

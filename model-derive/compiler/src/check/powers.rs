@@ -1,0 +1,53 @@
+//! Powers of powers: what they would expand to has a bound.
+
+use std::collections::HashMap;
+
+use crate::report::Report;
+use crate::syntax::{Declaration, Expression, Kind};
+
+/// Powers inside powers may have no larger exponent together: expanded forms of them would take longer than anyone waits.
+const MAX_EXPONENT: u64 = 512;
+
+/// Reports powers inside powers, through definitions too, whose exponents together are too large; `order` has the
+/// definitions in an order in which each uses only earlier ones.
+pub fn check_powers(declaration: &Declaration, order: &[usize], report: &mut Report) {
+    let mut exponents: HashMap<String, u64> = HashMap::new();
+    for definition in order.iter().map(|index| &declaration.definitions[*index]) {
+        let exponent = find_exponent(&definition.value, &exponents, report);
+        exponents.insert(definition.name.to_string(), exponent);
+    }
+    let requirements = declaration.requirements.iter().map(|requirement| &requirement.value);
+    let assertions = declaration.assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
+    let matrices = declaration.matrices.iter().chain(&declaration.asserted);
+    let entries = matrices.flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
+    let attributes = declaration.mechanism.iter().flat_map(|mechanism| mechanism.formulas());
+    for formula in requirements.chain(assertions).chain(entries).chain(attributes) {
+        find_exponent(formula, &exponents, report);
+    }
+}
+
+/// The largest product of the exponents of powers inside each other; zero once one is refused.
+fn find_exponent(formula: &Expression, known: &HashMap<String, u64>, report: &mut Report) -> u64 {
+    let mut inner = |formula: &Expression| find_exponent(formula, known, report);
+    match &formula.kind {
+        Kind::Number(_) | Kind::Quantity(..) => 1,
+        Kind::Name(name) => known.get(&name.to_string()).copied().unwrap_or(1),
+        Kind::Sum(terms) => terms.iter().map(|term| inner(&term.value)).max().unwrap_or(1),
+        Kind::Product(factors) => factors.iter().map(|factor| inner(&factor.value)).max().unwrap_or(1),
+        Kind::Call(_, argument) => inner(argument),
+        Kind::Power(base, exponent) => {
+            let before = inner(base);
+            let own = u64::from(exponent.unsigned_abs()).max(1);
+            let together = before * own;
+            if before > 1 && together > MAX_EXPONENT {
+                let message = format!(
+                    "the exponents of powers inside each other are {together} together here: expected at most \
+                     {MAX_EXPONENT}"
+                );
+                report.error(formula.region, message);
+                return 0;
+            }
+            together
+        }
+    }
+}

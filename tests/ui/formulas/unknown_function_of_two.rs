@@ -1,0 +1,19 @@
+carvallo::model! {
+    pub model Pendulum {
+        parameters {
+            a: m, > 0;
+            b: m, > 0;
+            m: kg, > 0;
+        }
+
+        let p = atan2(a, b);
+
+        coordinates {
+            theta: rad;
+        }
+
+        M = [[p*m*a^2]];
+    }
+}
+
+fn main() {}
