@@ -155,7 +155,8 @@ fn write<S: Simd>(
     let exact = are_exact.to_bitmask();
     for (lane, eigenvalues) in eigenvalues.iter_mut().enumerate() {
         *eigenvalues = if exact >> lane & 1 != 0 {
-            Ok(core::array::from_fn(|i| Complex::new(four.re[i].lane(lane), four.im[i].lane(lane))))
+            let at = |i: usize| Complex::new(four.re[i].lane(lane), four.im[i].lane(lane));
+            Ok([at(0), at(1), at(2), at(3)])
         } else {
             scalar(lane)
         };

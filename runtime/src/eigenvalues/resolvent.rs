@@ -232,9 +232,13 @@ fn twice_cosine_of_third<T: Lane>(x: T) -> T {
     ];
     let t = (x + x) - x.like(1.0);
     // In pairs, pairs of pairs and so on: the additions do not wait for each other.
-    let (t2, coefficient) = (t * t, |i: usize| x.like(COEFFICIENTS[i]));
-    let (t4, pair) = (t2 * t2, |i: usize| coefficient(i) + coefficient(i + 1) * t);
-    let (t8, four) = (t4 * t4, |i: usize| pair(i) + pair(i + 2) * t2);
-    let eight = |i: usize| four(i) + four(i + 4) * t4;
-    eight(0) + eight(8) * t8
+    let coefficient = |i: usize| x.like(COEFFICIENTS[i]);
+    let t2 = t * t;
+    let (t4, t8) = (t2 * t2, t2 * t2 * (t2 * t2));
+    let mut sums = [x.like(0.0); 8];
+    for (i, sum) in sums.iter_mut().enumerate() {
+        *sum = coefficient(2 * i) + coefficient(2 * i + 1) * t;
+    }
+    let [a, b, c, d, e, f, g, h] = sums;
+    (a + b * t2 + (c + d * t2) * t4) + (e + f * t2 + (g + h * t2) * t4) * t8
 }

@@ -98,10 +98,12 @@ impl Algebra for Units {
         &self,
         factors: impl Values<Factor<Option<Dimension>>, Infallible>,
     ) -> Result<Option<Dimension>, Infallible> {
-        let mut factors = factors.map(|Ok(factor)| factor);
-        Ok(factors.try_fold(Dimension::NUMBER, |product, Factor { inverse, value }| {
-            product.times(if inverse { value?.power(-1)? } else { value? })
-        }))
+        let mut dimension = Some(Dimension::NUMBER);
+        for Ok(Factor { inverse, value }) in factors {
+            let value = if inverse { value.and_then(|value| value.power(-1)) } else { value };
+            dimension = dimension.zip(value).and_then(|(product, value)| product.times(value));
+        }
+        Ok(dimension)
     }
 
     fn power(&self, base: Option<Dimension>, exponent: i32) -> Result<Option<Dimension>, Infallible> {
