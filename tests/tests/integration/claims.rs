@@ -243,8 +243,8 @@ fn validation_refuses_what_has_no_value() {
     let lever = Lever::LEVEL;
     assert_eq!(lever.validate(), Ok(()));
     assert_eq!(lever.matrices().kc, [[-3.0, 0.0], [-1.0 / 3.0, -3.0 / f64::sin(0.5)]]);
-    assert_eq!(error(Lever { b: 2.0, ..lever }), "Lever: `a - b` is 0; it must not be 0");
-    assert_eq!(error(Lever { b: 0.5, ..lever }), "Lever: `b - a/2` is -0.5; it must be >= 0");
+    assert_eq!(error(Lever { b: 2.0, ..lever }), "Lever: `a - b` is 0 m; it must not be 0");
+    assert_eq!(error(Lever { b: 0.5, ..lever }), "Lever: `b - a/2` is -0.5 m; it must be >= 0");
     assert_eq!(error(Lever { k: 0.0, ..lever }), "Lever: `k` is 0 N/m; it must not be 0");
     assert_eq!(error(Lever { k: f64::INFINITY, ..lever }), "Lever: `k` is inf N/m; it must be finite and not 0");
     assert_eq!(error(Lever { turn: 0.0, ..lever }), "Lever: `turn` is 0 rad; it must be >= -1 and <= 1 and not 0");

@@ -94,7 +94,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     let definitions = order.declared.iter().map(formula).map(|f| resolve::resolve(f, &mut scope, report)).collect();
     // Of definitions in a cycle the first mistake is the cycle.
     let ordered = if order.is_cyclic { &[] } else { &order.declared[..] };
-    powers::check_powers(declaration, ordered, report);
+    powers::check_powers(declaration, report);
     let units::Found { definitions: defined, requirements: required } =
         units::check(declaration, &dimensions, &scope, ordered, report);
     // Mistakes so far keep a mechanism from being derived; those behind it do not concern it.

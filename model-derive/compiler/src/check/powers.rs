@@ -1,37 +1,30 @@
 //! Powers of powers: what they would expand to has a bound.
 
-use std::collections::HashMap;
-
 use crate::report::Report;
 use crate::syntax::{Declaration, Expression, Kind};
 
 /// Powers inside powers may have no larger exponent together: expanded forms of them would take longer than anyone waits.
 const MAX_EXPONENT: u64 = 512;
 
-/// Reports powers inside powers, through definitions too, whose exponents together are too large; `order` has the
-/// definitions in an order in which each uses only earlier ones.
-pub fn check_powers(declaration: &Declaration, order: &[usize], report: &mut Report) {
-    let mut exponents: HashMap<String, u64> = HashMap::new();
-    for definition in order.iter().map(|index| &declaration.definitions[*index]) {
-        let exponent = find_exponent(&definition.value, &exponents, report);
-        exponents.insert(definition.name.to_string(), exponent);
-    }
+/// Reports powers inside powers whose exponents together are too large. Definitions are no powers here: they are names to
+/// what follows, and what is written of them in others' places has bounds of its own.
+pub fn check_powers(declaration: &Declaration, report: &mut Report) {
+    let definitions = declaration.definitions.iter().map(|definition| &definition.value);
     let requirements = declaration.requirements.iter().map(|requirement| &requirement.value);
     let assertions = declaration.assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
     let matrices = declaration.matrices.iter().chain(&declaration.asserted);
     let entries = matrices.flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
-    let attributes = declaration.mechanism.iter().flat_map(|mechanism| mechanism.formulas());
-    for formula in requirements.chain(assertions).chain(entries).chain(attributes) {
-        find_exponent(formula, &exponents, report);
+    let attributes = declaration.attributes();
+    for formula in definitions.chain(requirements).chain(assertions).chain(entries).chain(attributes) {
+        find_exponent(formula, report);
     }
 }
 
 /// The largest product of the exponents of powers inside each other; zero once one is refused.
-fn find_exponent(formula: &Expression, known: &HashMap<String, u64>, report: &mut Report) -> u64 {
-    let mut inner = |formula: &Expression| find_exponent(formula, known, report);
+fn find_exponent(formula: &Expression, report: &mut Report) -> u64 {
+    let mut inner = |formula: &Expression| find_exponent(formula, report);
     match &formula.kind {
-        Kind::Number(_) | Kind::Quantity(..) => 1,
-        Kind::Name(name) => known.get(&name.to_string()).copied().unwrap_or(1),
+        Kind::Number(_) | Kind::Quantity(..) | Kind::Name(_) => 1,
         Kind::Sum(terms) => terms.iter().map(|term| inner(&term.value)).max().unwrap_or(1),
         Kind::Product(factors) => factors.iter().map(|factor| inner(&factor.value)).max().unwrap_or(1),
         Kind::Call(_, argument) => inner(argument),
