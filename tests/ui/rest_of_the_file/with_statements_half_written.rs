@@ -13,6 +13,6 @@ carvallo::model! {
 
 fn main() {
     let rod = Rod { l: 2.0_f32, mass: 3.0 };
-    let m: [[f32; 2]; 2] = rod.matrices().m;
+    let m: [[f32; 2]; 2] = rod.matrices().m.0;
     println!("{m:?} {:?} {:?}", Rod::SHORT, <Rod as carvallo::Model<2>>::INFO);
 }
