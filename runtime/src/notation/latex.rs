@@ -7,6 +7,7 @@ pub struct Latex;
 impl Markup for Latex {
     const TIMES: &'static str = " \\cdot ";
     const BETWEEN: &'static str = "\\,";
+    const DERIVATIVES: [&'static str; 3] = ["\\ddot{q}", "\\dot{q}", "q"];
 
     fn fraction(&self, above: &str, below: &str) -> String {
         format!("\\frac{{{above}}}{{{below}}}")
@@ -54,6 +55,22 @@ impl Markup for Latex {
     fn unit(&self, unit: &str) -> String {
         let unit: String = unit.chars().map(|c| if c == '*' { "\\,".into() } else { c.to_string() }).collect();
         format!("\\mathrm{{{}}}", exponents(&unit))
+    }
+
+    fn head(&self, model: &str, equation: &str, coordinates: &str) -> String {
+        format!(
+            "% The equations of motion of {model}. Needs \\usepackage{{amsmath}}.\n\\begin{{gather*}}\n  {equation}, \
+             \\quad q = ({coordinates})\n\\end{{gather*}}\n"
+        )
+    }
+
+    fn row(&self, of: &str, lines: &[String], unit: Option<&str>) -> String {
+        let unit = unit.map(|unit| format!(" &\\quad& [{unit}]")).unwrap_or_default();
+        format!("  {of} &= {}{unit}", lines.join(" \\\\\n  &\\quad {} "))
+    }
+
+    fn block(&self, rows: &[String]) -> String {
+        format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", rows.join(" \\\\\n"))
     }
 }
 

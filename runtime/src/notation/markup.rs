@@ -9,6 +9,8 @@ pub trait Markup {
     const TIMES: &'static str;
     /// Between two indices.
     const BETWEEN: &'static str;
+    /// q'', q' and q.
+    const DERIVATIVES: [&'static str; 3];
 
     fn fraction(&self, above: &str, below: &str) -> String;
     fn index(&self, base: &str, index: &str) -> String;
@@ -22,6 +24,12 @@ pub trait Markup {
     fn word(&self, word: &str) -> String;
     fn number(&self, number: &str) -> String;
     fn unit(&self, unit: &str) -> String;
+    /// The equation of motion of a model, with its coordinates, and before it what the rest needs.
+    fn head(&self, model: &str, equation: &str, coordinates: &str) -> String;
+    /// What an equation is of, its lines, and its unit.
+    fn row(&self, of: &str, lines: &[String], unit: Option<&str>) -> String;
+    /// Equations below each other.
+    fn block(&self, rows: &[String]) -> String;
 }
 
 /// Writes formulas in a language; `symbol` has the symbols of parameters that have others than their names.

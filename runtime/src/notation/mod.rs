@@ -36,8 +36,8 @@ impl ModelInfo {
     pub fn equations(&self, notation: Notation) -> String {
         match notation {
             Notation::Text => write_text(self),
-            Notation::Latex => write_latex(self),
-            Notation::Typst => write_typst(self),
+            Notation::Latex => typeset(self, Latex),
+            Notation::Typst => typeset(self, Typst),
         }
     }
 }
@@ -65,8 +65,12 @@ fn equation(terms: &[Vec<String>; 3], derivatives: [&str; 3]) -> String {
     format!("{} = f", sums.collect::<Vec<String>>().join(" + "))
 }
 
+/// A factor before what it multiplies.
+fn spaced(factor: &str) -> String {
+    if factor.is_empty() { String::new() } else { format!("{factor} ") }
+}
+
 fn write_text(info: &ModelInfo) -> String {
-    let spaced = |factor: &str| if factor.is_empty() { String::new() } else { format!("{factor} ") };
     let terms = terms(info, |factor, name| format!("{}{name}", spaced(factor)));
     let coordinates: Vec<&str> = info.coordinates.iter().map(|coordinate| coordinate.name).collect();
     let mut text = equation(&terms, ["q''", "q'", "q"]);
@@ -123,56 +127,23 @@ fn symbols(info: &ModelInfo) -> impl Fn(&str) -> Option<&'static str> {
     move |name| parameters.iter().find(|parameter| parameter.name == name).map(|parameter| parameter.symbol)
 }
 
-fn write_latex(info: &ModelInfo) -> String {
+/// The equations for a typesetter: the equation of motion, the definitions, and the entries.
+fn typeset<M: Markup>(info: &ModelInfo, markup: M) -> String {
     let symbol = symbols(info);
-    let writer = Writer { markup: Latex, symbol: &symbol };
+    let writer = Writer { markup, symbol: &symbol };
     let matrix = |name: MatrixName| match name.name().split_at(1) {
         (letter, "") => letter.to_owned(),
         (letter, number) => format!("{letter}_{number}"),
     };
-    let spaced = |factor: &str| if factor.is_empty() { String::new() } else { format!("{factor} ") };
     let terms = terms(info, |factor, name| format!("{}{}", spaced(factor), matrix(name)));
     let coordinates: Vec<String> = info.coordinates.iter().map(|coordinate| writer.name(coordinate.name)).collect();
-    let mut text = format!(
-        "% The equations of motion of {}. Needs \\usepackage{{amsmath}}.\n\\begin{{gather*}}\n  {}, \\quad q = ({})\n\\end{{gather*}}\n",
-        info.name,
-        equation(&terms, ["\\ddot{q}", "\\dot{q}", "q"]),
-        coordinates.join(", "),
-    );
+    let mut text = writer.markup.head(info.name, &equation(&terms, M::DERIVATIVES), &coordinates.join(", "));
     for part in parts(info).into_iter().filter(|part| !part.is_empty()) {
-        let rows = equations(info, part, &writer).into_iter().map(|Equation { of, lines, unit }| {
-            let unit = unit.map(|unit| format!(" &\\quad& [{unit}]")).unwrap_or_default();
-            format!("  {} &= {}{unit}", of.join(" = "), lines.join(" \\\\\n  &\\quad {} "))
-        });
-        let rows: Vec<String> = rows.collect();
-        text.push_str(&format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", rows.join(" \\\\\n")));
-    }
-    text
-}
-
-fn write_typst(info: &ModelInfo) -> String {
-    let symbol = symbols(info);
-    let writer = Writer { markup: Typst, symbol: &symbol };
-    let matrix = |name: MatrixName| match name.name().split_at(1) {
-        (letter, "") => letter.to_owned(),
-        (letter, number) => format!("{letter}_{number}"),
-    };
-    let spaced = |factor: &str| if factor.is_empty() { String::new() } else { format!("{factor} ") };
-    let terms = terms(info, |factor, name| format!("{}{}", spaced(factor), matrix(name)));
-    let coordinates: Vec<String> = info.coordinates.iter().map(|coordinate| writer.name(coordinate.name)).collect();
-    let mut text = format!(
-        "// The equations of motion of {}.\n#show math.equation: set block(breakable: true)\n$ {}, quad q = ({}) $\n",
-        info.name,
-        equation(&terms, ["dot.double(q)", "dot(q)", "q"]),
-        coordinates.join(", "),
-    );
-    for part in parts(info).into_iter().filter(|part| !part.is_empty()) {
-        let rows = equations(info, part, &writer).into_iter().map(|Equation { of, lines, unit }| {
-            let unit = unit.map(|unit| format!(" & quad & [{unit}]")).unwrap_or_default();
-            format!("  {} & = {}{unit}", of.join(" = "), lines.join(" \\\n  & quad \"\" "))
-        });
-        let rows: Vec<String> = rows.collect();
-        text.push_str(&format!("$\n{}\n$\n", rows.join(" \\\n")));
+        let rows = equations(info, part, &writer).into_iter();
+        let rows: Vec<String> = rows
+            .map(|Equation { of, lines, unit }| writer.markup.row(&of.join(" = "), &lines, unit.as_deref()))
+            .collect();
+        text.push_str(&writer.markup.block(&rows));
     }
     text
 }

@@ -7,6 +7,7 @@ pub struct Typst;
 impl Markup for Typst {
     const TIMES: &'static str = " dot ";
     const BETWEEN: &'static str = " thin ";
+    const DERIVATIVES: [&'static str; 3] = ["dot.double(q)", "dot(q)", "q"];
 
     fn fraction(&self, above: &str, below: &str) -> String {
         format!("frac({above}, {below})")
@@ -66,6 +67,22 @@ impl Markup for Typst {
             rest = behind;
         }
         text
+    }
+
+    fn head(&self, model: &str, equation: &str, coordinates: &str) -> String {
+        format!(
+            "// The equations of motion of {model}.\n#show math.equation: set block(breakable: true)\n$ {equation}, \
+             quad q = ({coordinates}) $\n"
+        )
+    }
+
+    fn row(&self, of: &str, lines: &[String], unit: Option<&str>) -> String {
+        let unit = unit.map(|unit| format!(" & quad & [{unit}]")).unwrap_or_default();
+        format!("  {of} & = {}{unit}", lines.join(" \\\n  & quad \"\" "))
+    }
+
+    fn block(&self, rows: &[String]) -> String {
+        format!("$\n{}\n$\n", rows.join(" \\\n"))
     }
 }
 

@@ -6,8 +6,8 @@ use crate::syntax::{Declaration, Expression, Kind};
 /// Powers inside powers may have no larger exponent together: expanded forms of them would take longer than anyone waits.
 const MAX_EXPONENT: u64 = 512;
 
-/// Reports powers inside powers whose exponents together are too large. Definitions are no powers here: they are names to
-/// what follows, and what is written of them in others' places has bounds of its own.
+/// Reports powers inside powers whose exponents together are too large. Definitions count as names: what is written of them
+/// in the places of others is bounded by the search of programs, and three powers of 64 through them take seconds.
 pub fn check_powers(declaration: &Declaration, report: &mut Report) {
     let definitions = declaration.definitions.iter().map(|definition| &definition.value);
     let requirements = declaration.requirements.iter().map(|requirement| &requirement.value);
