@@ -4,7 +4,7 @@
 //! A model gives the coefficient matrices of the linearized equations of motion about straight running,
 //!
 //! ```text
-//! M q'' + (C0 + v C1) q' + (Kc + g K0 + v^2 K2) q = f
+//! M q'' + (C-1/v + C0 + v C1) q' + (Kc + g K0 + v K1 + v^2 K2) q = f
 //! ```
 //!
 //! with the forward speed v in m/s and the gravitational field strength g in N/kg taken out (Meijaard, Papadopoulos,

@@ -62,12 +62,14 @@ const DOMAINS: [(&str, [f64; 2]); 6] = [
 ];
 
 /// The matrices, with a factor that gives pure numbers the unit of their entries where coordinates are lengths.
-const MATRICES: [(&str, &str); 6] = [
+const MATRICES: [(&str, &str); 8] = [
     ("M", "1 [kg]"),
+    ("C-1", "1 [kg*m/s^2]"),
     ("C0", "1 [kg/s]"),
     ("C1", "1 [kg/m]"),
     ("Kc", "1 [kg/s^2]"),
     ("K0", "1 [kg/m]"),
+    ("K1", "1 [kg/(m*s)]"),
     ("K2", "1 [kg/m^2]"),
 ];
 

@@ -13,7 +13,7 @@ pub fn characteristic<R: Number>(system: &System<2>) -> [R; 5] {
 
 /// The same of a bicycle at a speed, with its coefficients, the gravity and the speed taken to be exact.
 pub fn characteristic_at(coefficients: &Coefficients<f64, 2>, gravity: f64, speed: Real) -> [Real; 5] {
-    let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+    let Coefficients { m, c0, c1, kc, k0, k2, .. } = coefficients;
     determinant(|row, column| {
         let [m, c0, c1, kc, k0, k2] = [m, c0, c1, kc, k0, k2].map(|matrix| Real::from(matrix[(row, column)]));
         [m, c0 + speed * c1, kc + Real::from(gravity) * k0 + speed * speed * k2]

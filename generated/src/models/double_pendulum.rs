@@ -254,11 +254,11 @@ impl<T: Number> DoublePendulumMatrices<T> {
         }
     }
 
-    /// The rows of M, C0, C1, Kc, K0 and K2.
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+    fn rows(&self) -> [[[T; 2]; 2]; 8] {
         let zeros = [[self.m.0[0][0].like(0.0); 2]; 2];
-        [self.m.0, zeros, zeros, zeros, self.k0.0, zeros]
+        [self.m.0, zeros, zeros, zeros, zeros, self.k0.0, zeros, zeros]
     }
 }
 
@@ -413,7 +413,7 @@ impl<T: Number> Evaluator<T, 2> for DoublePendulum<T> {
     }
 
     #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+    fn rows(&self) -> [[[T; 2]; 2]; 8] {
         DoublePendulumMatrices::rows(&self.matrices())
     }
 }
@@ -455,7 +455,7 @@ impl<T: Scalar> Differentiable<2> for DoublePendulum<T> {
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
-        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 6]); 8];
+        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 8]); 8];
         for position in 0..29 {
             Partial::write(&<DoublePendulumDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }

@@ -165,11 +165,11 @@ impl<T: Number> PendulumMatrices<T> {
         }
     }
 
-    /// The rows of M, C0, C1, Kc, K0 and K2.
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
-    fn rows(&self) -> [[[T; 1]; 1]; 6] {
+    fn rows(&self) -> [[[T; 1]; 1]; 8] {
         let zeros = [[self.m.0[0][0].like(0.0); 1]; 1];
-        [self.m.0, self.c0.0, zeros, zeros, self.k0.0, zeros]
+        [self.m.0, zeros, self.c0.0, zeros, zeros, self.k0.0, zeros, zeros]
     }
 }
 
@@ -286,7 +286,7 @@ impl<T: Number> Evaluator<T, 1> for Pendulum<T> {
     }
 
     #[inline(always)]
-    fn rows(&self) -> [[[T; 1]; 1]; 6] {
+    fn rows(&self) -> [[[T; 1]; 1]; 8] {
         PendulumMatrices::rows(&self.matrices())
     }
 }
@@ -330,7 +330,7 @@ impl<T: Scalar> Differentiable<1> for Pendulum<T> {
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 1>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
-        let mut all = [Coefficients::from_rows([[[zero; 1]; 1]; 6]); 4];
+        let mut all = [Coefficients::from_rows([[[zero; 1]; 1]; 8]); 4];
         for position in 0..5 {
             Partial::write(&<PendulumDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }

@@ -400,11 +400,11 @@ impl<T: Number> SkateboardMatrices<T> {
         }
     }
 
-    /// The rows of M, C0, C1, Kc, K0 and K2.
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
-    fn rows(&self) -> [[[T; 1]; 1]; 6] {
+    fn rows(&self) -> [[[T; 1]; 1]; 8] {
         let zeros = [[self.m.0[0][0].like(0.0); 1]; 1];
-        [self.m.0, zeros, self.c1.0, self.kc.0, self.k0.0, self.k2.0]
+        [self.m.0, zeros, zeros, self.c1.0, self.kc.0, self.k0.0, zeros, self.k2.0]
     }
 }
 
@@ -587,7 +587,7 @@ impl<T: Number> Evaluator<T, 1> for Skateboard<T> {
     }
 
     #[inline(always)]
-    fn rows(&self) -> [[[T; 1]; 1]; 6] {
+    fn rows(&self) -> [[[T; 1]; 1]; 8] {
         SkateboardMatrices::rows(&self.matrices())
     }
 }
@@ -632,7 +632,7 @@ impl<T: Scalar> Differentiable<1> for Skateboard<T> {
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 1>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
-        let mut all = [Coefficients::from_rows([[[zero; 1]; 1]; 6]); 15];
+        let mut all = [Coefficients::from_rows([[[zero; 1]; 1]; 8]); 15];
         for position in 0..21 {
             Partial::write(&<SkateboardDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }

@@ -276,10 +276,11 @@ impl<T: Number> ThreePipesMatrices<T> {
         }
     }
 
-    /// The rows of M, C0, C1, Kc, K0 and K2.
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
-    fn rows(&self) -> [[[T; 3]; 3]; 6] {
-        [self.m.0, self.c0.0, self.c1.0, self.kc.0, self.k0.0, self.k2.0]
+    fn rows(&self) -> [[[T; 3]; 3]; 8] {
+        let zeros = [[self.m.0[0][0].like(0.0); 3]; 3];
+        [self.m.0, zeros, self.c0.0, self.c1.0, self.kc.0, self.k0.0, zeros, self.k2.0]
     }
 }
 
@@ -496,7 +497,7 @@ impl<T: Number> Evaluator<T, 3> for ThreePipes<T> {
     }
 
     #[inline(always)]
-    fn rows(&self) -> [[[T; 3]; 3]; 6] {
+    fn rows(&self) -> [[[T; 3]; 3]; 8] {
         ThreePipesMatrices::rows(&self.matrices())
     }
 }
@@ -528,6 +529,7 @@ impl<T: Scalar> ThreePipesDerivatives<T> {
                 MatrixName::Kc => &mut matrices.kc,
                 MatrixName::K0 => &mut matrices.k0,
                 MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
             };
             matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
         }
@@ -541,7 +543,7 @@ impl<T: Scalar> Differentiable<3> for ThreePipes<T> {
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 3>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
-        let mut all = [Coefficients::from_rows([[[zero; 3]; 3]; 6]); 6];
+        let mut all = [Coefficients::from_rows([[[zero; 3]; 3]; 8]); 6];
         for position in 0..70 {
             Partial::write(&<ThreePipesDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }

@@ -894,10 +894,11 @@ impl<T: Number> WhippleLeaningMatrices<T> {
         }
     }
 
-    /// The rows of M, C0, C1, Kc, K0 and K2.
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
-    fn rows(&self) -> [[[T; 3]; 3]; 6] {
-        [self.m.0, self.c0.0, self.c1.0, self.kc.0, self.k0.0, self.k2.0]
+    fn rows(&self) -> [[[T; 3]; 3]; 8] {
+        let zeros = [[self.m.0[0][0].like(0.0); 3]; 3];
+        [self.m.0, zeros, self.c0.0, self.c1.0, self.kc.0, self.k0.0, zeros, self.k2.0]
     }
 }
 
@@ -1208,7 +1209,7 @@ impl<T: Number> Evaluator<T, 3> for WhippleLeaning<T> {
     }
 
     #[inline(always)]
-    fn rows(&self) -> [[[T; 3]; 3]; 6] {
+    fn rows(&self) -> [[[T; 3]; 3]; 8] {
         WhippleLeaningMatrices::rows(&self.matrices())
     }
 }
@@ -1240,6 +1241,7 @@ impl<T: Scalar> WhippleLeaningDerivatives<T> {
                 MatrixName::Kc => &mut matrices.kc,
                 MatrixName::K0 => &mut matrices.k0,
                 MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
             };
             matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
         }
@@ -1253,7 +1255,7 @@ impl<T: Scalar> Differentiable<3> for WhippleLeaning<T> {
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 3>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
-        let mut all = [Coefficients::from_rows([[[zero; 3]; 3]; 6]); 36];
+        let mut all = [Coefficients::from_rows([[[zero; 3]; 3]; 8]); 36];
         for position in 0..243 {
             Partial::write(&<WhippleLeaningDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }

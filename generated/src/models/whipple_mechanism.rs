@@ -756,11 +756,11 @@ impl<T: Number> WhippleMechanismMatrices<T> {
         }
     }
 
-    /// The rows of M, C0, C1, Kc, K0 and K2.
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+    fn rows(&self) -> [[[T; 2]; 2]; 8] {
         let zeros = [[self.m.0[0][0].like(0.0); 2]; 2];
-        [self.m.0, zeros, self.c1.0, zeros, self.k0.0, self.k2.0]
+        [self.m.0, zeros, zeros, self.c1.0, zeros, self.k0.0, zeros, self.k2.0]
     }
 }
 
@@ -1005,7 +1005,7 @@ impl<T: Number> Evaluator<T, 2> for WhippleMechanism<T> {
     }
 
     #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+    fn rows(&self) -> [[[T; 2]; 2]; 8] {
         WhippleMechanismMatrices::rows(&self.matrices())
     }
 }
@@ -1049,7 +1049,7 @@ impl<T: Scalar> Differentiable<2> for WhippleMechanism<T> {
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
-        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 6]); 26];
+        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 8]); 26];
         for position in 0..158 {
             Partial::write(&<WhippleMechanismDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }

@@ -763,10 +763,11 @@ impl<T: Number> WhippleSprungMatrices<T> {
         }
     }
 
-    /// The rows of M, C0, C1, Kc, K0 and K2.
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
     #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
-        [self.m.0, self.c0.0, self.c1.0, self.kc.0, self.k0.0, self.k2.0]
+    fn rows(&self) -> [[[T; 2]; 2]; 8] {
+        let zeros = [[self.m.0[0][0].like(0.0); 2]; 2];
+        [self.m.0, zeros, self.c0.0, self.c1.0, self.kc.0, self.k0.0, zeros, self.k2.0]
     }
 }
 
@@ -1024,7 +1025,7 @@ impl<T: Number> Evaluator<T, 2> for WhippleSprung<T> {
     }
 
     #[inline(always)]
-    fn rows(&self) -> [[[T; 2]; 2]; 6] {
+    fn rows(&self) -> [[[T; 2]; 2]; 8] {
         WhippleSprungMatrices::rows(&self.matrices())
     }
 }
@@ -1056,6 +1057,7 @@ impl<T: Scalar> WhippleSprungDerivatives<T> {
                 MatrixName::Kc => &mut matrices.kc,
                 MatrixName::K0 => &mut matrices.k0,
                 MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
             };
             matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
         }
@@ -1069,7 +1071,7 @@ impl<T: Scalar> Differentiable<2> for WhippleSprung<T> {
     fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
         let (matrices, derivatives) = self.matrices_and_derivatives();
         let zero = <T as Scalar>::from_f64(0.0);
-        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 6]); 28];
+        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 8]); 28];
         for position in 0..160 {
             Partial::write(&<WhippleSprungDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
         }

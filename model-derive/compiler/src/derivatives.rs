@@ -78,7 +78,7 @@ pub fn entry_names(model: &Model) -> Vec<String> {
     let size = model.coordinates.len();
     let places = (1..=size).flat_map(|row| (1..=size).map(move |column| (row, column)));
     let matrices = model.matrices.iter();
-    let name = |(matrix, _): &(MatrixName, _), (row, column)| format!("{}_{row}{column}", matrix.name());
+    let name = |(matrix, _): &(MatrixName, _), (row, column)| format!("{}_{row}{column}", matrix.identifier());
     matrices.flat_map(|matrix| places.clone().map(move |place| name(matrix, place))).collect()
 }
 

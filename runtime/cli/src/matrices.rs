@@ -32,14 +32,14 @@ const GENERAL_INFO: ModelInfo = ModelInfo {
     name: "AllMatrices",
     docs: "Two coordinates, by the entries of their matrices.",
     source: "",
-    parameters: &entries::<25>(&MatrixName::ALL),
+    parameters: &entries::<33>(&MatrixName::ALL),
     coordinates: &[coordinate("q1"), coordinate("q2")],
     matrices: &MatrixName::ALL,
     entries: &[],
     sets: &[],
     requirements: &[],
     formulas: &[],
-    gravity: Some(24),
+    gravity: Some(32),
 };
 
 /// They are no models that ship, but can be named like them.
@@ -73,10 +73,12 @@ const fn entries<const N: usize>(matrices: &[MatrixName]) -> [ParameterInfo; N] 
 pub const fn names(matrix: MatrixName) -> [&'static str; 4] {
     match matrix {
         MatrixName::M => ["M_11", "M_12", "M_21", "M_22"],
+        MatrixName::Cm1 => ["C-1_11", "C-1_12", "C-1_21", "C-1_22"],
         MatrixName::C0 => ["C0_11", "C0_12", "C0_21", "C0_22"],
         MatrixName::C1 => ["C1_11", "C1_12", "C1_21", "C1_22"],
         MatrixName::Kc => ["Kc_11", "Kc_12", "Kc_21", "Kc_22"],
         MatrixName::K0 => ["K0_11", "K0_12", "K0_21", "K0_22"],
+        MatrixName::K1 => ["K1_11", "K1_12", "K1_21", "K1_22"],
         MatrixName::K2 => ["K2_11", "K2_12", "K2_21", "K2_22"],
     }
 }
@@ -87,8 +89,8 @@ fn coefficients(info: &ModelInfo, entries: &[f64]) -> Coefficients<f64, 2> {
         Some(at) => Matrix::from_row_slice(&entries[4 * at..4 * at + 4]),
         None => Matrix::zeros(),
     };
-    let [m, c0, c1, kc, k0, k2] = MatrixName::ALL.map(matrix);
-    Coefficients { m, c0, c1, kc, k0, k2 }
+    let [m, cm1, c0, c1, kc, k0, k1, k2] = MatrixName::ALL.map(matrix);
+    Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 }
 }
 
 fn differentiate(_: &[f64]) -> Result<Option<Sensitivity<2>>, String> {

@@ -144,8 +144,8 @@ fn as_of_two<T: Any, Two: Any>(value: &T) -> Option<&Two> {
 
 /// The linearized equations of motion for any number of coordinates.
 pub trait Equations: Debug {
-    /// All six matrices, with their rows.
-    fn matrices(&self) -> [(MatrixName, Vec<Vec<f64>>); 6];
+    /// All matrices, with their rows.
+    fn matrices(&self) -> [(MatrixName, Vec<Vec<f64>>); 8];
 
     /// The eigenvalues in 1/s at a speed in m/s and a gravitational field strength in N/kg, sorted by real part, then by
     /// imaginary part.
@@ -159,7 +159,7 @@ pub trait Equations: Debug {
 }
 
 impl<const N: usize> Equations for Coefficients<f64, N> {
-    fn matrices(&self) -> [(MatrixName, Vec<Vec<f64>>); 6] {
+    fn matrices(&self) -> [(MatrixName, Vec<Vec<f64>>); 8] {
         let rows = |matrix: &Matrix<f64, N>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
         MatrixName::ALL.map(|name| (name, rows(self.matrix(name))))
     }

@@ -109,7 +109,14 @@ fn along<S: Simd>(
     eigenvalues: &mut [Eigenvalues],
 ) {
     let lanes = Lanes::<S>::COUNT;
-    let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+    let scalar = |speed: f64| coefficients.at(speed, gravity)?.quartic_eigenvalues();
+    if coefficients.has_odd_powers() {
+        for (speed, eigenvalues) in speeds.iter().zip(eigenvalues) {
+            *eigenvalues = scalar(*speed);
+        }
+        return;
+    }
+    let Coefficients { m, c0, c1, kc, k0, k2, .. } = coefficients;
     let standing = kc + k0 * gravity;
     let [m, c0, c1, standing, k2] = [m, c0, c1, &standing, k2].map(
         #[inline(always)]
@@ -135,8 +142,7 @@ fn along<S: Simd>(
             #[inline(always)]
             |i, j| standing[i][j] + k2[i][j] * v * v,
         );
-        let scalar = |lane: usize| coefficients.at(speeds[lane], gravity)?.quartic_eigenvalues();
-        write(quick_eigenvalues(m, c, k), eigenvalues, scalar);
+        write(quick_eigenvalues(m, c, k), eigenvalues, |lane| scalar(speeds[lane]));
     }
 }
 

@@ -40,13 +40,15 @@ impl<const N: usize> Units<N> {
     /// If a row or a column of M is zero.
     #[cfg(feature = "std")]
     pub(crate) fn of_coefficients(coefficients: &Coefficients<f64, N>, gravity: f64) -> Result<Self, SystemError> {
-        let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
         let sides = Self::of_mass(m)?;
         // g K0 may leave the range of f64 where the scaled product does not.
         let unit = exponent(gravity).unwrap_or(0);
         let weight = if gravity == 0.0 { None } else { sides.largest(k0).map(|e| e + unit) };
         let time = time_unit(sides.largest(c0), sides.largest(kc).max(weight));
-        let speed = time - sides.largest(c1).max(sides.largest(k2).map(half)).unwrap_or(time);
+        let per_speed = sides.largest(c1).max(sides.largest(k1).map(|e| e - time)).max(sides.largest(k2).map(half));
+        let per_speed = per_speed.or_else(|| sides.largest(cm1).map(|e| 2 * time - e));
+        let speed = time - per_speed.unwrap_or(time);
         Ok(Self { time, speed, gravity: unit, ..sides })
     }
 
@@ -83,13 +85,15 @@ impl<const N: usize> Units<N> {
     /// Coefficients, or derivatives of them, in these units.
     #[cfg(feature = "std")]
     pub(crate) fn scale_coefficients(&self, coefficients: &Coefficients<f64, N>) -> Coefficients<f64, N> {
-        let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
         Coefficients {
             m: self.scale(m, [2, 0], 0),
+            cm1: self.scale(cm1, [1, -1], 0),
             c0: self.scale(c0, [1, 0], 0),
             c1: self.scale(c1, [1, 1], 0),
             kc: self.scale(kc, [0, 0], 0),
             k0: self.scale(k0, [0, 0], self.gravity),
+            k1: self.scale(k1, [0, 1], 0),
             k2: self.scale(k2, [0, 2], 0),
         }
     }
@@ -146,15 +150,25 @@ mod tests {
         let rows = |unit: f64| [[3.0 * unit, unit], [unit, 5.0 * unit]];
         let rate = mass / time;
         let per_speed = time / length;
-        let coefficients =
-            [mass, rate, rate * per_speed, rate / time, mass / length, rate / time * per_speed * per_speed];
+        let coefficients = [
+            mass,
+            rate / per_speed,
+            rate,
+            rate * per_speed,
+            rate / time,
+            mass / length,
+            rate / time * per_speed,
+            rate / time * per_speed * per_speed,
+        ];
         let coefficients = Coefficients::<f64, 2>::from_rows(coefficients.map(rows));
         let gravity = length / time / time;
         let units = Units::of_coefficients(&coefficients, gravity).expect("a mass matrix without a row of zeros");
         let scaled = units.scale_coefficients(&coefficients);
         for name in MatrixName::ALL {
             let (before, after) = (coefficients.matrix(name), scaled.matrix(name));
-            assert!(after.iter().all(|&entry| entry > 0.03 && entry <= 1.0), "{name}: {after}");
+            // The unit of speed, which C-1 is divided by, is chosen for the matrices that are multiplied by the speed.
+            let largest = if name == MatrixName::Cm1 { 8.0 } else { 1.0 };
+            assert!(after.iter().all(|&entry| entry > 0.03 && entry <= largest), "{name}: {after}");
             assert!(after.iter().zip(before).all(|(after, before)| (after.to_bits() ^ before.to_bits()) << 12 == 0));
         }
         assert!((0.5..1.0).contains(&units.scale_gravity(gravity)));

@@ -25,7 +25,7 @@
 ///         phi "lean": rad;                      // angles and lengths; with a direction, `rad, about x`
 ///     }
 ///
-///     symmetric M = [[a + 0.1 [kg]*r^2]];       // and C0, C1, Kc, K0, K2: those left out are zero
+///     symmetric M = [[a + 0.1 [kg]*r^2]];       // and C-1, C0, C1, Kc, K0, K1, K2; those left out are zero
 ///
 ///     set example "where the values come from" {
 ///         lam = 18 deg; m = 2; r = 35 cm; g = 9.81; I = 0;
@@ -34,8 +34,8 @@
 /// }
 /// ```
 ///
-/// The matrices are those of `M q'' + (C0 + v C1) q' + (Kc + g K0 + v^2 K2) q = f`, with a row and a column for each
-/// coordinate. Numbers are decimal and taken exactly: `0.5` is one half.
+/// The matrices are those of `M q'' + (C-1/v + C0 + v C1) q' + (Kc + g K0 + v K1 + v^2 K2) q = f`, with a row and a
+/// column for each coordinate. Numbers are decimal and taken exactly: `0.5` is one half.
 ///
 /// # Mechanisms
 /// In the place of matrices a model may have a mechanism, from which they are derived, exactly to first order, about
@@ -103,7 +103,7 @@
 /// A joint that goes on by its own position, as a trailing caster does, has no rate that follows from the coordinates.
 ///
 /// What acts on the coordinates and is no part of a mechanism, as a drag, a spinning rotor or the inertia of a geared
-/// motor, is added to its matrices: `add C0 = [[…]];`, and so M, C1, Kc, K0 and K2, each once; `add symmetric C0 = [[…]];`
+/// motor, is added to its matrices: `add C0 = [[…]];`, and so any other, each once; `add symmetric C0 = [[…]];`
 /// has it proved that what is added is symmetric. The model has the sum, in its documentation, its derivatives and all
 /// else, and it is the sum that assertions and published matrices are held against.
 ///

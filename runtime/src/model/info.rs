@@ -49,9 +49,11 @@ impl ModelInfo {
         self.parameters.iter().position(|p| p.name == name)
     }
 
-    /// Whether the model has a matrix that the speed is a factor of: C1 or K2.
+    /// Whether the model has a matrix that the speed is a factor of: C-1, C1, K1 or K2.
     pub fn depends_on_speed(&self) -> bool {
-        self.matrices.iter().any(|matrix| matches!(matrix, MatrixName::C1 | MatrixName::K2))
+        self.matrices
+            .iter()
+            .any(|matrix| matches!(matrix, MatrixName::Cm1 | MatrixName::C1 | MatrixName::K1 | MatrixName::K2))
     }
 
     /// Whether each of `values`, in declared order, lies in the domain of its parameter.

@@ -81,6 +81,6 @@ pub trait Evaluator<T: Number, const N: usize>: Copy {
     /// The entries of the matrices that differ, in the order of [`ModelInfo::entries`](crate::ModelInfo::entries).
     fn entries(&self) -> Self::Entries;
 
-    /// The rows of M, C0, C1, Kc, K0 and K2.
-    fn rows(&self) -> [[[T; N]; N]; 6];
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
+    fn rows(&self) -> [[[T; N]; N]; 8];
 }

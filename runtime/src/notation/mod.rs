@@ -46,8 +46,8 @@ impl ModelInfo {
 fn terms(info: &ModelInfo, matrix: impl Fn(&str, MatrixName) -> String) -> [Vec<String>; 3] {
     let all = [
         &[("", MatrixName::M)][..],
-        &[("", MatrixName::C0), ("v", MatrixName::C1)],
-        &[("", MatrixName::Kc), ("g", MatrixName::K0), ("v^2", MatrixName::K2)],
+        &[("1/v", MatrixName::Cm1), ("", MatrixName::C0), ("v", MatrixName::C1)],
+        &[("", MatrixName::Kc), ("g", MatrixName::K0), ("v", MatrixName::K1), ("v^2", MatrixName::K2)],
     ];
     all.map(|terms| {
         let own = terms.iter().filter(|(_, name)| info.matrices.contains(name));

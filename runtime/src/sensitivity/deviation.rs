@@ -59,10 +59,12 @@ impl<const N: usize> Sensitivity<N> {
         };
         Ok(Coefficients {
             m: of(|c| &c.m)?,
+            cm1: of(|c| &c.cm1)?,
             c0: of(|c| &c.c0)?,
             c1: of(|c| &c.c1)?,
             kc: of(|c| &c.kc)?,
             k0: of(|c| &c.k0)?,
+            k1: of(|c| &c.k1)?,
             k2: of(|c| &c.k2)?,
         })
     }

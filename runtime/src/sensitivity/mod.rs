@@ -59,8 +59,8 @@ pub struct Gradient<T> {
 /// let one = [[1.0, 0.0], [0.0, 1.0]];
 /// let with = |p: f64| [[p, 0.0], [0.0, 1.0]];
 /// let k2 = [[-1.0, 0.0], [0.0, 0.0]];
-/// let coefficients = Coefficients::from_rows([one, one, zero, with(9.0), zero, k2]);
-/// let by_p = Coefficients::from_rows([zero, zero, zero, [[1.0, 0.0], [0.0, 0.0]], zero, zero]);
+/// let coefficients = Coefficients::from_rows([one, zero, one, zero, with(9.0), zero, zero, k2]);
+/// let by_p = Coefficients::from_rows([zero, zero, zero, zero, [[1.0, 0.0], [0.0, 0.0]], zero, zero, zero]);
 ///
 /// let sensitivity = Sensitivity::new(&coefficients, &[by_p], 0.0, None)?;
 /// let stability = Stability::new(&coefficients, 0.0)?;
@@ -124,19 +124,21 @@ impl<const N: usize> Sensitivity<N> {
 
     /// The derivatives of the equations of motion at a speed: with respect to it, and then to each parameter.
     fn directions(&self, speed: f64) -> Result<Vec<Direction<N>>, SystemError> {
-        let Coefficients { c1, k2, .. } = self.coefficients;
-        let by_speed = Direction { m: nalgebra::SMatrix::zeros(), c: c1, k: k2 * speed * 2.0 };
+        let Coefficients { cm1, c1, k1, k2, .. } = self.coefficients;
+        let over_speed = cm1.map(|entry| if entry == 0.0 { entry } else { entry / speed / speed });
+        let by_speed = Direction { m: nalgebra::SMatrix::zeros(), c: c1 - over_speed, k: k1 + k2 * speed * 2.0 };
         let parameters = (0..self.derivatives.len()).map(|index| self.direction(index, speed));
         core::iter::once(by_speed.finite()).chain(parameters).collect()
     }
 
     /// The derivative of the equations of motion at a speed with respect to a parameter.
     fn direction(&self, parameter: usize, speed: f64) -> Result<Direction<N>, SystemError> {
-        let Coefficients { m, c0, c1, kc, k0, k2 } = self.derivatives[parameter];
-        let mut k = kc + k0 * self.gravity + k2 * speed * speed;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = self.derivatives[parameter];
+        let over_speed = cm1.map(|entry| if entry == 0.0 { entry } else { entry / speed });
+        let mut k = kc + k0 * self.gravity + k1 * speed + k2 * speed * speed;
         if self.gravity_parameter == Some(parameter) {
             k += self.coefficients.k0;
         }
-        Direction { m, c: c0 + c1 * speed, k }.finite()
+        Direction { m, c: over_speed + c0 + c1 * speed, k }.finite()
     }
 }

@@ -3,7 +3,7 @@
 use crate::characteristic::determinant::{self, ByPower, Rows, rows};
 use crate::characteristic::units::Units;
 use crate::numeric::{DoubleDouble, Exact, Tracked};
-use crate::system::{Coefficients, SystemError};
+use crate::system::{Coefficients, Matrix, SystemError};
 
 /// The coefficients of `det(M s^2 + C s + K)` in s, ascending, or their derivatives.
 pub(super) type Quartic = [Tracked; 5];
@@ -35,10 +35,11 @@ impl Scaled {
 
     /// The derivative of the characteristic polynomial with respect to the speed.
     pub(super) fn by_speed(&self, speed: DoubleDouble) -> Quartic {
-        let Coefficients { c1, k2, .. } = &self.coefficients;
+        let Coefficients { cm1, c1, k1, k2, .. } = &self.coefficients;
         let twice = Tracked::from(speed + speed);
-        let stiffness = rows(k2).map(|row| row.map(|entry| Exact(entry) * twice));
-        let damping = rows(c1).map(|row| row.map(Tracked::from));
+        let over_square = inverse(cm1, speed * speed);
+        let stiffness = each(|at| Tracked::from(k1[at]) + Exact(k2[at]) * twice);
+        let damping = each(|at| Tracked::from(c1[at]) + Exact(-cm1[at]) * over_square);
         determinant::derivatives(self.matrices(speed), [stiffness, damping, [[Tracked::ZERO; 2]; 2]])
     }
 
@@ -48,21 +49,24 @@ impl Scaled {
     }
 
     fn matrices_of(&self, coefficients: &Coefficients<f64, 2>, speed: DoubleDouble) -> ByPower<Rows<Tracked>> {
-        let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
+        let over_speed = inverse(cm1, speed);
         let speed = Tracked::from(speed);
         let square = speed * speed;
-        let each = |entry: &dyn Fn((usize, usize)) -> Tracked| {
-            [[entry((0, 0)), entry((0, 1))], [entry((1, 0)), entry((1, 1))]]
-        };
-        let stiffness =
-            each(&|at| Tracked::from(kc[at]) + Exact(self.gravity) * Exact(k0[at]) + Exact(k2[at]) * square);
-        [stiffness, each(&|at| Tracked::from(c0[at]) + Exact(c1[at]) * speed), each(&|at| m[at].into())]
+        let stiffness = each(|at| {
+            let standing = Tracked::from(kc[at]) + Exact(self.gravity) * Exact(k0[at]);
+            standing + Exact(k1[at]) * speed + Exact(k2[at]) * square
+        });
+        let damping = each(|at| Exact(cm1[at]) * over_speed + Tracked::from(c0[at]) + Exact(c1[at]) * speed);
+        [stiffness, damping, each(|at| m[at].into())]
     }
 
     /// The derivatives of K, C and M at a scaled speed in the direction of scaled derivatives of the coefficients.
     pub(super) fn direction(&self, direction: &Coefficients<f64, 2>, speed: f64) -> ByPower<Rows> {
-        let Coefficients { m, c0, c1, kc, k0, k2 } = direction;
-        [rows(&(kc + k0 * self.gravity + k2 * speed * speed)), rows(&(c0 + c1 * speed)), rows(m)]
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = direction;
+        let over_speed = inverse(cm1, speed.into()).value.to_f64();
+        let stiffness = kc + k0 * self.gravity + k1 * speed + k2 * speed * speed;
+        [rows(&stiffness), rows(&(cm1 * over_speed + c0 + c1 * speed)), rows(m)]
     }
 
     /// How many of the lowest coefficients are zero at all speeds.
@@ -75,6 +79,17 @@ impl Scaled {
     pub(super) fn keeps_zeros(&self, zeros: usize, direction: &Coefficients<f64, 2>, speed: DoubleDouble) -> bool {
         zeros == 0 || samples(speed).iter().all(|&v| self.by(direction, v)[..zeros].iter().all(|p| p.sign() == 0))
     }
+}
+
+fn each(entry: impl Fn((usize, usize)) -> Tracked) -> Rows<Tracked> {
+    [[entry((0, 0)), entry((0, 1))], [entry((1, 0)), entry((1, 1))]]
+}
+
+/// What entries of C-1 are multiplied by, one over a power of the speed: zero where there is none, so that nothing is
+/// divided by a speed of zero.
+fn inverse(cm1: &Matrix<f64, 2>, power: DoubleDouble) -> Tracked {
+    let is_there = cm1.iter().any(|&entry| entry != 0.0);
+    if is_there { Tracked::from(DoubleDouble::from(1.0) / power) } else { Tracked::ZERO }
 }
 
 /// Different speeds, more than the degree of the coefficients, which are polynomials in the speed; the first one tells most.

@@ -18,7 +18,7 @@ const fn diagonal(x: f64, y: f64) -> Rows {
 }
 
 fn coefficients(m: Rows, c0: Rows, c1: Rows, kc: Rows, k2: Rows) -> Coefficients<f64, 2> {
-    Coefficients::from_rows([m, c0, c1, kc, ZERO, k2])
+    Coefficients::from_rows([m, ZERO, c0, c1, kc, ZERO, ZERO, k2])
 }
 
 /// The derivatives with respect to entries of C0, and of Kc.
@@ -59,7 +59,9 @@ fn smooth(derivative: CriticalDerivative) -> (Vec<f64>, Vec<Complex<f64>>) {
 
 /// q'' + c q' + k q = 0 with s = -c/2 +- sqrt(c^2/4 - k).
 fn one_coordinate(c: f64, k: f64) -> Vec<super::EigenvalueSensitivity> {
-    let rows = |m: f64, c0: f64, kc: f64| Coefficients::<f64, 1>::from_rows([m, c0, 0.0, kc, 0.0, 0.0].map(|x| [[x]]));
+    let rows = |m: f64, c0: f64, kc: f64| {
+        Coefficients::<f64, 1>::from_rows([m, 0.0, c0, 0.0, kc, 0.0, 0.0, 0.0].map(|x| [[x]]))
+    };
     let derivatives = [rows(0.0, 1.0, 0.0), rows(0.0, 0.0, 1.0), rows(1.0, 0.0, 0.0)];
     Sensitivity::new(&rows(1.0, c, k), &derivatives, 0.0, None).unwrap().eigenvalues(1.0).unwrap()
 }
@@ -131,8 +133,8 @@ fn mixing_and_units_of_coordinates_do_not_matter() {
             core::array::from_fn(|i| core::array::from_fn(|j| matrix[(i, j)]))
         };
         let zero = [[0.0; 3]; 3];
-        let system = [mixed(1.0, 1.0, 1.0), mixed(2.0, 1.0, 0.0), zero, mixed(1.0, 9.0, 4.0), zero, zero];
-        let stiffer = [zero, zero, zero, mixed(1.0, 10.0, 100.0), zero, zero];
+        let system = [mixed(1.0, 1.0, 1.0), zero, mixed(2.0, 1.0, 0.0), zero, mixed(1.0, 9.0, 4.0), zero, zero, zero];
+        let stiffer = [zero, zero, zero, zero, mixed(1.0, 10.0, 100.0), zero, zero, zero];
         let [system, stiffer] = [system, stiffer].map(Coefficients::<f64, 3>::from_rows);
         let found = Sensitivity::new(&system, &[stiffer], 0.0, None).unwrap().eigenvalues(0.0).unwrap();
         assert_eq!(found.len(), 6);
@@ -257,10 +259,10 @@ fn a_double_zero_has_derivatives() {
 /// q'' + q' + (g k - v^2) q: capsize at v = sqrt(g k), where g counts by its factor k.
 #[test]
 fn gravity_is_a_parameter_like_any_other() {
-    let rows = |k0: f64, k2: f64| [ONE, ONE, ZERO, SECOND, diagonal(k0, 0.0), diagonal(k2, 0.0)];
+    let rows = |k0: f64, k2: f64| [ONE, ZERO, ONE, ZERO, SECOND, diagonal(k0, 0.0), ZERO, diagonal(k2, 0.0)];
     let coefficients = Coefficients::<f64, 2>::from_rows(rows(2.0, -1.0));
-    let by_k = Coefficients::from_rows([ZERO, ZERO, ZERO, ZERO, FIRST, ZERO]);
-    let by_g = Coefficients::from_rows([ZERO; 6]);
+    let by_k = Coefficients::from_rows([ZERO, ZERO, ZERO, ZERO, ZERO, FIRST, ZERO, ZERO]);
+    let by_g = Coefficients::from_rows([ZERO; 8]);
     let sensitivity = Sensitivity::new(&coefficients, &[by_k, by_g], 8.0, Some(1)).unwrap();
     let stability = Stability::new(&coefficients, 8.0).unwrap();
     let capsize = stability.critical_speeds.iter().find(|critical| critical.kind == CriticalKind::Capsize);

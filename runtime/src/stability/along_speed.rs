@@ -27,7 +27,7 @@ impl Characteristic {
         coefficients.require_finite()?;
         let units = Units::of_coefficients(coefficients, gravity)?;
         let matrices = {
-            let Coefficients { m, c0, c1, kc, k0, k2 } = units.scale_coefficients(coefficients);
+            let Coefficients { m, c0, c1, kc, k0, k2, .. } = units.scale_coefficients(coefficients);
             Matrices::new([m, c0, c1, kc, k0, k2].map(|matrix| rows(&matrix)), units.scale_gravity(gravity))
         };
         if matrices.mass.value.to_f64().abs() <= 8.0 * f64::EPSILON * matrices.mass.size {

@@ -47,7 +47,7 @@ pub use verdict::Verdict;
 /// let c1 = [[0.0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]];
 /// let k0 = [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]];
 /// let k2 = [[0.0, 76.59734589573222], [0.0, 2.65431523794604]];
-/// let stability = Stability::new(&Coefficients::from_rows([m, zero, c1, zero, k0, k2]), 9.81)?;
+/// let stability = Stability::new(&Coefficients::from_rows([m, zero, zero, c1, zero, k0, zero, k2]), 9.81)?;
 ///
 /// let range = stability.stable_ranges[0];
 /// assert!((range.from - 4.292_382_536_341).abs() < 1e-11);
@@ -77,6 +77,9 @@ impl Stability {
 
     /// Not generic, so that it is compiled with this crate, as a whole, and not with each that uses it.
     fn of(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Result<Self, SystemError> {
+        if coefficients.has_odd_powers() {
+            return Err(SystemError::OddPowers);
+        }
         match Self::fast(coefficients, gravity) {
             Some(stability) => Ok(stability),
             None => Self::careful(coefficients, gravity),
@@ -143,7 +146,7 @@ mod tests {
 
     /// M q'' + (C0 + v C1) q' + (Kc + v^2 K2) q with M = 1.
     fn stability(c0: Rows, c1: Rows, kc: Rows, k2: Rows) -> Stability {
-        let coefficients = Coefficients::<f64, 2>::from_rows([ONE, c0, c1, kc, ZERO, k2]);
+        let coefficients = Coefficients::<f64, 2>::from_rows([ONE, ZERO, c0, c1, kc, ZERO, ZERO, k2]);
         Modes::new(&coefficients, 0.0).expect("modes of a regular system");
         Stability::new(&coefficients, 0.0).expect("stability of a regular system")
     }
@@ -242,9 +245,11 @@ mod tests {
     fn errors_name_what_is_wrong() {
         let stability = stability(ONE, ZERO, ONE, ZERO);
         assert_eq!(stability.verdict(-1.0), Err(SystemError::NegativeSpeed { speed: -1.0 }));
-        let singular = Coefficients::<f64, 2>::from_rows([[[1.0, 2.0], [2.0, 4.0]], ZERO, ONE, ONE, ZERO, ZERO]);
+        let singular =
+            Coefficients::<f64, 2>::from_rows([[[1.0, 2.0], [2.0, 4.0]], ZERO, ZERO, ONE, ONE, ZERO, ZERO, ZERO]);
         assert_eq!(Stability::new(&singular, 0.0), Err(SystemError::SingularMass));
-        let infinite = Coefficients::<f64, 2>::from_rows([ONE, ZERO, ONE, diagonal(f64::INFINITY, 1.0), ZERO, ZERO]);
+        let infinite =
+            Coefficients::<f64, 2>::from_rows([ONE, ZERO, ZERO, ONE, diagonal(f64::INFINITY, 1.0), ZERO, ZERO, ZERO]);
         let error = SystemError::NotFinite { quantity: "Kc", value: f64::INFINITY };
         assert_eq!(Stability::new(&infinite, 0.0), Err(error));
     }

@@ -57,7 +57,7 @@ pub struct ModeValue {
 /// let c1 = [[0.0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]];
 /// let k0 = [[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]];
 /// let k2 = [[0.0, 76.59734589573222], [0.0, 2.65431523794604]];
-/// let modes = Modes::new(&Coefficients::from_rows([m, zero, c1, zero, k0, k2]), 9.81)?;
+/// let modes = Modes::new(&Coefficients::from_rows([m, zero, zero, c1, zero, k0, zero, k2]), 9.81)?;
 ///
 /// let [castering, capsize, weave, other_half] = modes.at(5.0)?;
 /// assert_eq!(weave.mode, Mode::Weave);

@@ -22,9 +22,9 @@ use crate::number::Scalar;
 pub struct System<const N: usize> {
     /// Mass matrix M.
     pub m: Matrix<f64, N>,
-    /// Damping matrix C = C0 + v C1.
+    /// Damping matrix C = C-1/v + C0 + v C1.
     pub c: Matrix<f64, N>,
-    /// Stiffness matrix K = Kc + g K0 + v^2 K2.
+    /// Stiffness matrix K = Kc + g K0 + v K1 + v^2 K2.
     pub k: Matrix<f64, N>,
 }
 
@@ -44,18 +44,27 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
     /// A negative speed is running backwards.
     ///
     /// # Errors
-    /// If the speed, the gravity or an entry is not finite, or if C or K leaves the range of `f64`.
+    /// If the speed, the gravity or an entry is not finite, if there is a C-1 and the speed is zero, or if C or K leaves the
+    /// range of `f64`.
     pub fn at(&self, speed: f64, gravity: f64) -> Result<System<N>, SystemError> {
         let coefficients = self.widen();
         coefficients.require_finite()?;
         require_finite("speed", speed)?;
         require_finite("gravity", gravity)?;
-        let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
-        let c = c0 + c1 * speed;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
+        let mut c = c0 + c1 * speed;
         // v (v K2): the square alone may overflow where the product does not.
-        let k = kc + k0 * gravity + k2 * speed * speed;
-        require_in_range("C0 + v C1", &c)?;
-        require_in_range("Kc + g K0 + v^2 K2", &k)?;
+        let mut k = kc + k0 * gravity + k2 * speed * speed;
+        if coefficients.has_odd_powers() {
+            if speed == 0.0 && cm1.iter().any(|&entry| entry != 0.0) {
+                return Err(SystemError::AtRest);
+            }
+            // Where there is no C-1, nothing is divided by a speed of zero.
+            c += cm1.map(|entry| if entry == 0.0 { entry } else { entry / speed });
+            k += k1 * speed;
+        }
+        require_in_range("C-1/v + C0 + v C1", &c)?;
+        require_in_range("Kc + g K0 + v K1 + v^2 K2", &k)?;
         Ok(System { m, c, k })
     }
 }

@@ -11,14 +11,17 @@ use crate::number::Scalar;
 pub type Matrix<T, const N: usize> = SMatrix<T, N, N>;
 
 /// The coefficient matrices of
-/// `M q'' + (C0 + v C1) q' + (Kc + g K0 + v^2 K2) q = f`, each N x N.
+/// `M q'' + (C-1/v + C0 + v C1) q' + (Kc + g K0 + v K1 + v^2 K2) q = f`, each N x N.
 ///
-/// Rows and columns follow the coordinates of the model. For coordinates that are angles in rad, M is in kg m^2, C0 in
-/// N m s, C1 in kg m, Kc in N m, K0 in kg m and K2 in kg.
+/// Rows and columns follow the coordinates of the model. For coordinates that are angles in rad, M is in kg m^2, C-1 in
+/// N m^2, C0 in N m s, C1 in kg m, Kc in N m, K0 in kg m, K1 in N s and K2 in kg.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients<T: Scalar, const N: usize> {
     /// Mass matrix M.
     pub m: Matrix<T, N>,
+    /// Damping C-1, to be divided by v, as slipping tyres have it; unless it is zero there are no equations of motion at
+    /// rest.
+    pub cm1: Matrix<T, N>,
     /// Damping C0 that does not depend on the speed.
     pub c0: Matrix<T, N>,
     /// Damping C1, to be multiplied by v.
@@ -27,46 +30,69 @@ pub struct Coefficients<T: Scalar, const N: usize> {
     pub kc: Matrix<T, N>,
     /// Stiffness K0, to be multiplied by g.
     pub k0: Matrix<T, N>,
+    /// Stiffness K1, to be multiplied by v.
+    pub k1: Matrix<T, N>,
     /// Stiffness K2, to be multiplied by v^2.
     pub k2: Matrix<T, N>,
 }
 
+/// All of them zero: `Coefficients { m, k0, ..Default::default() }` has the matrices that are not.
+impl<T: Scalar, const N: usize> Default for Coefficients<T, N> {
+    fn default() -> Self {
+        Self::from_rows([[[T::from_f64(0.0); N]; N]; 8])
+    }
+}
+
 impl<T: Scalar, const N: usize> Coefficients<T, N> {
-    /// From the rows of each matrix, in the order M, C0, C1, Kc, K0, K2.
-    pub fn from_rows([m, c0, c1, kc, k0, k2]: [[[T; N]; N]; 6]) -> Self {
+    /// From the rows of each matrix, in the order M, C-1, C0, C1, Kc, K0, K1, K2.
+    pub fn from_rows([m, cm1, c0, c1, kc, k0, k1, k2]: [[[T; N]; N]; 8]) -> Self {
         let matrix = |rows: [[T; N]; N]| SMatrix::from_fn(|row, column| rows[row][column]);
-        Self { m: matrix(m), c0: matrix(c0), c1: matrix(c1), kc: matrix(kc), k0: matrix(k0), k2: matrix(k2) }
+        let [m, cm1, c0, c1] = [m, cm1, c0, c1].map(matrix);
+        let [kc, k0, k1, k2] = [kc, k0, k1, k2].map(matrix);
+        Self { m, cm1, c0, c1, kc, k0, k1, k2 }
     }
 
     /// The same numbers as `f64`, exactly.
     pub(crate) fn widen(&self) -> Coefficients<f64, N> {
         let wide = |matrix: &Matrix<T, N>| matrix.map(Scalar::to_f64);
-        let Self { m, c0, c1, kc, k0, k2 } = self;
-        Coefficients { m: wide(m), c0: wide(c0), c1: wide(c1), kc: wide(kc), k0: wide(k0), k2: wide(k2) }
+        let Self { m, cm1, c0, c1, kc, k0, k1, k2 } = self;
+        let [m, cm1, c0, c1] = [m, cm1, c0, c1].map(wide);
+        let [kc, k0, k1, k2] = [kc, k0, k1, k2].map(wide);
+        Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 }
+    }
+
+    /// Whether there is a C-1 or a K1: without them damping is of the powers 0 and 1 of the speed and stiffness of 0 and 2,
+    /// for which two coordinates have faster and exact ways.
+    pub(crate) fn has_odd_powers(&self) -> bool {
+        self.cm1.iter().chain(self.k1.iter()).any(|entry| entry.to_f64() != 0.0)
     }
 
     /// One of the matrices.
     pub fn matrix(&self, name: MatrixName) -> &Matrix<T, N> {
-        let Self { m, c0, c1, kc, k0, k2 } = self;
+        let Self { m, cm1, c0, c1, kc, k0, k1, k2 } = self;
         match name {
             MatrixName::M => m,
+            MatrixName::Cm1 => cm1,
             MatrixName::C0 => c0,
             MatrixName::C1 => c1,
             MatrixName::Kc => kc,
             MatrixName::K0 => k0,
+            MatrixName::K1 => k1,
             MatrixName::K2 => k2,
         }
     }
 
     /// One of the matrices, to be changed.
     pub fn matrix_mut(&mut self, name: MatrixName) -> &mut Matrix<T, N> {
-        let Self { m, c0, c1, kc, k0, k2 } = self;
+        let Self { m, cm1, c0, c1, kc, k0, k1, k2 } = self;
         match name {
             MatrixName::M => m,
+            MatrixName::Cm1 => cm1,
             MatrixName::C0 => c0,
             MatrixName::C1 => c1,
             MatrixName::Kc => kc,
             MatrixName::K0 => k0,
+            MatrixName::K1 => k1,
             MatrixName::K2 => k2,
         }
     }
@@ -95,6 +121,8 @@ pub fn rows<T: Copy, const N: usize, const ENTRIES: usize>(entries: &[T; ENTRIES
 pub enum MatrixName {
     /// Mass matrix M.
     M,
+    /// Damping C-1, a coefficient of 1/v.
+    Cm1,
     /// Damping C0.
     C0,
     /// Damping C1, a coefficient of v.
@@ -103,28 +131,32 @@ pub enum MatrixName {
     Kc,
     /// Stiffness K0, a coefficient of g.
     K0,
+    /// Stiffness K1, a coefficient of v.
+    K1,
     /// Stiffness K2, a coefficient of v^2.
     K2,
 }
 
 impl MatrixName {
     /// All of them, in the order in which a model lists them.
-    pub const ALL: [Self; 6] = [Self::M, Self::C0, Self::C1, Self::Kc, Self::K0, Self::K2];
+    pub const ALL: [Self; 8] = [Self::M, Self::Cm1, Self::C0, Self::C1, Self::Kc, Self::K0, Self::K1, Self::K2];
 
     /// The name as declarations write it, such as `C1`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::M => "M",
+            Self::Cm1 => "C-1",
             Self::C0 => "C0",
             Self::C1 => "C1",
             Self::Kc => "Kc",
             Self::K0 => "K0",
+            Self::K1 => "K1",
             Self::K2 => "K2",
         }
     }
 }
 
-/// Reads `M`, `C0`, `C1`, `Kc`, `K0`, `K2`.
+/// Reads `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`.
 impl fmt::Display for MatrixName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())

@@ -18,11 +18,15 @@ pub enum SystemError {
         /// The speed in m/s.
         speed: f64,
     },
+    /// The speed is zero where damping is divided by it: there is a C-1.
+    AtRest,
+    /// There is a C-1 or a K1, with which critical speeds are not found.
+    OddPowers,
     /// The mass matrix M cannot be inverted: its determinant is zero as far as its entries can tell.
     SingularMass,
     /// The numbers differ so much in size that an intermediate result leaves the range of `f64`.
     OutOfRange {
-        /// The result that left the range, such as `C0 + v C1`.
+        /// The result that left the range, such as `C-1/v + C0 + v C1`.
         quantity: &'static str,
     },
     /// The eigenvalue iteration did not converge within its bound.
@@ -37,6 +41,10 @@ impl fmt::Display for SystemError {
         match self {
             Self::NotFinite { quantity, value } => write!(f, "{quantity} is {value}; it must be finite"),
             Self::NegativeSpeed { speed } => write!(f, "the speed is {speed} m/s; it must be >= 0"),
+            Self::AtRest => {
+                f.write_str("the speed is 0 m/s, and the damping C-1/v has no value there; it must not be 0")
+            }
+            Self::OddPowers => f.write_str("with C-1 or K1 critical speeds are not found"),
             Self::SingularMass => f.write_str("the mass matrix M is singular; it must be invertible"),
             Self::OutOfRange { quantity } => write!(f, "{quantity} leaves the range of double precision"),
             Self::NotConverged { iterations } => {

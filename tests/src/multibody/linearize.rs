@@ -22,7 +22,7 @@ impl Mechanism {
         let System { m, c: c0, k: kc } = at(0.0, 0.0);
         let running = at(1.0, 0.0);
         let heavy = at(0.0, 1.0);
-        Coefficients { m, c0, c1: running.c - c0, kc, k0: heavy.k - kc, k2: running.k - kc }
+        Coefficients { m, c0, c1: running.c - c0, kc, k0: heavy.k - kc, k2: running.k - kc, ..Default::default() }
     }
 
     /// The linearized equations at one speed and one gravity.

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
-const MATRICES: [&str; 6] = ["M", "C0", "C1", "Kc", "K0", "K2"];
+const MATRICES: [&str; 7] = ["M", "C0", "C1", "Kc", "K0", "K1", "K2"];
 
 /// The formulas, and the names that they may use.
 #[derive(Debug, Default)]

@@ -54,7 +54,7 @@ impl Disc {
         let M = [[It + m * r * r, 0.0], [0.0, It]];
         let C1 = [[0.0, Ia / r + m * r], [-Ia / r, 0.0]];
         let K0 = [[-m * (r - rho), 0.0], [0.0, 0.0]];
-        Coefficients::from_rows([M, zero, C1, zero, K0, zero])
+        Coefficients::from_rows([M, zero, zero, C1, zero, K0, zero, zero])
     }
 
     /// The speed in m/s above which the wheel stays upright.

@@ -44,8 +44,7 @@ pub fn standing<const N: usize>(links: [Link; N]) -> Coefficients<f64, N> {
         if low == high { i + m * a * a + above(low) * l * l } else { l * moment(high) }
     });
     let k0 = Matrix::<f64, N>::from_fn(|row, column| if row == column { -moment(row) } else { 0.0 });
-    let zero = Matrix::<f64, N>::zeros();
-    Coefficients { m, c0: zero, c1: zero, kc: zero, k0, k2: zero }
+    Coefficients { m, k0, ..Default::default() }
 }
 
 /// The same for the angles at the hinges, each from the link below it: the absolute angle is the sum of all up to it.

@@ -68,6 +68,7 @@ pub fn matrices(bicycle: &Whipple, upper: &UpperBody) -> Coefficients<f64, 3> {
         kc: bordered([[0.0; 2]; 2], [0.0, 0.0, stiffness], false),
         k0: bordered(rigid.k0.0, [-m * a, 0.0, -m * a], true),
         k2: bordered(rigid.k2.0, [0.0, turn * m * a, 0.0], false),
+        ..Default::default()
     }
 }
 

@@ -78,7 +78,7 @@ impl Skateboard<'_> {
         let mh = self.sum(|body| body.m * body.h);
         let A = self.sum(|body| body.Ixx + body.m * body.h * body.h);
         let D = self.yaw() * self.sum(|body| body.Ixz + body.m * body.h * body.x) - self.lamR.tan() * mh;
-        Coefficients::from_rows([A, 0.0, D, self.k, -mh, self.yaw() * mh].map(|entry| [[entry]]))
+        Coefficients::from_rows([A, 0.0, 0.0, D, self.k, -mh, 0.0, self.yaw() * mh].map(|entry| [[entry]]))
     }
 
     /// The speed in m/s above which the tilt has a positive stiffness, if gravity wins at rest.

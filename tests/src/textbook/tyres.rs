@@ -44,5 +44,5 @@ pub fn matrices(design: &Whipple, rhoR: f64, rhoF: f64) -> Coefficients<f64, 2> 
     let rise = on_front * rhoF;
     let K0 = [[K11 + on_rear * rhoR + rise, K12 + rise * sin], [K21 + rise * sin, K22 + rise * sin * sin]];
     let zero = [[0.0; 2]; 2];
-    Coefficients::from_rows([edge.m.0, zero, edge.c1.0, zero, K0, edge.k2.0])
+    Coefficients::from_rows([edge.m.0, zero, zero, edge.c1.0, zero, K0, zero, edge.k2.0])
 }

@@ -153,8 +153,8 @@ fn those_of_a_pendulum_are_what_they_are_by_hand() {
 
 /// All entries of all matrices.
 fn entries<const N: usize>(coefficients: &Coefficients<f64, N>) -> Vec<f64> {
-    let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
-    [m, c0, c1, kc, k0, k2].into_iter().flat_map(|matrix| matrix.iter().copied()).collect()
+    let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
+    [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().flat_map(|matrix| matrix.iter().copied()).collect()
 }
 
 /// The largest difference between the derivatives of a model at its parameter sets and differences of the values, in

@@ -84,4 +84,4 @@ fn resolve_names(expression: &Expression, scope: &mut Scope, report: &mut Report
 }
 
 const SPEED: &str = "unknown name `v`: the speed is taken out of the matrices; expected parameters and definitions in \
-                     C1, the coefficient of v, and in K2, the coefficient of v^2";
+                     C1, the coefficient of v, in K2, the coefficient of v^2, and so on";

@@ -86,7 +86,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, computed: Option<&Derivatives
 fn table(model: &Model, partials: &[Partial], runtime: &TokenStream) -> Vec<TokenStream> {
     let n = model.coordinates.len();
     let partial = |&Partial { entry, parameter, value, negative }: &Partial| {
-        let matrix = format_ident!("{}", model.matrices[entry / (n * n)].0.name());
+        let matrix = format_ident!("{}", model.matrices[entry / (n * n)].0.identifier());
         let [row, column, parameter, value] =
             [entry / n % n, entry % n, parameter, value].map(Literal::usize_unsuffixed);
         let negative = negative.then(|| quote!(.negative()));
@@ -125,7 +125,7 @@ fn with_respect_to(model: &Model, names: &GeneratedNames, count: usize) -> Token
         [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);
     let fields = evaluator::fields(model);
     let arms = model.matrices.iter().zip(&fields).map(|((matrix, _), field)| {
-        let matrix = format_ident!("{}", matrix.name());
+        let matrix = format_ident!("{}", matrix.identifier());
         quote!(#runtime::MatrixName::#matrix => &mut #matrices.#field,)
     });
     let rest = (model.matrices.len() < MatrixName::ALL.len()).then(|| quote!(_ => continue,));
@@ -170,7 +170,7 @@ fn differentiable(model: &Model, names: &GeneratedNames, count: usize) -> TokenS
             fn coefficients_and_derivatives(&self) -> (#runtime::Coefficients<#scalar, #n>, Self::Derivatives) {
                 let (#matrices, #values) = self.matrices_and_derivatives();
                 let #zero = <#scalar as #runtime::Scalar>::from_f64(0.0);
-                let mut #all = [#runtime::Coefficients::from_rows([[[#zero; #n]; #n]; 6]); #parameters];
+                let mut #all = [#runtime::Coefficients::from_rows([[[#zero; #n]; #n]; 8]); #parameters];
                 for #position in 0..#count {
                     #runtime::Partial::write(&<#derivatives>::PARTIALS[#position], &#values.values, &mut #all);
                 }

@@ -88,9 +88,9 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
                 Self { #(#fields: #runtime::rows(&#entries, #firsts),)* }
             }
 
-            /// The rows of M, C0, C1, Kc, K0 and K2.
+            /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
             #[inline(always)]
-            fn rows(&self) -> [[[#scalar; #size]; #size]; 6] {
+            fn rows(&self) -> [[[#scalar; #size]; #size]; 8] {
                 #zeros
                 [#(#rows),*]
             }

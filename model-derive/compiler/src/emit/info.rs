@@ -43,7 +43,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
         quote!(#runtime::RequirementInfo::new(#text, #unit, #domain))
     });
     let matrix_name = |matrix: MatrixName| {
-        let matrix = format_ident!("{}", matrix.name());
+        let matrix = format_ident!("{}", matrix.identifier());
         quote!(#runtime::MatrixName::#matrix)
     };
     let names_of_matrices = model.matrices.iter().map(|(matrix, _)| matrix_name(*matrix));

@@ -48,7 +48,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) ->
             }
 
             #[inline(always)]
-            fn rows(&self) -> [[[#scalar; #size]; #size]; 6] {
+            fn rows(&self) -> [[[#scalar; #size]; #size]; 8] {
                 #all::rows(&self.matrices())
             }
         }

@@ -60,7 +60,7 @@ fn matrix_lines(matrices: &[Matrix], number: impl Fn(f64) -> String) -> Vec<Stri
     lines
 }
 
-/// `M q'' + (C0 + v C1) q' + (Kc + g K0 + v² K2) q = f` with the terms that the model has.
+/// `M q'' + (C-1/v + C0 + v C1) q' + (Kc + g K0 + v K1 + v² K2) q = f` with the terms that the model has.
 fn equation(info: &ModelInfo) -> String {
     let sum = |terms: &[(MatrixName, &'static str)], factor: &str| {
         let terms = terms.iter().filter(|(matrix, _)| info.matrices.contains(matrix));
@@ -70,8 +70,10 @@ fn equation(info: &ModelInfo) -> String {
             ref terms => format!(" + ({}) {factor}", terms.join(" + ")),
         }
     };
-    let damping = sum(&[(MatrixName::C0, "C0"), (MatrixName::C1, "v C1")], "q'");
-    let stiffness = sum(&[(MatrixName::Kc, "Kc"), (MatrixName::K0, "g K0"), (MatrixName::K2, "v² K2")], "q");
+    let damping = sum(&[(MatrixName::Cm1, "C-1/v"), (MatrixName::C0, "C0"), (MatrixName::C1, "v C1")], "q'");
+    let stiffness =
+        [(MatrixName::Kc, "Kc"), (MatrixName::K0, "g K0"), (MatrixName::K1, "v K1"), (MatrixName::K2, "v² K2")];
+    let stiffness = sum(&stiffness, "q");
     format!("M q''{damping}{stiffness} = f")
 }
 
@@ -84,9 +86,11 @@ pub fn coordinate(CoordinateInfo { label, name, .. }: &CoordinateInfo) -> String
 fn unit(matrix: &str, coordinates: &[CoordinateInfo]) -> &'static str {
     let (lengths, angles) = match matrix {
         "M" => ("kg", "kg m²"),
+        "C-1" => ("N", "N m²"),
         "C0" => ("N s/m", "N m s"),
         "C1" | "K0" => ("kg/m", "kg m"),
         "Kc" => ("N/m", "N m"),
+        "K1" => ("N s/m²", "N s"),
         _ => ("kg/m²", "kg"),
     };
     if coordinates.iter().all(|coordinate| coordinate.unit == "m") {
@@ -111,11 +115,11 @@ mod tests {
         let of = |units: &[&'static str]| {
             let coordinate = |&unit| CoordinateInfo { name: "q", label: "q", docs: "", unit };
             let coordinates: Vec<_> = units.iter().map(coordinate).collect();
-            ["M", "C0", "C1", "Kc", "K0", "K2"].map(|matrix| unit(matrix, &coordinates))
+            ["M", "C-1", "C0", "C1", "Kc", "K0", "K1", "K2"].map(|matrix| unit(matrix, &coordinates))
         };
-        assert_eq!(of(&["rad"; 3]), ["kg m²", "N m s", "kg m", "N m", "kg m", "kg"]);
-        assert_eq!(of(&["m"]), ["kg", "N s/m", "kg/m", "N/m", "kg/m", "kg/m²"]);
-        assert_eq!(of(&["m", "rad"]), ["SI"; 6]);
+        assert_eq!(of(&["rad"; 3]), ["kg m²", "N m²", "N m s", "kg m", "N m", "kg m", "N s", "kg"]);
+        assert_eq!(of(&["m"]), ["kg", "N", "N s/m", "kg/m", "N/m", "kg/m", "N s/m²", "kg/m²"]);
+        assert_eq!(of(&["m", "rad"]), ["SI"; 8]);
     }
 
     #[test]

@@ -56,7 +56,7 @@ fn a_value_and_its_deviation_are_in_one_unit() {
 #[test]
 fn near_misses_of_matrices_are_refused() {
     let matrices = r#""M": [[1, 0], [0, 1]], "K0": [[1, 0], [0, 1]], "K2": [[0, 1], [0, 1]], "g": 9.81"#;
-    let expected = "expected `M`, `C0`, `C1`, `Kc`, `K0`, `K2`";
+    let expected = "expected `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`";
     for (other, message) in [
         (r#""C": [[0, 1], [1, 0]]"#, format!("`C` is no matrix; {expected}")),
         (r#""c1": [[0, 1], [1, 0]]"#, format!("`c1` is no matrix; {expected}; did you mean `C1`?")),

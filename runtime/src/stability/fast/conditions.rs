@@ -37,7 +37,7 @@ const REGULAR: f64 = 16.0 * f64::EPSILON;
 /// The matrices; `None` if the mass matrix may be singular, or if entries are not finite or of unusual size.
 #[inline]
 pub(super) fn moderate_matrices(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Option<Matrices> {
-    let Coefficients { m, c0, c1, kc, k0, k2 } = coefficients;
+    let Coefficients { m, c0, c1, kc, k0, k2, .. } = coefficients;
     let entries = [m, c0, c1, kc, k0, k2].map(rows);
     let is_moderate = |x: f64| (SMALLEST..=LARGEST).contains(&x.abs()) | (x == 0.0);
     // Without a branch for each entry.

@@ -22,9 +22,9 @@ use carvallo::{Coefficients, Matrix};
 #[cfg(feature = "compiler")]
 fn interpreted<const N: usize>(compiled: &carvallo_compiler::Compiled, values: &[f64]) -> Coefficients<f64, N> {
     let entries = compiled.programs.matrices.interpret(values);
-    let mut rows = [[[0.0; N]; N]; 6];
+    let mut rows = [[[0.0; N]; N]; 8];
     for ((name, _), entries) in compiled.model.matrices.iter().zip(entries.chunks(N * N)) {
-        let known = ["M", "C0", "C1", "Kc", "K0", "K2"];
+        let known = ["M", "C-1", "C0", "C1", "Kc", "K0", "K1", "K2"];
         let place = known.iter().position(|known| *known == name.name()).expect("a matrix");
         for (row, entries) in rows[place].iter_mut().zip(entries.chunks(N)) {
             row.copy_from_slice(entries);
@@ -42,7 +42,7 @@ fn declaration(source: &str) -> &str {
 
 /// Whether each matrix agrees with another one, to a part of the largest entry of that.
 fn assert_close<const N: usize>(found: &Coefficients<f64, N>, expected: &Coefficients<f64, N>, part: f64, what: &str) {
-    let matrices = |c: &Coefficients<f64, N>| [c.m, c.c0, c.c1, c.kc, c.k0, c.k2];
+    let matrices = |c: &Coefficients<f64, N>| [c.m, c.cm1, c.c0, c.c1, c.kc, c.k0, c.k1, c.k2];
     let names = ["M", "C0", "C1", "Kc", "K0", "K2"];
     for ((found, expected), name) in matrices(found).into_iter().zip(matrices(expected)).zip(names) {
         let size = |matrix: Matrix<f64, N>| matrix.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));

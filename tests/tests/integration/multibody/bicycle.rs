@@ -95,6 +95,7 @@ fn a_rider_is_a_pendulum_on_the_frame() {
         kc: Matrix::from_diagonal(&Vector3::new(0.0, 3.0, 90.0)),
         k0: bordered(&ridden.k0, [m * arm, 0.0], [m * arm, 0.0, m * arm]),
         k2: bordered(&ridden.k2, [0.0, 0.0], [0.0, -m * arm * turn, 0.0]),
+        ..Default::default()
     };
     check_all("with a rider", &found, &expected);
 }

@@ -25,7 +25,7 @@ fn a_disc_rolls_upright_when_it_is_fast() {
         let m = [[transverse + about_rim, 0.0], [0.0, transverse]];
         let c1 = [[0.0, (axial + about_rim) / radius], [-axial / radius, 0.0]];
         let k0 = [[-mass * (radius - tyre), 0.0], [0.0, 0.0]];
-        check_all("disc", &found, &Coefficients::from_rows([m, zeros, c1, zeros, k0, zeros]));
+        check_all("disc", &found, &Coefficients::from_rows([m, zeros, zeros, c1, zeros, k0, zeros, zeros]));
 
         let gravity = 9.81;
         let least = gravity * (radius - tyre) * transverse * mass * radius * radius / (axial * (axial + about_rim));
@@ -56,10 +56,12 @@ fn a_double_pendulum_swings_as_in_the_textbook() {
     let zeros = [[0.0; 2]; 2];
     let expected = Coefficients::from_rows([
         [[m11, outer + both], [outer + both, outer]],
+        zeros,
         [[0.3, 0.0], [0.0, 0.2]],
         zeros,
         [[4.0, 0.0], [0.0, 5.0]],
         [[(m[0] + m[1]) * l[0] + m[1] * l[1], m[1] * l[1]], [m[1] * l[1], m[1] * l[1]]],
+        zeros,
         zeros,
     ]);
     check_all("double pendulum", &pendulum.linearized([upper, lower], None), &expected);
@@ -77,10 +79,12 @@ fn a_pendulum_hangs_from_a_cart() {
     let zeros = [[0.0; 2]; 2];
     let expected = Coefficients::from_rows([
         [[6.5, -1.5 * 0.6], [-1.5 * 0.6, 1.5 * 0.36 + 0.03]],
+        zeros,
         [[2.0, 0.0], [0.0, 0.0]],
         zeros,
         [[60.0, 0.0], [0.0, 0.0]],
         [[0.0, 0.0], [0.0, 1.5 * 0.6]],
+        zeros,
         zeros,
     ]);
     check_all("cart", &cart.linearized([slide, hinge], None), &expected);

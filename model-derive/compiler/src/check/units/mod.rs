@@ -151,10 +151,12 @@ fn entry_dimension(matrix: MatrixName, row: Dimension, column: Dimension) -> Opt
     let per_second = |times: i32| Dimension::new([0, 0, -times]);
     let factor = match matrix {
         MatrixName::M => per_second(2),
+        MatrixName::Cm1 => per_second(1).times(speed.power(-1)?)?,
         MatrixName::C0 => per_second(1),
         MatrixName::C1 => per_second(1).times(speed)?,
         MatrixName::Kc => Dimension::NUMBER,
         MatrixName::K0 => gravity,
+        MatrixName::K1 => speed,
         MatrixName::K2 => speed.power(2)?,
     };
     let divisor = row.times(column)?.times(factor)?;
@@ -170,10 +172,12 @@ mod tests {
         let rad = Dimension::NUMBER;
         let cases = [
             (MatrixName::M, "kg*m^2"),
+            (MatrixName::Cm1, "kg*m^3/s^2"),
             (MatrixName::C0, "kg*m^2/s"),
             (MatrixName::C1, "kg*m"),
             (MatrixName::Kc, "kg*m^2/s^2"),
             (MatrixName::K0, "kg*m"),
+            (MatrixName::K1, "kg*m/s"),
             (MatrixName::K2, "kg"),
         ];
         for (matrix, unit) in cases {

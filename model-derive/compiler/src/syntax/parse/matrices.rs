@@ -1,6 +1,6 @@
 //! Matrices, written row by row.
 
-use proc_macro2::Span;
+use proc_macro2::{Literal, Span};
 use syn::Token;
 use syn::parse::ParseStream;
 
@@ -17,7 +17,8 @@ pub fn parse_symmetric(input: ParseStream<'_>, model: &mut Declaration, report: 
         report.error(&add, "found `symmetric add`: expected `add symmetric`");
         return parse_added(input, model);
     }
-    let (name, span) = parse_matrix_name(input, "a matrix after `symmetric`: `M`, `C0`, `C1`, `Kc`, `K0` or `K2`")?;
+    let (name, span) =
+        parse_matrix_name(input, "a matrix after `symmetric`: `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1` or `K2`")?;
     model.matrices.push(parse_matrix(input, name, span, true)?);
     parse_semicolon(input, "`;`", "the matrix")
 }
@@ -28,8 +29,8 @@ pub fn parse_added(input: ParseStream<'_>, model: &mut Declaration) -> syn::Resu
     if is_symmetric {
         input.parse::<syn::Ident>()?;
     }
-    let what = "a matrix after `add`: `M`, `C0`, `C1`, `Kc`, `K0` or `K2`, with `symmetric` before it if that is to be \
-                proved";
+    let what = "a matrix after `add`: `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1` or `K2`, with `symmetric` before it if that \
+                is to be proved";
     let (name, span) = parse_matrix_name(input, what)?;
     model.added.push(parse_matrix(input, name, span, is_symmetric)?);
     parse_semicolon(input, "`;`", "the matrix")
@@ -40,10 +41,26 @@ fn parse_matrix_name(input: ParseStream<'_>, what: &str) -> syn::Result<(MatrixN
         return Err(expected(input, what));
     }
     let name: syn::Ident = input.parse()?;
-    match MatrixName::from_name(&name.to_string()) {
+    match parse_name_behind(&name.to_string(), input)? {
         Some(matrix) => Ok((matrix, name.span())),
         None => Err(error(&name, format!("found `{name}`: expected {what}"))),
     }
+}
+
+/// The matrix whose name begins with a word, behind that: `C` is the beginning of `C-1`.
+pub fn parse_name_behind(word: &str, input: ParseStream<'_>) -> syn::Result<Option<MatrixName>> {
+    if word != "C" || !starts_minus_one(input) {
+        return Ok(MatrixName::from_name(word));
+    }
+    input.parse::<Token![-]>()?;
+    input.parse::<Literal>()?;
+    Ok(Some(MatrixName::Cm1))
+}
+
+/// Whether `-1` follows.
+pub fn starts_minus_one(input: ParseStream<'_>) -> bool {
+    let Some((minus, after)) = input.cursor().punct() else { return false };
+    minus.as_char() == '-' && after.literal().is_some_and(|(one, _)| one.to_string() == "1")
 }
 
 /// `M = …`, behind its name.

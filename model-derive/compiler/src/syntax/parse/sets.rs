@@ -3,15 +3,15 @@
 use proc_macro2::TokenTree;
 use syn::Token;
 use syn::parse::ParseStream;
+use syn::parse::discouraged::Speculative as _;
 
 use super::blocks::parse_block;
 use super::docs::reject_docs;
 use super::domains::parse_value;
-use super::matrices::parse_rows;
+use super::matrices::{parse_name_behind, parse_rows, starts_minus_one};
 use super::names::{parse_declared, parse_name};
 use super::tokens::{expected, parse_equals, parse_semicolon, parse_text};
 use crate::formula::Decimal;
-use crate::matrix_name::MatrixName;
 use crate::report::{Region, Report, error};
 use crate::syntax::tree::{Declaration, ParameterSet, Printed, Published, SetValue};
 
@@ -26,15 +26,21 @@ pub fn parse_set(
     let source = parse_text(input)?;
     let mut values = Vec::new();
     let mut published = Vec::new();
-    let starts = |input: ParseStream<'_>| input.peek(syn::Ident) && input.peek2(Token![=]) && !input.peek2(Token![==]);
+    let starts = |input: ParseStream<'_>| {
+        let behind = input.fork();
+        let numbered = behind.parse::<syn::Ident>().is_ok_and(|word| word == "C") && starts_minus_one(&behind);
+        numbered || input.peek(syn::Ident) && input.peek2(Token![=]) && !input.peek2(Token![==])
+    };
     parse_block(input, "the values of the set", report, starts, |input, report| {
         let what = "the name of a parameter";
         reject_docs(input, what, report)?;
         let name = parse_declared(input, what)?;
-        if let Some(matrix) = MatrixName::from_name(&name.to_string())
-            && input.peek(Token![=])
-            && input.peek2(syn::token::Bracket)
+        let ahead = input.fork();
+        if let Some(matrix) = parse_name_behind(&name.to_string(), &ahead)?
+            && ahead.peek(Token![=])
+            && ahead.peek2(syn::token::Bracket)
         {
+            input.advance_to(&ahead);
             input.parse::<Token![=]>()?;
             let (region, rows) = parse_rows(input, parse_printed)?;
             published.push(Published { name: matrix, span: name.span(), rows, region });

@@ -8,13 +8,12 @@ use syn::parse::discouraged::Speculative as _;
 use super::docs::{LOST, parse_docs};
 use super::domains::parse_comparison;
 use super::expressions::parse_expression;
-use super::matrices::{parse_added, parse_matrix, parse_rows, parse_symmetric};
+use super::matrices::{parse_added, parse_matrix, parse_name_behind, parse_rows, parse_symmetric, starts_minus_one};
 use super::mechanism::parse_mechanism;
 use super::names::parse_declared;
 use super::parameters::{parse_coordinates, parse_parameters};
 use super::sets::parse_set;
 use super::tokens::{expected, parse_equals, parse_semicolon, parse_text};
-use crate::matrix_name::MatrixName;
 use crate::nearest::{ask_for, find_nearest};
 use crate::report::{Report, error};
 use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requirement};
@@ -22,8 +21,9 @@ use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requiremen
 /// What is said to be expected where no statement starts.
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
                           `set name { … }`, `coordinates { … }`, `mechanism { … }`, `derivatives;`, \
-                          `source \"…\";` or a matrix `M`, `C0`, `C1`, `Kc`, `K0`, `K2`, with `symmetric` before \
-                          it if that is to be proved, and `add` if it is added to that of a mechanism";
+                          `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, with \
+                          `symmetric` before it if that is to be proved, and `add` if it is added to that of a \
+                          mechanism";
 
 /// One statement. A misspelt first word is noted, and what follows read as what was meant.
 pub fn parse_statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
@@ -60,12 +60,14 @@ pub fn starts_statement(input: ParseStream<'_>) -> bool {
     let Some((word, _)) = input.cursor().ident() else { return false };
     let follows = input.peek2(syn::token::Brace) || input.peek2(syn::LitStr) || input.peek2(syn::Ident);
     let assigned = input.peek2(Token![=]) && !input.peek2(Token![==]);
+    let behind = input.fork();
+    let numbered = behind.parse::<syn::Ident>().is_ok() && starts_minus_one(&behind);
     let follows = follows || word == "derivatives" && input.peek2(Token![;]);
-    word == "let" || KEYWORDS.iter().any(|keyword| word == keyword) && (follows || assigned)
+    word == "let" || KEYWORDS.iter().any(|keyword| word == keyword) && (follows || assigned || word == "C" && numbered)
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 16] = [
+const KEYWORDS: [&str; 18] = [
     "source",
     "parameters",
     "coordinates",
@@ -77,10 +79,12 @@ const KEYWORDS: [&str; 16] = [
     "symmetric",
     "add",
     "M",
+    "C",
     "C0",
     "C1",
     "Kc",
     "K0",
+    "K1",
     "K2",
 ];
 
@@ -128,12 +132,12 @@ fn parse_after_keyword(
         "symmetric" => parse_symmetric(input, model, report),
         "add" => parse_added(input, model),
         "set" => parse_set(input, docs, model, report),
-        other => match MatrixName::from_name(other) {
+        other => match parse_name_behind(other, input)? {
             Some(matrix_name) => {
                 model.matrices.push(parse_matrix(input, matrix_name, keyword.span(), false)?);
                 parse_semicolon(input, "`;`", "the matrix")
             }
-            None => unreachable!("a keyword that no statement begins with"),
+            None => Err(expected(input, "`-1`, for the matrix `C-1`")),
         },
     }
 }
@@ -167,7 +171,7 @@ fn parse_definition(input: ParseStream<'_>, model: &mut Declaration, report: &mu
 fn parse_assertion(input: ParseStream<'_>, model: &mut Declaration) -> syn::Result<()> {
     let ahead = input.fork();
     if let Ok(name) = ahead.parse::<syn::Ident>()
-        && let Some(matrix) = MatrixName::from_name(&name.to_string())
+        && let Some(matrix) = parse_name_behind(&name.to_string(), &ahead)?
         && ahead.parse::<Token![==]>().is_ok()
         && ahead.peek(syn::token::Bracket)
     {
