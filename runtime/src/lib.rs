@@ -77,7 +77,7 @@ pub use sensitivity::{
 pub use stability::{
     Change, CriticalKind, CriticalSpeed, MarginalRange, Mode, ModeValue, Modes, Stability, StableRange, Verdict,
 };
-pub use system::{Coefficients, Matrix, MatrixName, Rows, StateSpace, System, SystemError, rows};
+pub use system::{Coefficients, Matrix, MatrixName, Rows, StateSpace, States, System, SystemError, rows};
 
 /// The other half of [`model!`].
 #[cfg(feature = "derive")]

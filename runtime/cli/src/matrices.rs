@@ -46,7 +46,7 @@ const GENERAL_INFO: ModelInfo = ModelInfo {
 pub static MATRICES: [&Shipped; 2] = [&BENCHMARK, &GENERAL];
 
 const fn coordinate(name: &'static str) -> CoordinateInfo {
-    CoordinateInfo { name, label: name, docs: "", unit: "1" }
+    CoordinateInfo::new(name, "1")
 }
 
 /// The parameters: the entries of matrices row by row, and gravity.
@@ -90,7 +90,7 @@ fn coefficients(info: &ModelInfo, entries: &[f64]) -> Coefficients<f64, 2> {
         None => Matrix::zeros(),
     };
     let [m, cm1, c0, c1, kc, k0, k1, k2] = MatrixName::ALL.map(matrix);
-    Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 }
+    Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, ..Default::default() }
 }
 
 fn differentiate(_: &[f64]) -> Result<Option<Sensitivity<2>>, String> {

@@ -208,7 +208,8 @@ fn structs<S: Simd, const N: usize, M: Model<N, Scalar = f64>>(
             let entry = |matrix: usize| {
                 core::array::from_fn(|row| core::array::from_fn(|column| rows[matrix][row][column].lane(lane)))
             };
-            *coefficients = Coefficients::from_rows(core::array::from_fn(entry));
+            let states = core::array::from_fn(|coordinate| M::INFO.coordinates[coordinate].states);
+            *coefficients = Coefficients { states, ..Coefficients::from_rows(core::array::from_fn(entry)) };
         }
     }
 }

@@ -40,7 +40,7 @@ impl<const N: usize> Units<N> {
     /// If a row or a column of M is zero.
     #[cfg(feature = "std")]
     pub(crate) fn of_coefficients(coefficients: &Coefficients<f64, N>, gravity: f64) -> Result<Self, SystemError> {
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = coefficients;
         let sides = Self::of_mass(m)?;
         // g K0 may leave the range of f64 where the scaled product does not.
         let unit = exponent(gravity).unwrap_or(0);
@@ -85,7 +85,7 @@ impl<const N: usize> Units<N> {
     /// Coefficients, or derivatives of them, in these units.
     #[cfg(feature = "std")]
     pub(crate) fn scale_coefficients(&self, coefficients: &Coefficients<f64, N>) -> Coefficients<f64, N> {
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = coefficients;
         Coefficients {
             m: self.scale(m, [2, 0], 0),
             cm1: self.scale(cm1, [1, -1], 0),
@@ -95,6 +95,7 @@ impl<const N: usize> Units<N> {
             k0: self.scale(k0, [0, 0], self.gravity),
             k1: self.scale(k1, [0, 1], 0),
             k2: self.scale(k2, [0, 2], 0),
+            states: *states,
         }
     }
 

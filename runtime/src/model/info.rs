@@ -5,7 +5,7 @@ use core::fmt;
 use super::domain::Domain;
 use super::error::ParameterError;
 use super::formula::FormulaInfo;
-use crate::system::MatrixName;
+use crate::system::{MatrixName, States};
 
 /// A model's own description, for tables, files and messages.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -190,17 +190,25 @@ pub struct CoordinateInfo {
     pub docs: &'static str,
     /// The unit as written in the declaration, such as `rad`.
     pub unit: &'static str,
+    /// Which of its position and its rate are states.
+    pub states: States,
 }
 
 impl CoordinateInfo {
-    /// A coordinate whose label is its name, without documentation.
+    /// A coordinate whose label is its name, without documentation, of which position and rate are states.
     pub const fn new(name: &'static str, unit: &'static str) -> Self {
-        Self { name, label: name, docs: "", unit }
+        Self { name, label: name, docs: "", unit, states: States::Both }
     }
 
     /// The same with another label.
     pub const fn label(self, label: &'static str) -> Self {
         Self { label, ..self }
+    }
+
+    /// The same, but of its position and its rate only one is a state.
+    #[must_use]
+    pub const fn states(self, states: States) -> Self {
+        Self { states, ..self }
     }
 
     /// The same with documentation.

@@ -66,6 +66,7 @@ impl<const N: usize> Sensitivity<N> {
             k0: of(|c| &c.k0)?,
             k1: of(|c| &c.k1)?,
             k2: of(|c| &c.k2)?,
+            states: self.coefficients.states,
         })
     }
 }

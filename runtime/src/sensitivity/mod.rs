@@ -133,7 +133,7 @@ impl<const N: usize> Sensitivity<N> {
 
     /// The derivative of the equations of motion at a speed with respect to a parameter.
     fn direction(&self, parameter: usize, speed: f64) -> Result<Direction<N>, SystemError> {
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = self.derivatives[parameter];
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = self.derivatives[parameter];
         let over_speed = cm1.map(|entry| if entry == 0.0 { entry } else { entry / speed });
         let mut k = kc + k0 * self.gravity + k1 * speed + k2 * speed * speed;
         if self.gravity_parameter == Some(parameter) {

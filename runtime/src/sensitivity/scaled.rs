@@ -49,7 +49,7 @@ impl Scaled {
     }
 
     fn matrices_of(&self, coefficients: &Coefficients<f64, 2>, speed: DoubleDouble) -> ByPower<Rows<Tracked>> {
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = coefficients;
         let over_speed = inverse(cm1, speed);
         let speed = Tracked::from(speed);
         let square = speed * speed;
@@ -63,7 +63,7 @@ impl Scaled {
 
     /// The derivatives of K, C and M at a scaled speed in the direction of scaled derivatives of the coefficients.
     pub(super) fn direction(&self, direction: &Coefficients<f64, 2>, speed: f64) -> ByPower<Rows> {
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = direction;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = direction;
         let over_speed = inverse(cm1, speed.into()).value.to_f64();
         let stiffness = kc + k0 * self.gravity + k1 * speed + k2 * speed * speed;
         [rows(&stiffness), rows(&(cm1 * over_speed + c0 + c1 * speed)), rows(m)]

@@ -51,7 +51,7 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         coefficients.require_finite()?;
         require_finite("speed", speed)?;
         require_finite("gravity", gravity)?;
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = coefficients;
         let mut c = c0 + c1 * speed;
         // v (v K2): the square alone may overflow where the product does not.
         let mut k = kc + k0 * gravity + k2 * speed * speed;

@@ -5,6 +5,7 @@ use core::fmt;
 use nalgebra::SMatrix;
 
 use super::rows::Rows;
+use super::states::States;
 use crate::number::Scalar;
 
 /// A matrix of N x N numbers.
@@ -34,6 +35,8 @@ pub struct Coefficients<T: Scalar, const N: usize> {
     pub k1: Matrix<T, N>,
     /// Stiffness K2, to be multiplied by v^2.
     pub k2: Matrix<T, N>,
+    /// Which of the position and the rate of each coordinate are states.
+    pub states: [States; N],
 }
 
 /// All of them zero: `Coefficients { m, k0, ..Default::default() }` has the matrices that are not.
@@ -44,21 +47,22 @@ impl<T: Scalar, const N: usize> Default for Coefficients<T, N> {
 }
 
 impl<T: Scalar, const N: usize> Coefficients<T, N> {
-    /// From the rows of each matrix, in the order M, C-1, C0, C1, Kc, K0, K1, K2.
+    /// From the rows of each matrix, in the order M, C-1, C0, C1, Kc, K0, K1, K2. Positions and rates of all coordinates are
+    /// states.
     pub fn from_rows([m, cm1, c0, c1, kc, k0, k1, k2]: [[[T; N]; N]; 8]) -> Self {
         let matrix = |rows: [[T; N]; N]| SMatrix::from_fn(|row, column| rows[row][column]);
         let [m, cm1, c0, c1] = [m, cm1, c0, c1].map(matrix);
         let [kc, k0, k1, k2] = [kc, k0, k1, k2].map(matrix);
-        Self { m, cm1, c0, c1, kc, k0, k1, k2 }
+        Self { m, cm1, c0, c1, kc, k0, k1, k2, states: [States::Both; N] }
     }
 
     /// The same numbers as `f64`, exactly.
     pub(crate) fn widen(&self) -> Coefficients<f64, N> {
         let wide = |matrix: &Matrix<T, N>| matrix.map(Scalar::to_f64);
-        let Self { m, cm1, c0, c1, kc, k0, k1, k2 } = self;
+        let Self { m, cm1, c0, c1, kc, k0, k1, k2, states } = self;
         let [m, cm1, c0, c1] = [m, cm1, c0, c1].map(wide);
         let [kc, k0, k1, k2] = [kc, k0, k1, k2].map(wide);
-        Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 }
+        Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: *states }
     }
 
     /// Whether there is a C-1 or a K1: without them damping is of the powers 0 and 1 of the speed and stiffness of 0 and 2,
@@ -69,7 +73,7 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
 
     /// One of the matrices.
     pub fn matrix(&self, name: MatrixName) -> &Matrix<T, N> {
-        let Self { m, cm1, c0, c1, kc, k0, k1, k2 } = self;
+        let Self { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = self;
         match name {
             MatrixName::M => m,
             MatrixName::Cm1 => cm1,
@@ -84,7 +88,7 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
 
     /// One of the matrices, to be changed.
     pub fn matrix_mut(&mut self, name: MatrixName) -> &mut Matrix<T, N> {
-        let Self { m, cm1, c0, c1, kc, k0, k1, k2 } = self;
+        let Self { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = self;
         match name {
             MatrixName::M => m,
             MatrixName::Cm1 => cm1,

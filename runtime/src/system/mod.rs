@@ -5,6 +5,7 @@ mod coefficients;
 mod error;
 mod rows;
 mod state_space;
+mod states;
 
 pub use at_speed::System;
 #[cfg(feature = "std")]
@@ -13,3 +14,4 @@ pub use coefficients::{Coefficients, Matrix, MatrixName, rows};
 pub use error::SystemError;
 pub use rows::Rows;
 pub use state_space::StateSpace;
+pub use states::States;

@@ -153,7 +153,7 @@ fn those_of_a_pendulum_are_what_they_are_by_hand() {
 
 /// All entries of all matrices.
 fn entries<const N: usize>(coefficients: &Coefficients<f64, N>) -> Vec<f64> {
-    let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2 } = coefficients;
+    let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, .. } = coefficients;
     [m, cm1, c0, c1, kc, k0, k1, k2].into_iter().flat_map(|matrix| matrix.iter().copied()).collect()
 }
 

@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn units_follow_from_the_coordinates() {
         let of = |units: &[&'static str]| {
-            let coordinate = |&unit| CoordinateInfo { name: "q", label: "q", docs: "", unit };
+            let coordinate = |&unit| CoordinateInfo::new("q", unit);
             let coordinates: Vec<_> = units.iter().map(coordinate).collect();
             ["M", "C-1", "C0", "C1", "Kc", "K0", "K1", "K2"].map(|matrix| unit(matrix, &coordinates))
         };
