@@ -4,7 +4,8 @@
 //! cargo run -p carvallo-models --example embedding
 //! ```
 //!
-//! Nothing but `main` needs the standard library; nothing allocates.
+//! Nothing but `main` needs the standard library; nothing allocates. All numbers are `f32`, which is what the processors of
+//! many microcontrollers compute by themselves.
 
 #![no_std]
 
@@ -17,17 +18,17 @@ use carvallo_models::WhippleMechanism;
 /// A bicycle that rides at a constant speed, as a microcontroller may carry it along: lean and steer and what follows.
 struct Ride {
     /// Forward speed in m/s.
-    speed: f64,
-    motion: StateSpace<2>,
-    yaw_rate: Rate<f64, 2>,
-    lateral_velocity: Rate<f64, 2>,
+    speed: f32,
+    motion: StateSpace<2, f32>,
+    yaw_rate: Rate<f32, 2>,
+    lateral_velocity: Rate<f32, 2>,
     /// Lean and steer in rad, their rates in rad/s, the yaw in rad, and the place to the right in m.
-    state: [f64; 6],
+    state: [f32; 6],
 }
 
 impl Ride {
     /// Upright and straight.
-    fn new(bicycle: &WhippleMechanism, speed: f64) -> Result<Self, SystemError> {
+    fn new(bicycle: &WhippleMechanism<f32>, speed: f32) -> Result<Self, SystemError> {
         let motion = bicycle.coefficients().at(speed, bicycle.g)?.state_space()?;
         let kinematics = bicycle.kinematics();
         let (yaw_rate, lateral_velocity) = (kinematics.yaw, kinematics.lateral);
@@ -35,7 +36,7 @@ impl Ride {
     }
 
     /// The rates of the state, under a lean and a steer torque in N m.
-    fn rates(&self, state: &[f64; 6], torques: [f64; 2]) -> [f64; 6] {
+    fn rates(&self, state: &[f32; 6], torques: [f32; 2]) -> [f32; 6] {
         let [lean, steer, lean_rate, steer_rate, yaw, _] = *state;
         let StateSpace { stiffness, damping, input } = &self.motion;
         let acceleration = |row: usize| {
@@ -46,15 +47,15 @@ impl Ride {
                 + input[(row, 0)] * torques[0]
                 + input[(row, 1)] * torques[1]
         };
-        let follows = |rate: &Rate<f64, 2>| rate.at(self.speed, &[lean, steer], &[lean_rate, steer_rate], yaw);
+        let follows = |rate: &Rate<f32, 2>| rate.at(self.speed, &[lean, steer], &[lean_rate, steer_rate], yaw);
         let (yaw_rate, lateral) = (follows(&self.yaw_rate), follows(&self.lateral_velocity));
         [lean_rate, steer_rate, acceleration(0), acceleration(1), yaw_rate, lateral]
     }
 
     /// Goes on by a time in s, by the classical method of Runge and Kutta.
-    fn step(&mut self, time: f64, torques: [f64; 2]) {
+    fn step(&mut self, time: f32, torques: [f32; 2]) {
         let from = self.state;
-        let after = |time: f64, rates: &[f64; 6]| core::array::from_fn(|i| from[i] + time * rates[i]);
+        let after = |time: f32, rates: &[f32; 6]| core::array::from_fn(|i| from[i] + time * rates[i]);
         let a = self.rates(&from, torques);
         let b = self.rates(&after(0.5 * time, &a), torques);
         let c = self.rates(&after(0.5 * time, &b), torques);
@@ -64,7 +65,7 @@ impl Ride {
 }
 
 fn main() -> Result<(), std::boxed::Box<dyn core::error::Error>> {
-    let bicycle = WhippleMechanism::BENCHMARK;
+    let bicycle = WhippleMechanism::BENCHMARK.cast::<f32>();
     bicycle.validate()?;
     let mut ride = Ride::new(&bicycle, 4.6)?;
     std::println!("the benchmark bicycle at {} m/s, pushed by 100 N m for a tenth of a second", ride.speed);
@@ -72,7 +73,7 @@ fn main() -> Result<(), std::boxed::Box<dyn core::error::Error>> {
     for millisecond in 0..=4000 {
         if millisecond % 250 == 0 {
             let [lean, steer, _, _, yaw, right] = ride.state;
-            let [lean, steer, yaw] = [lean, steer, yaw].map(f64::to_degrees);
+            let [lean, steer, yaw] = [lean, steer, yaw].map(f32::to_degrees);
             let time = f64::from(millisecond) / 1000.0;
             std::println!("{time:4.2} s {lean:6.2} ° {steer:6.2} ° {yaw:6.2} ° {right:9.3} m");
         }

@@ -6,11 +6,11 @@ use super::francis::{self, SWEEPS_PER_EIGENVALUE};
 use super::hessenberg::{Row, balance, reduce};
 use super::quadratic::Quadratic;
 use crate::characteristic::units::{time_unit, to_per_second};
-use crate::number::Number;
+use crate::number::{Number, Scalar};
 use crate::numeric::{exponent, ldexp};
 use crate::system::{Matrix, System, SystemError, require_in_range};
 
-impl<const N: usize> System<N> {
+impl<const N: usize, T: Scalar> System<N, T> {
     /// The 2N eigenvalues in 1/s, sorted by real part, then by imaginary part.
     ///
     /// For N = 2 they are [those of the quartic](System::quartic_eigenvalues), and for N = 1 those of the quadratic. For
@@ -25,11 +25,11 @@ impl<const N: usize> System<N> {
     /// iteration for N other than 2 does not converge.
     pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>, SystemError> {
         if N == 2 {
-            let two = |matrix: &Matrix<f64, N>| Matrix::<f64, 2>::from_fn(|i, j| matrix[(i, j)]);
+            let two = |matrix: &Matrix<T, N>| Matrix::<T, 2>::from_fn(|i, j| matrix[(i, j)]);
             let system = System { m: two(&self.m), c: two(&self.c), k: two(&self.k) };
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
-        let mut eigenvalues = eigenvalues_of_state_matrix(self)?.as_flattened().to_vec();
+        let mut eigenvalues = self.widened(eigenvalues_of_state_matrix)?.as_flattened().to_vec();
         eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
         Ok(eigenvalues)
     }

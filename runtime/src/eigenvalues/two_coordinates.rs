@@ -7,6 +7,7 @@ use super::four::Four;
 use super::quartic::Quartic;
 use crate::characteristic::determinant::{Rows, coefficients, rows};
 use crate::characteristic::units::{Units, to_per_second};
+use crate::number::Scalar;
 use crate::number::lane::Lane;
 use crate::system::{System, SystemError};
 
@@ -14,7 +15,7 @@ use crate::system::{System, SystemError};
 const SMALL: f64 = 1e-30;
 const LARGE: f64 = 1e30;
 
-impl System<2> {
+impl<T: Scalar> System<2, T> {
     /// The four eigenvalues in 1/s, sorted by real part, then by imaginary part; without allocation.
     ///
     /// They are the roots of the characteristic quartic `det(M s^2 + C s + K)`. Real ones have an imaginary part of
@@ -40,18 +41,13 @@ impl System<2> {
     ///
     /// # Errors
     /// If an entry is not finite, if the mass matrix is singular, or if an eigenvalue leaves the range of `f64`.
+    #[inline]
     pub fn quartic_eigenvalues(&self) -> Result<[Complex<f64>; 4], SystemError> {
-        let [[s0, s1], [t0, t1]] = self.factored_eigenvalues()?;
-        let mut sorted = [s0, s1, t0, t1];
-        // Both halves are in order already; merge them.
-        for [i, j] in [[0, 2], [1, 3], [1, 2]] {
-            if precedes(sorted[j], sorted[i]) {
-                sorted.swap(i, j);
-            }
-        }
-        Ok(sorted)
+        self.widened(sorted_eigenvalues)
     }
+}
 
+impl System<2> {
     /// The four eigenvalues as the roots of two quadratic factors: in each half two real ones, ascending, or a conjugate
     /// pair, the negative imaginary part first.
     #[inline]
@@ -64,6 +60,19 @@ impl System<2> {
         self.require_finite()?;
         scaled_eigenvalues(self)
     }
+}
+
+/// The four eigenvalues, sorted; compiled once, here.
+fn sorted_eigenvalues(system: &System<2>) -> Result<[Complex<f64>; 4], SystemError> {
+    let [[s0, s1], [t0, t1]] = system.factored_eigenvalues()?;
+    let mut sorted = [s0, s1, t0, t1];
+    // Both halves are in order already; merge them.
+    for [i, j] in [[0, 2], [1, 3], [1, 2]] {
+        if precedes(sorted[j], sorted[i]) {
+            sorted.swap(i, j);
+        }
+    }
+    Ok(sorted)
 }
 
 /// The sorted eigenvalues of the equations of motion in each lane, and whether they are as exact as those of the scalar

@@ -1,6 +1,7 @@
 //! The number types of parameters and results.
 
 use core::fmt::Display;
+use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
 
 use super::Number;
 use super::trigonometry::{sin_cos, sin_cos_single};
@@ -10,16 +11,28 @@ use super::trigonometry::{sin_cos, sin_cos_single};
 /// Sine and cosine of `f64` are the same to the last bit on every platform, but for angles beyond 1e5 rad. Those, sine and
 /// cosine of `f32`, the tangent and the square root come from the platform with feature `std`, and from `libm` without
 /// it.
-pub trait Scalar: Number + Display + PartialOrd + nalgebra::Scalar {
+///
+/// Matrices of them can be added, subtracted and multiplied, which nalgebra does for what has the assigning operators.
+pub trait Scalar:
+    Number + Display + PartialOrd + AddAssign + SubAssign + MulAssign + DivAssign + nalgebra::Scalar
+{
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
     /// The number nearest to `value`.
     fn from_f64(value: f64) -> Self;
     /// This number, exactly.
     fn to_f64(self) -> f64;
+    /// The magnitude.
+    fn abs(self) -> Self;
+    /// Whether it is neither infinite nor not a number.
+    fn is_finite(self) -> bool;
 }
 
 macro_rules! scalar {
     ($t:ident, $sin_cos:path, $tan:path, $sqrt:path) => {
         impl Scalar for $t {
+            const EPSILON: Self = $t::EPSILON;
+
             #[inline]
             fn from_f64(value: f64) -> Self {
                 value as $t
@@ -27,6 +40,14 @@ macro_rules! scalar {
             #[inline]
             fn to_f64(self) -> f64 {
                 f64::from(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $t::abs(self)
+            }
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                $t::is_finite(self)
             }
         }
 

@@ -1,5 +1,7 @@
 //! The equations of motion at one speed and one gravity.
 
+use core::any::Any;
+
 use super::coefficients::{Coefficients, Matrix, MatrixName};
 use super::error::SystemError;
 use crate::number::Scalar;
@@ -8,6 +10,9 @@ use crate::number::Scalar;
 ///
 /// Rows and columns follow the coordinates of the model. For coordinates that are angles in rad, f are torques in N m,
 /// M is in kg m^2, C in N m s and K in N m.
+///
+/// Matrices, and with them [`state_space`](Self::state_space), are in the numbers `T` throughout, so that `f32` needs no
+/// `f64` on a processor without it. Eigenvalues are always computed in `f64`, which holds every `f32` exactly.
 ///
 /// ```
 /// use carvallo::{Matrix, System};
@@ -19,16 +24,26 @@ use crate::number::Scalar;
 /// # Ok::<(), carvallo::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct System<const N: usize> {
+pub struct System<const N: usize, T: Scalar = f64> {
     /// Mass matrix M.
-    pub m: Matrix<f64, N>,
+    pub m: Matrix<T, N>,
     /// Damping matrix C = C-1/v + C0 + v C1.
-    pub c: Matrix<f64, N>,
+    pub c: Matrix<T, N>,
     /// Stiffness matrix K = Kc + g K0 + v K1 + v^2 K2.
-    pub k: Matrix<f64, N>,
+    pub k: Matrix<T, N>,
 }
 
-impl<const N: usize> System<N> {
+impl<const N: usize, T: Scalar> System<N, T> {
+    /// What is computed of the same numbers as `f64`, exactly; without a copy where they are that.
+    #[inline]
+    pub(crate) fn widened<R>(&self, compute: impl FnOnce(&System<N>) -> R) -> R {
+        if let Some(system) = (self as &dyn Any).downcast_ref() {
+            return compute(system);
+        }
+        let [m, c, k] = [&self.m, &self.c, &self.k].map(|matrix| matrix.map(Scalar::to_f64));
+        compute(&System { m, c, k })
+    }
+
     /// Whether every entry is finite.
     pub(crate) fn require_finite(&self) -> Result<(), SystemError> {
         for (quantity, matrix) in [("M", &self.m), ("C", &self.c), ("K", &self.k)] {
@@ -41,35 +56,34 @@ impl<const N: usize> System<N> {
 impl<T: Scalar, const N: usize> Coefficients<T, N> {
     /// The equations of motion at a forward speed in m/s and a gravitational field strength in N/kg.
     ///
-    /// A negative speed is running backwards.
+    /// A negative speed is running backwards. All is computed in the numbers of the coefficients; those in `f32` are
+    /// rounded there once more, which converting them first avoids: `Coefficients::<f64, N>::from(coefficients)`.
     ///
     /// # Errors
     /// If the speed, the gravity or an entry is not finite, if there is a C-1 and the speed is zero, or if C or K leaves the
-    /// range of `f64`.
-    pub fn at(&self, speed: f64, gravity: f64) -> Result<System<N>, SystemError> {
-        let coefficients = self.widen();
-        coefficients.require_finite()?;
+    /// range of `T`.
+    pub fn at(&self, speed: T, gravity: T) -> Result<System<N, T>, SystemError> {
+        self.require_finite()?;
         require_finite("speed", speed)?;
         require_finite("gravity", gravity)?;
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = coefficients;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = *self;
         let mut c = c0 + c1 * speed;
         // v (v K2): the square alone may overflow where the product does not.
         let mut k = kc + k0 * gravity + k2 * speed * speed;
-        if coefficients.has_odd_powers() {
-            if speed == 0.0 && cm1.iter().any(|&entry| entry != 0.0) {
+        if self.has_odd_powers() {
+            let zero = T::from_f64(0.0);
+            if speed == zero && cm1.iter().any(|&entry| entry != zero) {
                 return Err(SystemError::AtRest);
             }
             // Where there is no C-1, nothing is divided by a speed of zero.
-            c += cm1.map(|entry| if entry == 0.0 { entry } else { entry / speed });
+            c += cm1.map(|entry| if entry == zero { entry } else { entry / speed });
             k += k1 * speed;
         }
         require_in_range("C-1/v + C0 + v C1", &c)?;
         require_in_range("Kc + g K0 + v K1 + v^2 K2", &k)?;
         Ok(System { m, c, k })
     }
-}
 
-impl<const N: usize> Coefficients<f64, N> {
     /// Whether every entry is finite.
     pub(crate) fn require_finite(&self) -> Result<(), SystemError> {
         for name in MatrixName::ALL {
@@ -79,16 +93,23 @@ impl<const N: usize> Coefficients<f64, N> {
     }
 }
 
+/// The same numbers, exactly.
+impl<const N: usize> From<System<N, f32>> for System<N> {
+    fn from(system: System<N, f32>) -> Self {
+        system.widened(System::clone)
+    }
+}
+
 /// Whether every entry of a result is finite, of what was computed from finite numbers.
-pub(crate) fn require_in_range<const N: usize>(
+pub(crate) fn require_in_range<T: Scalar, const N: usize>(
     quantity: &'static str,
-    result: &Matrix<f64, N>,
+    result: &Matrix<T, N>,
 ) -> Result<(), SystemError> {
     if result.iter().all(|entry| entry.is_finite()) { Ok(()) } else { Err(SystemError::OutOfRange { quantity }) }
 }
 
-pub(crate) fn require_finite(quantity: &'static str, value: f64) -> Result<(), SystemError> {
-    if value.is_finite() { Ok(()) } else { Err(SystemError::NotFinite { quantity, value }) }
+pub(crate) fn require_finite<T: Scalar>(quantity: &'static str, value: T) -> Result<(), SystemError> {
+    if value.is_finite() { Ok(()) } else { Err(SystemError::NotFinite { quantity, value: value.to_f64() }) }
 }
 
 /// Whether a speed is one of those from zero that an analysis along the speed runs over.

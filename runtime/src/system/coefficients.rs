@@ -68,7 +68,8 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
     /// Whether there is a C-1 or a K1: without them damping is of the powers 0 and 1 of the speed and stiffness of 0 and 2,
     /// for which two coordinates have faster and exact ways.
     pub(crate) fn has_odd_powers(&self) -> bool {
-        self.cm1.iter().chain(self.k1.iter()).any(|entry| entry.to_f64() != 0.0)
+        let zero = T::from_f64(0.0);
+        self.cm1.iter().chain(self.k1.iter()).any(|&entry| entry != zero)
     }
 
     /// One of the matrices.
@@ -99,6 +100,13 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
             MatrixName::K1 => k1,
             MatrixName::K2 => k2,
         }
+    }
+}
+
+/// The same numbers, exactly.
+impl<const N: usize> From<Coefficients<f32, N>> for Coefficients<f64, N> {
+    fn from(coefficients: Coefficients<f32, N>) -> Self {
+        coefficients.widen()
     }
 }
 

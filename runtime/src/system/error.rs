@@ -24,7 +24,8 @@ pub enum SystemError {
     OddPowers,
     /// The mass matrix M cannot be inverted: its determinant is zero as far as its entries can tell.
     SingularMass,
-    /// The numbers differ so much in size that an intermediate result leaves the range of `f64`.
+    /// The numbers differ so much in size that an intermediate result leaves the range of its type, `f64` or
+    /// `f32`.
     OutOfRange {
         /// The result that left the range, such as `C-1/v + C0 + v C1`.
         quantity: &'static str,
@@ -46,7 +47,7 @@ impl fmt::Display for SystemError {
             }
             Self::OddPowers => f.write_str("with C-1 or K1 critical speeds are not found"),
             Self::SingularMass => f.write_str("the mass matrix M is singular; it must be invertible"),
-            Self::OutOfRange { quantity } => write!(f, "{quantity} leaves the range of double precision"),
+            Self::OutOfRange { quantity } => write!(f, "{quantity} leaves the range of floating-point numbers"),
             Self::NotConverged { iterations } => {
                 write!(f, "the eigenvalues did not converge within {iterations} iterations")
             }

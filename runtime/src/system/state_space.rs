@@ -5,6 +5,7 @@ use nalgebra::{Matrix4, Matrix4x2};
 use super::at_speed::{System, require_in_range};
 use super::coefficients::Matrix;
 use super::error::SystemError;
+use crate::number::Scalar;
 
 /// The state-space form `x' = A x + B f` with the state x = (q, q') and the generalized forces f as inputs.
 ///
@@ -30,23 +31,23 @@ use super::error::SystemError;
 /// # Ok::<(), carvallo::SystemError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StateSpace<const N: usize> {
+pub struct StateSpace<const N: usize, T: Scalar = f64> {
     /// The block -M^-1 K of A.
-    pub stiffness: Matrix<f64, N>,
+    pub stiffness: Matrix<T, N>,
     /// The block -M^-1 C of A.
-    pub damping: Matrix<f64, N>,
+    pub damping: Matrix<T, N>,
     /// The block M^-1 of B.
-    pub input: Matrix<f64, N>,
+    pub input: Matrix<T, N>,
 }
 
-impl<const N: usize> System<N> {
+impl<const N: usize, T: Scalar> System<N, T> {
     /// The state-space form.
     ///
     /// # Errors
-    /// If the mass matrix is singular, an entry is not finite, or a block leaves the range of `f64`.
-    pub fn state_space(&self) -> Result<StateSpace<N>, SystemError> {
+    /// If the mass matrix is singular as far as `T` can tell, an entry is not finite, or a block leaves the range of `T`.
+    pub fn state_space(&self) -> Result<StateSpace<N, T>, SystemError> {
         self.require_finite()?;
-        let [stiffness, damping, input] = self.solve([-self.k, -self.c, Matrix::identity()])?;
+        let [stiffness, damping, input] = self.solve([-self.k, -self.c, identity()])?;
         for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping), ("M^-1", &input)] {
             require_in_range(quantity, block)?;
         }
@@ -60,14 +61,16 @@ impl<const N: usize> System<N> {
     #[inline]
     pub(crate) fn solve<const COUNT: usize>(
         &self,
-        mut x: [Matrix<f64, N>; COUNT],
-    ) -> Result<[Matrix<f64, N>; COUNT], SystemError> {
+        mut x: [Matrix<T, N>; COUNT],
+    ) -> Result<[Matrix<T, N>; COUNT], SystemError> {
+        let zero = T::from_f64(0.0);
         let mut m = self.m;
-        let mut terms = m.abs();
+        let mut terms = m.map(Scalar::abs);
         for step in 0..N {
             let relative = |row: usize| {
-                let largest = (step..N).fold(0.0, |largest: f64, column| largest.max(m[(row, column)].abs()));
-                if largest > 0.0 { m[(row, step)].abs() / largest } else { 0.0 }
+                let sizes = (step..N).map(|column| m[(row, column)].abs());
+                let largest = sizes.fold(zero, |largest, size| if size > largest { size } else { largest });
+                if largest > zero { m[(row, step)].abs() / largest } else { zero }
             };
             let (mut pivot, mut size) = (step, relative(step));
             for row in step + 1..N {
@@ -79,7 +82,7 @@ impl<const N: usize> System<N> {
             m.swap_rows(step, pivot);
             terms.swap_rows(step, pivot);
             x.iter_mut().for_each(|x| x.swap_rows(step, pivot));
-            if m[(step, step)].abs() <= 8.0 * f64::EPSILON * terms[(step, step)] {
+            if m[(step, step)].abs() <= T::from_f64(8.0) * T::EPSILON * terms[(step, step)] {
                 return Err(SystemError::SingularMass);
             }
             for row in (0..N).filter(|&row| row != step) {
@@ -91,7 +94,8 @@ impl<const N: usize> System<N> {
                 }
                 for x in &mut x {
                     for column in 0..N {
-                        x[(row, column)] -= factor * x[(step, column)];
+                        let product = factor * x[(step, column)];
+                        x[(row, column)] -= product;
                     }
                 }
             }
@@ -100,20 +104,35 @@ impl<const N: usize> System<N> {
     }
 }
 
-impl StateSpace<2> {
+impl<T: Scalar> StateSpace<2, T> {
     /// The state matrix A.
-    pub fn a(&self) -> Matrix4<f64> {
-        let mut a = Matrix4::zeros();
-        a.fixed_view_mut::<2, 2>(0, 2).fill_with_identity();
-        a.fixed_view_mut::<2, 2>(2, 0).copy_from(&self.stiffness);
-        a.fixed_view_mut::<2, 2>(2, 2).copy_from(&self.damping);
-        a
+    pub fn a(&self) -> Matrix4<T> {
+        Matrix4::from_fn(|row, column| match (row, column) {
+            (0 | 1, _) => if_equal(row + 2, column),
+            (_, 0 | 1) => self.stiffness[(row - 2, column)],
+            _ => self.damping[(row - 2, column - 2)],
+        })
     }
 
     /// The input matrix B.
-    pub fn b(&self) -> Matrix4x2<f64> {
-        let mut b = Matrix4x2::zeros();
-        b.fixed_view_mut::<2, 2>(2, 0).copy_from(&self.input);
-        b
+    pub fn b(&self) -> Matrix4x2<T> {
+        Matrix4x2::from_fn(|row, column| if row < 2 { T::from_f64(0.0) } else { self.input[(row - 2, column)] })
     }
+}
+
+/// The same numbers, exactly.
+impl<const N: usize> From<StateSpace<N, f32>> for StateSpace<N> {
+    fn from(StateSpace { stiffness, damping, input }: StateSpace<N, f32>) -> Self {
+        let [stiffness, damping, input] = [stiffness, damping, input].map(|block| block.map(f64::from));
+        Self { stiffness, damping, input }
+    }
+}
+
+fn identity<T: Scalar, const N: usize>() -> Matrix<T, N> {
+    Matrix::from_fn(if_equal)
+}
+
+/// An entry of the identity matrix.
+fn if_equal<T: Scalar>(row: usize, column: usize) -> T {
+    T::from_f64(if row == column { 1.0 } else { 0.0 })
 }

@@ -32,6 +32,7 @@ mod regenerate;
 mod rounding;
 mod rows;
 mod sensitivity;
+mod single_precision;
 mod stability;
 mod state_space;
 mod textbook;

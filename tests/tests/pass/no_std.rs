@@ -4,6 +4,8 @@
 #![forbid(unsafe_code)]
 #![deny(warnings)]
 
+use carvallo::{Model, StateSpace, System};
+
 // For the program's start alone.
 extern crate std;
 
@@ -17,5 +19,10 @@ carvallo::model! {
 }
 
 fn main() {
-    assert_eq!(Pendulum { l: 2.0, m: 3.0_f32 }.matrices().m, [[12.0]]);
+    let pendulum = Pendulum { l: 2.0, m: 3.0_f32 };
+    assert_eq!(pendulum.matrices().m, [[12.0]]);
+
+    let hanging: System<1, f32> = pendulum.coefficients().at(0.0, 10.0).unwrap();
+    let motion: StateSpace<1, f32> = hanging.state_space().unwrap();
+    assert_eq!(motion.stiffness[0], -5.0);
 }
