@@ -30,8 +30,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{} designs with {batch}", designs.len());
 
     // The matrices of all of them, as columns of entries; `coefficients` has the same, as matrices.
-    let mut entries = Blocks::for_entries::<2, Skate>(designs.len());
-    batch.matrices::<2, Skate>(&Blocks::of_designs(&designs), &mut entries)?;
+    let mut entries = Blocks::for_entries::<_, Skate>(designs.len());
+    batch.matrices::<_, Skate>(&Blocks::of_designs(&designs), &mut entries)?;
     for (position, entry) in Skate::<f64>::INFO.entries.iter().enumerate() {
         let (low, high) = entries
             .column(position)

@@ -14,8 +14,8 @@
 //!
 //! - The [guide] explains page by page, with examples that run: models [from formulas](guide::formulas) and
 //!   [from bodies, joints and wheels](guide::mechanisms), how the compiler [looks for mistakes](guide::safeguards),
-//!   [stability](guide::stability), [batches](guide::batches), [sensitivities](guide::sensitivities), and the
-//!   [generated code](guide::generated_code) without a compiler.
+//!   [stability](guide::stability), [code for any model](guide::any_model), [batches](guide::batches),
+//!   [sensitivities](guide::sensitivities), and the [generated code](guide::generated_code) without a compiler.
 //! - [`model!`] documents the syntax of a declaration.
 //! - The crate `carvallo-models` has finished models with their code, the Whipple-Carvallo bicycle and others, and the
 //!   parameters of measured bicycles; `carvallo-cli` is the command line.
@@ -64,6 +64,8 @@ pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, FormulaInfo, FormulaSubject, LengthError,
     Model, ModelInfo, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo, WithDerivatives,
 };
+/// The library of matrices, in the version that has the types of this crate.
+pub use nalgebra;
 pub use nalgebra::Complex;
 #[cfg(feature = "std")]
 pub use notation::Notation;

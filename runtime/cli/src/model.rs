@@ -23,7 +23,7 @@ pub struct Shipped {
 pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 
 /// The model that is meant unless another one is named: that of the shipped bicycles.
-pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
+pub static WHIPPLE: Shipped = Shipped::of::<_, Whipple>();
 
 /// Makes the equations of motion from parameters in declared order, or says which of them cannot be.
 pub(crate) type Construct = fn(&[f64]) -> Result<Box<dyn Equations>, String>;

@@ -2,7 +2,8 @@
 //!
 //! Who declares models of machines begins with [`formulas`] or [`mechanisms`], whose syntax [`model!`](crate::model)
 //! documents to the last word, and reads in [`safeguards`] how the compiler looks for mistakes. [`stability`], [`batches`]
-//! and [`sensitivities`] are about what is done with a model. Who wants the evaluators of a finished model, in a simulation
+//! and [`sensitivities`] are about what is done with a model, and [`any_model`] about functions of your own that take every
+//! model. Who wants the evaluators of a finished model, in a simulation
 //! or on a microcontroller, needs [`generated_code`] alone, and who has code by hand, or of another generator, finds in
 //! [`comparing`] how to hold one against the other. What [`symbolica`] asks of those who compile models has a page, too.
 //!
@@ -26,6 +27,7 @@
 //! | --- | --- |
 //! | `std` (default) | everything that allocates: stability along speed, modes, sensitivities, eigenvalues of any number of coordinates; sine and cosine of the platform for `f32` |
 //! | `batch` (default) | many designs in the lanes of the processor |
+//! | `approx` | coefficients, systems and state spaces in `assert_relative_eq!` and the like of the crate `approx` |
 //! | `rayon` | batches by all cores |
 //! | `derive` | the macro `model!`, which builds Symbolica |
 
@@ -41,6 +43,8 @@ pub mod mechanisms {}
 pub mod safeguards {}
 #[doc = include_str!("stability.md")]
 pub mod stability {}
+#[doc = include_str!("any_model.md")]
+pub mod any_model {}
 #[doc = include_str!("batches.md")]
 pub mod batches {}
 #[doc = include_str!("sensitivities.md")]

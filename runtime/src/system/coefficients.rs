@@ -8,7 +8,16 @@ use super::rows::Rows;
 use super::states::States;
 use crate::number::Scalar;
 
-/// A matrix of N x N numbers.
+/// A matrix of N x N numbers, of [`nalgebra`].
+///
+/// It becomes one of another library entry by entry, and comes back so by `Matrix::from_fn`:
+///
+/// ```ignore
+/// let of_ndarray = ndarray::Array2::from_shape_fn((N, N), |at| matrix[at]);
+/// let of_faer = faer::Mat::from_fn(N, N, |row, column| matrix[(row, column)]);
+/// // With nalgebra's feature `convert-mint`, for N = 2:
+/// let of_mint: mint::ColumnMatrix2<f64> = matrix.into();
+/// ```
 pub type Matrix<T, const N: usize> = SMatrix<T, N, N>;
 
 /// The coefficient matrices of

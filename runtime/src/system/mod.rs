@@ -1,5 +1,7 @@
 //! The linearized equations of motion: their coefficients, and what they are at one speed and one gravity.
 
+#[cfg(feature = "approx")]
+mod approximate;
 mod at_speed;
 mod coefficients;
 mod error;
