@@ -69,7 +69,7 @@ pub use nalgebra;
 pub use nalgebra::Complex;
 #[cfg(feature = "std")]
 pub use notation::Notation;
-pub use number::{Number, Scalar};
+pub use number::{Number, Scalar, to_f32};
 #[cfg(feature = "std")]
 pub use sensitivity::{
     CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable, Sensitivity,

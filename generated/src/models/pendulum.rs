@@ -154,6 +154,21 @@ impl<T: Scalar> Pendulum<T> {
     }
 }
 
+impl Pendulum<f64> {
+    /// The same parameters in `f32`, each rounded to the nearest; in constants, too.
+    #[must_use]
+    pub const fn to_f32(&self) -> Pendulum<f32> {
+        Pendulum::from_array(carvallo::to_f32(self.to_array()))
+    }
+}
+
+/// The same parameters, exactly.
+impl From<Pendulum<f32>> for Pendulum<f64> {
+    fn from(parameters: Pendulum<f32>) -> Self {
+        Pendulum::cast(&parameters)
+    }
+}
+
 impl<T: Number> PendulumMatrices<T> {
     /// From the entries of one matrix after the other, each row by row.
     #[inline(always)]
@@ -173,7 +188,7 @@ impl<T: Number> PendulumMatrices<T> {
     }
 }
 
-impl<T: Scalar> core::convert::From<PendulumMatrices<T>> for Coefficients<T, 1> {
+impl<T: Scalar> From<PendulumMatrices<T>> for Coefficients<T, 1> {
     fn from(matrices: PendulumMatrices<T>) -> Self {
         Self::from_rows(matrices.rows())
     }
@@ -266,6 +281,26 @@ impl<T: Scalar> Model<1> for Pendulum<T> {
 
     fn gravity(&self) -> Option<T> {
         Some(self.g)
+    }
+}
+
+impl Pendulum<f64> {
+    /// What the model tells about itself, the same for every number type.
+    pub const INFO: &'static ModelInfo = <Self as Model<1>>::INFO;
+
+    /// The parameter set of this name, however it is spelt: upper and lower case, `_`, `-` and spaces make no
+    /// difference. In `f32` it is had by the trait `Model`.
+    #[must_use]
+    pub fn set(name: &str) -> Option<Self> {
+        <Self as Model<1>>::set(name)
+    }
+}
+
+/// The parameters, one a line with its unit, in the precision that is asked for; `{:#}` says what they are.
+impl<T: Scalar> core::fmt::Display for Pendulum<T> {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> Result<(), core::fmt::Error> {
+        let info = const { &<Self as Model<1>>::INFO.without_formulas() };
+        info.write_parameters(&self.to_array(), formatter)
     }
 }
 

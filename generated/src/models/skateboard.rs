@@ -387,6 +387,21 @@ impl<T: Scalar> Skateboard<T> {
     }
 }
 
+impl Skateboard<f64> {
+    /// The same parameters in `f32`, each rounded to the nearest; in constants, too.
+    #[must_use]
+    pub const fn to_f32(&self) -> Skateboard<f32> {
+        Skateboard::from_array(carvallo::to_f32(self.to_array()))
+    }
+}
+
+/// The same parameters, exactly.
+impl From<Skateboard<f32>> for Skateboard<f64> {
+    fn from(parameters: Skateboard<f32>) -> Self {
+        Skateboard::cast(&parameters)
+    }
+}
+
 impl<T: Number> SkateboardMatrices<T> {
     /// From the entries of one matrix after the other, each row by row.
     #[inline(always)]
@@ -408,7 +423,7 @@ impl<T: Number> SkateboardMatrices<T> {
     }
 }
 
-impl<T: Scalar> core::convert::From<SkateboardMatrices<T>> for Coefficients<T, 1> {
+impl<T: Scalar> From<SkateboardMatrices<T>> for Coefficients<T, 1> {
     fn from(matrices: SkateboardMatrices<T>) -> Self {
         Self::from_rows(matrices.rows())
     }
@@ -561,6 +576,26 @@ impl<T: Scalar> Model<1> for Skateboard<T> {
 
     fn gravity(&self) -> Option<T> {
         Some(self.g)
+    }
+}
+
+impl Skateboard<f64> {
+    /// What the model tells about itself, the same for every number type.
+    pub const INFO: &'static ModelInfo = <Self as Model<1>>::INFO;
+
+    /// The parameter set of this name, however it is spelt: upper and lower case, `_`, `-` and spaces make no
+    /// difference. In `f32` it is had by the trait `Model`.
+    #[must_use]
+    pub fn set(name: &str) -> Option<Self> {
+        <Self as Model<1>>::set(name)
+    }
+}
+
+/// The parameters, one a line with its unit, in the precision that is asked for; `{:#}` says what they are.
+impl<T: Scalar> core::fmt::Display for Skateboard<T> {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> Result<(), core::fmt::Error> {
+        let info = const { &<Self as Model<1>>::INFO.without_formulas() };
+        info.write_parameters(&self.to_array(), formatter)
     }
 }
 

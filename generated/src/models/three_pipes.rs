@@ -262,6 +262,21 @@ impl<T: Scalar> ThreePipes<T> {
     }
 }
 
+impl ThreePipes<f64> {
+    /// The same parameters in `f32`, each rounded to the nearest; in constants, too.
+    #[must_use]
+    pub const fn to_f32(&self) -> ThreePipes<f32> {
+        ThreePipes::from_array(carvallo::to_f32(self.to_array()))
+    }
+}
+
+/// The same parameters, exactly.
+impl From<ThreePipes<f32>> for ThreePipes<f64> {
+    fn from(parameters: ThreePipes<f32>) -> Self {
+        ThreePipes::cast(&parameters)
+    }
+}
+
 impl<T: Number> ThreePipesMatrices<T> {
     /// From the entries of one matrix after the other, each row by row.
     #[inline(always)]
@@ -284,7 +299,7 @@ impl<T: Number> ThreePipesMatrices<T> {
     }
 }
 
-impl<T: Scalar> core::convert::From<ThreePipesMatrices<T>> for Coefficients<T, 3> {
+impl<T: Scalar> From<ThreePipesMatrices<T>> for Coefficients<T, 3> {
     fn from(matrices: ThreePipesMatrices<T>) -> Self {
         Self::from_rows(matrices.rows())
     }
@@ -470,6 +485,26 @@ impl<T: Scalar> Model<3> for ThreePipes<T> {
 
     fn gravity(&self) -> Option<T> {
         Some(self.g)
+    }
+}
+
+impl ThreePipes<f64> {
+    /// What the model tells about itself, the same for every number type.
+    pub const INFO: &'static ModelInfo = <Self as Model<3>>::INFO;
+
+    /// The parameter set of this name, however it is spelt: upper and lower case, `_`, `-` and spaces make no
+    /// difference. In `f32` it is had by the trait `Model`.
+    #[must_use]
+    pub fn set(name: &str) -> Option<Self> {
+        <Self as Model<3>>::set(name)
+    }
+}
+
+/// The parameters, one a line with its unit, in the precision that is asked for; `{:#}` says what they are.
+impl<T: Scalar> core::fmt::Display for ThreePipes<T> {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> Result<(), core::fmt::Error> {
+        let info = const { &<Self as Model<3>>::INFO.without_formulas() };
+        info.write_parameters(&self.to_array(), formatter)
     }
 }
 

@@ -880,6 +880,21 @@ impl<T: Scalar> WhippleLeaning<T> {
     }
 }
 
+impl WhippleLeaning<f64> {
+    /// The same parameters in `f32`, each rounded to the nearest; in constants, too.
+    #[must_use]
+    pub const fn to_f32(&self) -> WhippleLeaning<f32> {
+        WhippleLeaning::from_array(carvallo::to_f32(self.to_array()))
+    }
+}
+
+/// The same parameters, exactly.
+impl From<WhippleLeaning<f32>> for WhippleLeaning<f64> {
+    fn from(parameters: WhippleLeaning<f32>) -> Self {
+        WhippleLeaning::cast(&parameters)
+    }
+}
+
 impl<T: Number> WhippleLeaningMatrices<T> {
     /// From the entries of one matrix after the other, each row by row.
     #[inline(always)]
@@ -902,7 +917,7 @@ impl<T: Number> WhippleLeaningMatrices<T> {
     }
 }
 
-impl<T: Scalar> core::convert::From<WhippleLeaningMatrices<T>> for Coefficients<T, 3> {
+impl<T: Scalar> From<WhippleLeaningMatrices<T>> for Coefficients<T, 3> {
     fn from(matrices: WhippleLeaningMatrices<T>) -> Self {
         Self::from_rows(matrices.rows())
     }
@@ -1175,6 +1190,26 @@ impl<T: Scalar> Model<3> for WhippleLeaning<T> {
 
     fn gravity(&self) -> Option<T> {
         Some(self.g)
+    }
+}
+
+impl WhippleLeaning<f64> {
+    /// What the model tells about itself, the same for every number type.
+    pub const INFO: &'static ModelInfo = <Self as Model<3>>::INFO;
+
+    /// The parameter set of this name, however it is spelt: upper and lower case, `_`, `-` and spaces make no
+    /// difference. In `f32` it is had by the trait `Model`.
+    #[must_use]
+    pub fn set(name: &str) -> Option<Self> {
+        <Self as Model<3>>::set(name)
+    }
+}
+
+/// The parameters, one a line with its unit, in the precision that is asked for; `{:#}` says what they are.
+impl<T: Scalar> core::fmt::Display for WhippleLeaning<T> {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> Result<(), core::fmt::Error> {
+        let info = const { &<Self as Model<3>>::INFO.without_formulas() };
+        info.write_parameters(&self.to_array(), formatter)
     }
 }
 

@@ -795,6 +795,21 @@ impl<T: Scalar> WhippleTyres<T> {
     }
 }
 
+impl WhippleTyres<f64> {
+    /// The same parameters in `f32`, each rounded to the nearest; in constants, too.
+    #[must_use]
+    pub const fn to_f32(&self) -> WhippleTyres<f32> {
+        WhippleTyres::from_array(carvallo::to_f32(self.to_array()))
+    }
+}
+
+/// The same parameters, exactly.
+impl From<WhippleTyres<f32>> for WhippleTyres<f64> {
+    fn from(parameters: WhippleTyres<f32>) -> Self {
+        WhippleTyres::cast(&parameters)
+    }
+}
+
 impl<T: Number> WhippleTyresMatrices<T> {
     /// From the entries of one matrix after the other, each row by row.
     #[inline(always)]
@@ -815,7 +830,7 @@ impl<T: Number> WhippleTyresMatrices<T> {
     }
 }
 
-impl<T: Scalar> core::convert::From<WhippleTyresMatrices<T>> for Coefficients<T, 2> {
+impl<T: Scalar> From<WhippleTyresMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: WhippleTyresMatrices<T>) -> Self {
         Self::from_rows(matrices.rows())
     }
@@ -1039,6 +1054,26 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
 
     fn gravity(&self) -> Option<T> {
         Some(self.g)
+    }
+}
+
+impl WhippleTyres<f64> {
+    /// What the model tells about itself, the same for every number type.
+    pub const INFO: &'static ModelInfo = <Self as Model<2>>::INFO;
+
+    /// The parameter set of this name, however it is spelt: upper and lower case, `_`, `-` and spaces make no
+    /// difference. In `f32` it is had by the trait `Model`.
+    #[must_use]
+    pub fn set(name: &str) -> Option<Self> {
+        <Self as Model<2>>::set(name)
+    }
+}
+
+/// The parameters, one a line with its unit, in the precision that is asked for; `{:#}` says what they are.
+impl<T: Scalar> core::fmt::Display for WhippleTyres<T> {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> Result<(), core::fmt::Error> {
+        let info = const { &<Self as Model<2>>::INFO.without_formulas() };
+        info.write_parameters(&self.to_array(), formatter)
     }
 }
 

@@ -7,7 +7,9 @@ mod domain;
 mod error;
 mod formula;
 mod info;
+mod parameters_text;
 mod rate;
+mod sets;
 mod traits;
 
 pub use derivatives::{Differentiable, Partial};

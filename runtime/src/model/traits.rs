@@ -21,6 +21,14 @@ pub trait Model<const N: usize>: Copy {
     /// Names, units, documentation and domains.
     const INFO: &'static ModelInfo;
 
+    /// The parameter set called `name`, each value rounded to the nearest. Upper and lower case, `_`, `-` and spaces make
+    /// no difference, as [`ModelInfo::set`] has it.
+    #[must_use]
+    fn set(name: &str) -> Option<Self> {
+        let values = ModelInfo::set(Self::INFO, name)?.values;
+        Self::from_slice(Self::array(|position| Self::Scalar::from_f64(values[position])).as_ref()).ok()
+    }
+
     /// The parameters from a slice in declared order.
     ///
     /// # Errors

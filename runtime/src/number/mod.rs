@@ -21,7 +21,7 @@ pub(crate) mod trigonometry;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-pub use scalar::Scalar;
+pub use scalar::{Scalar, to_f32};
 
 /// What a model can be evaluated in: a floating-point number, or as many of them side by side as a register of the
 /// processor holds.

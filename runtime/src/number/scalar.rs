@@ -28,6 +28,19 @@ pub trait Scalar:
     fn is_finite(self) -> bool;
 }
 
+/// The nearest `f32` to each of the values. Generated code makes constants by it, where no method of a trait can be called.
+#[doc(hidden)]
+#[must_use]
+pub const fn to_f32<const P: usize>(values: [f64; P]) -> [f32; P] {
+    let mut nearest = [0.0; P];
+    let mut position = 0;
+    while position < P {
+        nearest[position] = values[position] as f32;
+        position += 1;
+    }
+    nearest
+}
+
 macro_rules! scalar {
     ($t:ident, $sin_cos:path, $tan:path, $sqrt:path) => {
         impl Scalar for $t {

@@ -1,7 +1,9 @@
 //! A checked model and its programs to Rust.
 
 mod body;
+mod conversions;
 mod derivatives;
+mod described;
 mod documentation;
 mod evaluator;
 mod fields;
@@ -71,15 +73,17 @@ fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Drive
     let matrices = programs.map(|programs| &programs.matrices);
     let rates = programs.and_then(|programs| programs.kinematics.as_ref());
     let requirements = programs.map(|programs| &programs.requirements);
-    let [evaluator, conversions, trait_impl, lanes] = [
+    let [evaluator, matrix_arrays, trait_impl, described, lanes] = [
         sized.then(|| evaluator::emit(model, &names, matrices)),
         sized.then(|| evaluator::emit_conversions(model, &names)),
         sized.then(|| trait_impl::emit(model, &names, matrices, requirements)),
+        sized.then(|| described::emit(model, &names)),
         sized.then(|| lanes::emit(model, &names, matrices)),
     ];
     let kinematics = if sized { kinematics::emit(model, &names, rates) } else { None };
     let [derivatives, partials] = if sized { derivatives::emit(model, &names, computed) } else { [None, None] };
-    let (structure, sets, arrays) = structure::emit(model, &names);
+    let (structure, sets) = structure::emit(model, &names);
+    let arrays = conversions::emit(model, &names);
     let references = names.among_items.then(|| references::emit(model, &names));
     let sections = [
         ("The parameters", Some(structure)),
@@ -87,8 +91,8 @@ fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Drive
         ("Rates and forces of the mechanism", kinematics),
         ("The derivatives of the matrices", derivatives),
         ("Parameter sets", sets),
-        ("Parameters and matrices as arrays", Some(quote!(#arrays #conversions))),
-        ("What the runtime knows of the model", Some(quote!(#trait_impl #lanes))),
+        ("Parameters and matrices as arrays", Some(quote!(#arrays #matrix_arrays))),
+        ("What the runtime knows of the model", Some(quote!(#trait_impl #described #lanes))),
         ("Which derivatives there are", partials),
         ("What editors know of the declaration", references),
     ];

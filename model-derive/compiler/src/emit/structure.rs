@@ -1,6 +1,6 @@
-//! The struct of the parameters, its parameter sets, and conversions.
+//! The struct of the parameters, and its parameter sets.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::documentation::{model_docs, parameter_docs, set_docs};
@@ -8,10 +8,10 @@ use super::names::GeneratedNames;
 use super::{derive, docs, number};
 use crate::model::{Model, ParameterSet};
 
-/// The struct, its parameter sets if there are any, and the conversions.
-pub fn emit(model: &Model, names: &GeneratedNames) -> (TokenStream, Option<TokenStream>, TokenStream) {
+/// The struct, and its parameter sets if there are any.
+pub fn emit(model: &Model, names: &GeneratedNames) -> (TokenStream, Option<TokenStream>) {
     let sets = (!model.sets.is_empty()).then(|| emit_sets(model, names));
-    (emit_struct(model, names), sets, emit_conversions(model, names))
+    (emit_struct(model, names), sets)
 }
 
 fn emit_struct(model: &Model, names: &GeneratedNames) -> TokenStream {
@@ -31,44 +31,8 @@ fn emit_struct(model: &Model, names: &GeneratedNames) -> TokenStream {
     }
 }
 
-/// All other conversions go by way of the array, so that the fields are listed once for each direction.
-fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
-    let GeneratedNames { runtime, model: name, scalar, other, .. } = names;
-    let allow = names.allow();
-    let fields = fields(model);
-    let count = Literal::usize_unsuffixed(fields.len());
-    let positions = (0..fields.len()).map(Literal::usize_unsuffixed);
-    let (values, value) = (format_ident!("values"), names.variable("value"));
-    let conversions = quote! {
-        #allow
-        impl<#scalar: #runtime::Number> #name<#scalar> {
-            /// The parameters from an array in declared order.
-            #[must_use]
-            pub const fn from_array(#values: [#scalar; #count]) -> Self {
-                Self { #(#fields: #values[#positions],)* }
-            }
-
-            /// The parameters as an array in declared order.
-            #[must_use]
-            pub const fn to_array(&self) -> [#scalar; #count] {
-                [#(self.#fields,)*]
-            }
-        }
-
-        #allow
-        impl<#scalar: #runtime::Scalar> #name<#scalar> {
-            /// The same parameters in another number type, each rounded to the nearest.
-            #[must_use]
-            pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> {
-                let #values = self.to_array();
-                #name::from_array(#values.map(|#value| #runtime::Scalar::from_f64(#runtime::Scalar::to_f64(#value))))
-            }
-        }
-    };
-    names.with_arguments(&["values"], conversions)
-}
-
-fn fields(model: &Model) -> Vec<&Ident> {
+/// The fields of the struct.
+pub fn fields(model: &Model) -> Vec<&Ident> {
     model.parameters.iter().map(|parameter| &parameter.name).collect()
 }
 

@@ -9,8 +9,25 @@ use proc_macro2::{Group, Ident, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 /// What every file of Rust knows by its last name.
-const PRELUDE: [&str; 13] =
-    ["Clone", "Copy", "Debug", "Err", "FnMut", "None", "Ok", "Option", "PartialEq", "Result", "Some", "f64", "usize"];
+const PRELUDE: [&str; 17] = [
+    "Clone",
+    "Copy",
+    "Debug",
+    "Default",
+    "Err",
+    "FnMut",
+    "From",
+    "None",
+    "Ok",
+    "Option",
+    "PartialEq",
+    "Result",
+    "Some",
+    "f32",
+    "f64",
+    "str",
+    "usize",
+];
 
 /// The names that a file imports from the runtime.
 pub struct Imports {

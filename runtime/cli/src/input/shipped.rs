@@ -29,7 +29,7 @@ pub fn default_name(model: &Shipped) -> Option<&'static str> {
 
 /// What ships for a model under a name.
 pub fn find(model: &Shipped, name: &str) -> Option<Document> {
-    if let Some(set) = model.info.sets.iter().find(|set| set.name == name && !model.is_whipple()) {
+    if let Some(set) = model.info.set(name).filter(|_| !model.is_whipple()) {
         return Some(document(model, set));
     }
     // A model with all parameters of the bicycles, and perhaps more, can have theirs.
