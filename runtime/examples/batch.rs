@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The matrices of all of them, as columns of entries; `coefficients` has the same, as matrices.
     let mut entries = Blocks::for_entries::<_, Skate>(designs.len());
     batch.matrices::<_, Skate>(&Blocks::of_designs(&designs), &mut entries)?;
-    for (position, entry) in Skate::<f64>::INFO.entries.iter().enumerate() {
+    for (position, entry) in Skate::INFO.entries.iter().enumerate() {
         let (low, high) = entries
             .column(position)
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));

@@ -31,7 +31,7 @@ carvallo::model! {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    println!("{}", Pendulum::<f64>::INFO.docs);
+    println!("{}", Pendulum::INFO.docs);
     for k in [0.03, 0.05, 0.1, 0.2] {
         let pendulum = Pendulum { k, ..Pendulum::METRONOME };
         pendulum.validate()?;

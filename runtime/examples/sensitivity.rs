@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
 
     // Places measured to 1 mm, masses to 100 g, the angle to a tenth of a degree.
-    let parameters = Skate::<f64>::INFO.parameters;
+    let parameters = Skate::INFO.parameters;
     let deviation = |unit: &str| match unit {
         "m" => 0.001,
         "kg" => 0.1,

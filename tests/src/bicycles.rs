@@ -30,7 +30,7 @@ fn design(text: &str) -> Whipple {
 fn parameters(text: &str, number: impl Fn(&Value) -> f64) -> Vec<f64> {
     let file: Table = text.parse().expect("a TOML file");
     let parameters = file["parameters"].as_table().expect("a table of parameters");
-    Whipple::<f64>::INFO.parameters.iter().map(|p| number(&parameters[p.name])).collect()
+    Whipple::INFO.parameters.iter().map(|p| number(&parameters[p.name])).collect()
 }
 
 fn number(value: &Value) -> f64 {

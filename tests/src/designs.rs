@@ -95,7 +95,7 @@ fn from_ranges(values: &[f64; 26]) -> Whipple {
         "IHxz" => named("IHxz") * (named("IHxx") * named("IHzz")).sqrt(),
         _ => named(name),
     };
-    let values: Vec<f64> = Whipple::<f64>::INFO.parameters.iter().map(|parameter| value(parameter.name)).collect();
+    let values: Vec<f64> = Whipple::INFO.parameters.iter().map(|parameter| value(parameter.name)).collect();
     Whipple::from_slice(&values).expect("a value for every parameter")
 }
 

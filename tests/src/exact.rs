@@ -200,5 +200,5 @@ pub fn values<T: carvallo::Scalar>(design: &Whipple<T>) -> Vec<f64> {
 }
 
 fn position(name: &str) -> usize {
-    Whipple::<f64>::INFO.position(name).unwrap_or_else(|| panic!("no parameter is called {name}"))
+    Whipple::INFO.position(name).unwrap_or_else(|| panic!("no parameter is called {name}"))
 }

@@ -162,11 +162,12 @@
 /// `Name::matrices`. A `require` on the expression, or on a power of two times it, says it in your words.
 ///
 /// # What it makes
-/// - A struct `Name<T = f64>` with the parameters as public fields, for `f32` and `f64`; `Name::EXAMPLE` for each
-///   parameter set; `from_array`, `to_array`, `cast`.
+/// - A struct `Name<T = f64>` with the parameters as public fields, for `f32` and `f64`, which displays them with their
+///   units; `Name::EXAMPLE` for each parameter set, and `Name::set("example")`; `from_array`, `to_array`, `cast`, `to_f32`,
+///   and `From<Name<f32>>` for `Name<f64>`.
 /// - A struct `NameMatrices<T>` with the declared matrices as [`Rows`](crate::Rows), and `Name::matrices`, which computes them
 ///   in one straight-line function whose documentation states its operation counts.
-/// - [`Model<N>`](crate::Model) for `Name<T>`: names, units, domains, validation, conversion from and to slices, and the
+/// - `Name::INFO`, and [`Model<N>`](crate::Model) for `Name<T>`: names, units, domains, validation, conversion from and to slices, and the
 ///   matrices as [`Coefficients`](crate::Coefficients).
 /// - With `derivatives;` a struct `NameDerivatives<T>` and `Name::matrices_and_derivatives`: an array of the values of the
 ///   derivatives that are not zero for all parameters, each once, the table `NameDerivatives::PARTIALS` that says which

@@ -79,7 +79,7 @@ fn one_by_one<'a, T: Float + Symplex>(task: Task<'a>, turns: &Turns, designs: &'
 /// All that compute several designs at once.
 fn batches<'a>(task: Task<'a>, turns: &Turns, designs: &'a [Whipple]) -> Task<'a> {
     let batch = Batch::new();
-    let outputs = Whipple::<f64>::INFO.entries.len();
+    let outputs = Whipple::INFO.entries.len();
     let portions = || turns.portions(designs);
     let blocks =
         portions().map(|designs| (Blocks::of_designs(designs), Blocks::for_entries::<2, Whipple>(designs.len())));

@@ -116,13 +116,13 @@ fn all_cores_give_the_same() {
 
 #[test]
 fn entries_name_their_places() {
-    let names: Vec<String> = Whipple::<f64>::INFO.entries.iter().map(ToString::to_string).collect();
+    let names: Vec<String> = Whipple::INFO.entries.iter().map(ToString::to_string).collect();
     let expected = [
         "M[0][0]", "M[0][1]", "M[1][1]", "C1[0][1]", "C1[1][0]", "C1[1][1]", "K0[0][0]", "K0[0][1]", "K0[1][1]",
         "K2[0][1]", "K2[1][1]",
     ];
     assert_eq!(names, expected);
-    assert_eq!(Whipple::<f64>::INFO.entries[1].places, [(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]);
+    assert_eq!(Whipple::INFO.entries[1].places, [(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]);
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn what_does_not_fit_is_an_error_that_says_so() {
     let batch = Batch::new();
     let column: &[f64] = &[1.0, 2.0];
     let few = batch.matrices_of_columns::<1, Pendulum>(&[column; 2], &mut []);
-    let parameters = Pendulum::<f64>::INFO.parameters.len();
+    let parameters = Pendulum::INFO.parameters.len();
     let expected = BatchError::Columns { model: "Pendulum", what: "parameters", expected: parameters, found: 2 };
     assert_eq!(few, Err(expected));
     assert_eq!(
@@ -140,7 +140,7 @@ fn what_does_not_fit_is_an_error_that_says_so() {
 
     let mut columns = vec![column; parameters];
     columns[1] = &[1.0];
-    let mut outputs = vec![vec![0.0; 2]; Pendulum::<f64>::INFO.entries.len()];
+    let mut outputs = vec![vec![0.0; 2]; Pendulum::INFO.entries.len()];
     let mut outputs: Vec<&mut [f64]> = outputs.iter_mut().map(|column| &mut column[..]).collect();
     let uneven = batch.matrices_of_columns::<1, Pendulum>(&columns, &mut outputs);
     let expected = BatchError::Length { what: "parameter", position: 1, expected: 2, found: 1 };
@@ -149,7 +149,7 @@ fn what_does_not_fit_is_an_error_that_says_so() {
     assert_eq!(expected.to_string(), message);
     assert!(Blocks::from_columns(&columns).is_err());
 
-    let designs = [Pendulum::from_slice(Pendulum::<f64>::INFO.sets[0].values).unwrap(); 3];
+    let designs = [Pendulum::from_slice(Pendulum::INFO.sets[0].values).unwrap(); 3];
     let mut room = [designs[0].coefficients(); 2];
     let short = batch.coefficients(&designs, &mut room);
     assert_eq!(short, Err(BatchError::Length { what: "result", position: 0, expected: 3, found: 2 }));

@@ -26,7 +26,7 @@ fn worst<T: Scalar>(design: &Whipple<T>, computed: &[Coefficients<T, 2>]) -> (f6
                     } else {
                         f64::INFINITY
                     };
-                    let parameter = Whipple::<f64>::INFO.parameters[parameter].name;
+                    let parameter = Whipple::INFO.parameters[parameter].name;
                     if error > worst.0 {
                         worst = (error, format!("{name}[{row}, {column}] by {parameter} is {value}, off by {error:e}"));
                     }
@@ -141,7 +141,7 @@ fn those_of_a_pendulum_are_what_they_are_by_hand() {
     let pendulum = Pendulum { m: 3.0, l: 0.5, c: 0.25, g: 9.81 };
     let derivatives = pendulum.matrices_and_derivatives().1;
     let by = |name| {
-        let position = Pendulum::<f64>::INFO.position(name).expect("a parameter");
+        let position = Pendulum::INFO.position(name).expect("a parameter");
         let matrices = derivatives.with_respect_to(position).expect("a parameter");
         [matrices.m, matrices.c0, matrices.k0].map(|matrix| matrix[0][0])
     };

@@ -26,6 +26,7 @@ mod multibody;
 #[cfg(feature = "compiler")]
 mod mutants;
 mod operations;
+mod parameters;
 mod published;
 #[cfg(feature = "compiler")]
 mod regenerate;

@@ -7,7 +7,12 @@
 mod names {
     pub struct T;
     pub struct f64;
+    pub struct f32;
+    pub struct str;
     pub struct usize;
+    pub trait From {}
+    pub trait Default {}
+    pub trait Display {}
     pub enum Result {}
     pub enum Option {}
     pub enum Some {}
@@ -23,6 +28,8 @@ mod names {
     pub fn sin() {}
     pub fn sqrt() {}
     pub const values: u8 = 0;
+    pub const name: u8 = 0;
+    pub const formatter: u8 = 0;
     pub static parameter: u8 = 0;
     pub struct element;
     pub mod core {}
@@ -75,5 +82,9 @@ fn main() {
     assert_eq!(model.matrices().m, [[2.0, 0.0], [0.0, 2.0]]);
     assert_eq!(model.matrices().c1, [[0.0, 1.0], [0.5, 0.0]]);
     assert!(carvallo::Model::validate(&model).is_ok());
+    assert_eq!(model::T2::set("OK"), Some(model));
+    assert_eq!(model::T2::from(model.to_f32()), model);
+    assert_eq!(model::T2::INFO.name, "T2");
+    assert_eq!(model.to_string(), "e     = 1.0\nI     = 2.0\nGamma = 0.0 rad\nx_    = 0.0 rad\nt5    = 1.0");
     assert_eq!(called_like_a_type_parameter::mass(), [[3.0]]);
 }

@@ -14,6 +14,9 @@ pub mod names {
     pub const values: Unit = Unit;
     pub const matrices: Unit = Unit;
     pub const info: Unit = Unit;
+    pub const name: Unit = Unit;
+    pub const formatter: Unit = Unit;
+    pub const parameters: Unit = Unit;
     pub const other: Unit = Unit;
     pub const f: Unit = Unit;
     pub static s: u8 = 0;
@@ -53,6 +56,10 @@ pub mod names {
         fn from_f64(self) {}
         fn to_f64(self) {}
         fn to_array(self) {}
+        fn to_f32(self) {}
+        fn set(self) {}
+        fn cast(self) {}
+        fn write_parameters(self) {}
         fn from_array(self) {}
         fn matrices(self) {}
         fn validate(self) {}
@@ -166,6 +173,10 @@ fn main() {
     assert_eq!(ok.matrices().m, [[4.0, 0.0], [0.0, 19.0]]);
     assert_eq!(ok.matrices().c1, [[0.0, 0.0], [0.5, 1.0]]);
     assert!(ok.validate().is_ok());
+    assert_eq!(models::Whipple::set("Ok"), Some(ok));
+    assert_eq!(models::Whipple::<f64>::from(ok.to_f32()), ok.cast::<f32>().cast());
+    assert_eq!(models::Whipple::INFO.name, "Whipple");
+    assert_eq!(ok.to_string().lines().last(), Some("g      = 9.81 N/kg"));
     assert_eq!(models::Whipple::from_array(ok.to_array()), ok);
     assert_eq!(models::Whipple::from_slice(&[1.0]).map_err(|error| error.found), Err(1));
     let mut values = [0.0; 5];

@@ -3,6 +3,8 @@
 //! Eigenvalues of the pipes are the roots of characteristic polynomials at 60 digits, from matrices that were assembled in
 //! fractions from the pipes' positions, independently of the declarations.
 
+use std::fmt::Display;
+
 use carvallo::{Model, ModelInfo};
 use serde_json::Value;
 
@@ -208,6 +210,36 @@ fn every_model_goes_through_every_format() {
             }
         }
     }
+}
+
+/// What a model displays is a file that is read back to the last bit.
+#[test]
+fn parameters_as_text_are_read_back() {
+    fn texts<const N: usize, M: Model<N, Scalar = f64> + Display>() -> (&'static ModelInfo, Vec<[String; 2]>) {
+        let sets = M::INFO.sets.iter().map(|set| M::from_slice(set.values).unwrap());
+        (M::INFO, sets.map(|model| [format!("{model}"), format!("{model:#}")]).collect())
+    }
+    let directory = Directory::new("as-text");
+    for (info, texts) in carvallo_models::each_model!(texts) {
+        for (set, text) in
+            info.sets.iter().zip(&texts).flat_map(|(set, texts)| texts.iter().map(move |text| (set, text)))
+        {
+            directory.write("parameters.txt", text);
+            let arguments = ["analyze", "--model", info.name, "parameters.txt", "--format", "json"];
+            let json: Value = serde_json::from_str(&directory.run(&arguments).ok()).unwrap();
+            for (parameter, value) in info.parameters.iter().zip(set.values) {
+                assert_eq!(json["parameters"][parameter.name], *value, "{} of {}\n{text}", parameter.name, info.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_set_may_be_spelt_in_any_case() {
+    let directory = Directory::new("spelling");
+    let [spelt, written] =
+        ["UNI-form", "uniform"].map(|set| directory.run(&["show", "--model", "RollingDisc", set]).ok());
+    assert_eq!(spelt, written);
 }
 
 #[test]

@@ -50,7 +50,7 @@ fn those_of_random_designs_are_good_to_ten_digits() {
 #[test]
 fn gravity_scales_critical_speeds_with_its_root() {
     for (label, bicycle) in bicycles::all() {
-        let (sensitivity, position) = (sensitivity(&bicycle), Whipple::<f64>::INFO.gravity.unwrap());
+        let (sensitivity, position) = (sensitivity(&bicycle), Whipple::INFO.gravity.unwrap());
         for critical in Stability::new(&bicycle.coefficients(), bicycle.g).unwrap().critical_speeds {
             let found = sensitivity.critical_speed(&critical).unwrap();
             let CriticalDerivative::Smooth { speed, eigenvalue, .. } = found else { panic!("{label}: {critical:?}") };

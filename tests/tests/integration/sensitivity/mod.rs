@@ -13,5 +13,5 @@ fn sensitivity(design: &Whipple) -> Sensitivity<2> {
 }
 
 fn name(parameter: usize) -> &'static str {
-    Whipple::<f64>::INFO.parameters[parameter].name
+    Whipple::INFO.parameters[parameter].name
 }

@@ -62,7 +62,7 @@ fn a_bicycle_of_two_wheels_alone_is_two_discs() {
 
 /// A bicycle of nothing: a wheel base and radii of 1 m.
 fn massless() -> Whipple {
-    let values: Vec<f64> = Whipple::<f64>::INFO
+    let values: Vec<f64> = Whipple::INFO
         .parameters
         .iter()
         .map(|parameter| if ["w", "rR", "rF"].contains(&parameter.name) { 1.0 } else { 0.0 })
