@@ -9,8 +9,10 @@ use crate::syntax::Declaration;
 /// An order of the definitions.
 #[derive(Debug)]
 pub struct Order {
-    /// Positions in the declaration, each behind those that it uses.
+    /// Positions in the declaration, each behind those that it uses: first those that do not depend on the speed.
     pub declared: Vec<usize>,
+    /// How many these are.
+    pub steady: usize,
     /// Whether some definition depends on itself, so that there is no such order.
     pub is_cyclic: bool,
 }
@@ -78,7 +80,18 @@ pub fn order(declaration: &Declaration, scope: &Scope, report: &mut Report) -> O
             }
         }
     }
-    Order { declared, is_cyclic }
+    let mut is_steady = vec![true; uses.len()];
+    for &index in &declared {
+        let mut mentions = false;
+        declaration.definitions[index].value.names(&mut |name| {
+            mentions |= matches!(scope.get(name), Some(Meaning::Speed(_)));
+        });
+        is_steady[index] = !mentions && uses[index].iter().all(|used| is_steady[*used]);
+    }
+    // What uses one that is not steady is not steady itself: the order stays one.
+    declared.sort_by_key(|index| !is_steady[*index]);
+    let steady = declared.iter().filter(|index| is_steady[**index]).count();
+    Order { declared, steady, is_cyclic }
 }
 
 /// Reports a cycle of definitions, each using the next, which ends where it begins.

@@ -5,10 +5,24 @@ use std::collections::HashSet;
 use super::names::Scope;
 use super::resolve;
 use crate::formula::Formula;
-use crate::matrix_name::MatrixName;
+use crate::matrix_name::{MatrixName, Whole};
 use crate::model::Matrices;
 use crate::report::{Region, Report};
 use crate::syntax::Declaration;
+
+/// What is written of the matrices.
+#[derive(Debug)]
+pub struct WrittenMatrices {
+    /// In the order of the equation of motion.
+    pub matrices: Matrices,
+    /// Where their entries stand, row by row.
+    pub regions: Vec<Region>,
+    /// Those with the speed in them.
+    pub wholes: Wholes,
+}
+
+/// Matrices with the speed in them, each as rows of formulas.
+pub type Wholes = Vec<(Whole, Vec<Vec<Formula>>)>;
 
 /// Reports what is added to matrices where there is no mechanism that has them, twice, or in another shape.
 pub fn check_added(declaration: &Declaration, scope: &mut Scope, report: &mut Report) {
@@ -43,7 +57,7 @@ fn find_size(declaration: &Declaration) -> Option<usize> {
     (n > 0 && n == distinct.len()).then_some(n)
 }
 
-/// The declared matrices, in the order of the equation of motion, and where their entries stand, row by row.
+/// What is written of the matrices.
 ///
 /// Unless all statements of the declaration could be read, those that are missing are probably among them.
 pub fn resolve_matrices(
@@ -51,7 +65,7 @@ pub fn resolve_matrices(
     is_complete: bool,
     scope: &mut Scope,
     report: &mut Report,
-) -> (Matrices, Vec<Region>) {
+) -> WrittenMatrices {
     if declaration.coordinates.is_empty() && is_complete {
         report.error(&declaration.name, "no coordinates: expected `coordinates { … }` with at least one");
     }
@@ -79,13 +93,40 @@ pub fn resolve_matrices(
         let regions = matrix.entries().map(|entry| entry.region).collect();
         matrices.push((matrix.name, rows, regions));
     }
+    let wholes = resolve_wholes(declaration, size, scope, report);
     if !matrices.iter().any(|(name, ..)| *name == MatrixName::M) && is_complete && declaration.mechanism.is_none() {
         let message = "no mass matrix: expected `M = [[…], …];`, or a `mechanism { … }` that it is derived from";
         report.error(Region::from(&declaration.name), message);
     }
     matrices.sort_by_key(|(name, ..)| *name);
     let regions = matrices.iter().flat_map(|(_, _, regions)| regions).copied().collect();
-    (matrices.into_iter().map(|(name, rows, _)| (name, rows)).collect(), regions)
+    let matrices = matrices.into_iter().map(|(name, rows, _)| (name, rows)).collect();
+    WrittenMatrices { matrices, regions, wholes }
+}
+
+/// The matrices with the speed in them.
+fn resolve_wholes(declaration: &Declaration, size: Option<usize>, scope: &mut Scope, report: &mut Report) -> Wholes {
+    let mut wholes: Wholes = Vec::new();
+    for (whole, matrix) in &declaration.wholes {
+        let name = whole.name();
+        if wholes.iter().any(|(known, _)| known == whole) {
+            report.error(matrix.span, format!("`{name}` is declared twice: expected one of each matrix"));
+            continue;
+        }
+        if let Some(part) = declaration.matrices.iter().find(|matrix| whole.parts().contains(&matrix.name)) {
+            let part = part.name.name();
+            let message =
+                format!("`{name}` beside `{part}`, which is a part of it: expected `{name}`, or its parts alone");
+            report.error(matrix.span, message);
+        }
+        if let Some(n) = size {
+            check_shape(name, &matrix.rows, matrix.region, n, report);
+        }
+        let mut resolve =
+            |row: &Vec<_>| row.iter().map(|entry| resolve::resolve_in_speed(entry, scope, report)).collect();
+        wholes.push((*whole, matrix.rows.iter().map(|(_, row)| resolve(row)).collect()));
+    }
+    wholes
 }
 
 /// Whether rows are n x n; reports those that are not.

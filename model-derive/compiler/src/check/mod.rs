@@ -16,6 +16,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
+pub use self::matrices::WrittenMatrices;
 pub use self::mechanism::{Assembly, Role, Tree};
 use self::names::Scope;
 pub use self::sets::CheckedSet;
@@ -24,8 +25,8 @@ use self::units::declared::Dimensions;
 use self::units::dimension::Dimension;
 use crate::domain::Domain;
 use crate::formula::Formula;
-use crate::model::{Matrices, Origin, References, Requirement};
-use crate::report::{Region, Report};
+use crate::model::{Origin, References, Requirement};
+use crate::report::Report;
 use crate::syntax::Declaration;
 
 /// A declaration whose names are resolved. If mistakes are reported some of it may be missing or stand for nothing.
@@ -41,18 +42,18 @@ pub struct Checked<'a> {
     pub domains: Vec<Domain>,
     /// The definitions in an order in which each uses only earlier ones, by their positions in the declaration.
     pub order: Vec<usize>,
-    /// Their formulas, in that order, which is also that of positions in formulas.
+    /// The formulas of those that do not depend on the speed, in that order, which is also that of positions in formulas.
     pub definitions: Vec<Formula>,
+    /// Those of the others, behind them. The speed is a parameter behind all others in these.
+    pub unsteady: Vec<Formula>,
     /// The declared requirements.
     pub requirements: Vec<Requirement>,
     /// Both sides of each assertion of a formula.
     pub assertions: Assertions,
     /// The rows of each matrix whose entries are asserted.
     pub asserted: Asserted,
-    /// The matrices that are written, in the order of the equation of motion.
-    pub matrices: Matrices,
-    /// Where their entries stand, row by row.
-    pub entries: Vec<Region>,
+    /// What is written of the matrices.
+    pub written: WrittenMatrices,
     /// What equations of motion are derived from, as [`Declaration::attributes`].
     pub attributes: Vec<Formula>,
     /// The mechanism, if there is one, and nothing that its derivation depends on is a mistake.
@@ -90,8 +91,11 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     let order = definitions::order(declaration, &scope, report);
     // From here on positions of definitions are those of the order, in every formula that is resolved.
     scope.number_definitions(&order.positions());
+    scope.steady = order.steady;
+    let (steady, unsteady) = order.declared.split_at(order.steady);
     let formula = |definition: &usize| &declaration.definitions[*definition].value;
-    let definitions = order.declared.iter().map(formula).map(|f| resolve::resolve(f, &mut scope, report)).collect();
+    let definitions = steady.iter().map(formula).map(|f| resolve::resolve(f, &mut scope, report)).collect();
+    let unsteady = unsteady.iter().map(formula).map(|f| resolve::resolve_in_speed(f, &mut scope, report)).collect();
     // Of definitions in a cycle the first mistake is the cycle.
     let ordered = if order.is_cyclic { &[] } else { &order.declared[..] };
     powers::check_powers(declaration, report);
@@ -103,7 +107,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
 
     let requirements = resolve_requirements(declaration, &required, &mut scope, report);
     let (assertions, asserted) = resolve_assertions(declaration, &mut scope, report);
-    let (matrices, entries) = matrices::resolve_matrices(declaration, is_complete, &mut scope, report);
+    let written = matrices::resolve_matrices(declaration, is_complete, &mut scope, report);
 
     // Sets give the parameters values inside their domains.
     let own = declaration.parameters.iter().zip(&dimensions.parameters);
@@ -120,16 +124,16 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
         domains: domains.iter().map(|domain| domain.to_model()).collect(),
         order: order.declared,
         definitions,
+        unsteady,
         requirements,
         assertions,
         asserted,
-        matrices,
-        entries,
+        written,
         attributes,
         assembly,
         sets,
         gravity,
-        units: Units::new(declaration, dimensions, defined),
+        units: Units::new(declaration, dimensions, defined.into_iter().take(order.steady).collect()),
         references,
     }
 }

@@ -16,6 +16,8 @@ pub enum Meaning {
     /// A position among the definitions: as they are declared, then in their order.
     Definition(usize),
     Coordinate,
+    /// The forward speed, by a position behind all parameters.
+    Speed(usize),
     /// Its statement could not be read, or it cannot be a name: what is reported already.
     Refused,
 }
@@ -28,13 +30,18 @@ pub struct Scope {
     order: Vec<String>,
     /// Names that are not reported as unused: refused ones, and those suggested for an unknown one, so probably meant.
     pub excused: HashSet<String>,
+    /// Definitions from this position on depend on the speed.
+    pub steady: usize,
 }
 
 impl Scope {
     pub fn new(declaration: &Declaration, report: &mut Report) -> Self {
-        let mut scope = Self { names: HashMap::new(), order: Vec::new(), excused: HashSet::new() };
+        let mut scope = Self { names: HashMap::new(), order: Vec::new(), excused: HashSet::new(), steady: usize::MAX };
         for (index, parameter) in declaration.parameters.iter().enumerate() {
             scope.declare(&parameter.name, Meaning::Parameter(index), report);
+        }
+        if let Some(speed) = &declaration.speed {
+            scope.declare(&speed.name, Meaning::Speed(declaration.parameters.len()), report);
         }
         for (index, definition) in declaration.definitions.iter().enumerate() {
             scope.declare(&definition.name, Meaning::Definition(index), report);

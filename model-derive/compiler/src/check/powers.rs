@@ -12,7 +12,8 @@ pub fn check_powers(declaration: &Declaration, report: &mut Report) {
     let definitions = declaration.definitions.iter().map(|definition| &definition.value);
     let requirements = declaration.requirements.iter().map(|requirement| &requirement.value);
     let assertions = declaration.assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
-    let matrices = declaration.matrices.iter().chain(&declaration.asserted);
+    let wholes = declaration.wholes.iter().map(|(_, matrix)| matrix);
+    let matrices = declaration.matrices.iter().chain(&declaration.asserted).chain(wholes);
     let entries = matrices.flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
     let attributes = declaration.attributes();
     for formula in definitions.chain(requirements).chain(assertions).chain(entries).chain(attributes) {

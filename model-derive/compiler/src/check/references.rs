@@ -15,7 +15,7 @@ pub fn find_references(declaration: &Declaration, scope: &Scope, dimensions: &[O
     let mut note = |name: &Ident| match scope.get(name) {
         Some(Meaning::Parameter(_)) => uses.push((Target::Parameter, name.clone())),
         Some(Meaning::Definition(_)) => uses.push((Target::Definition, name.clone())),
-        Some(Meaning::Coordinate | Meaning::Refused) | None => {}
+        Some(Meaning::Coordinate | Meaning::Speed(_) | Meaning::Refused) | None => {}
     };
     declaration.attributes().for_each(|formula| formula.names(&mut note));
     let Declaration { definitions, requirements, assertions, asserted, matrices, added, sets, .. } = declaration;
@@ -24,7 +24,8 @@ pub fn find_references(declaration: &Declaration, scope: &Scope, dimensions: &[O
     let sides = assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]);
     // Matrices beside a mechanism are a mistake.
     let matrices = if declaration.mechanism.is_some() { &[] } else { &matrices[..] };
-    let entries = asserted.iter().chain(matrices).flat_map(Matrix::entries);
+    let wholes = declaration.wholes.iter().map(|(_, matrix)| matrix);
+    let entries = asserted.iter().chain(matrices).chain(wholes).flat_map(Matrix::entries);
     formulas.chain(sides).chain(entries).for_each(|formula| formula.names(&mut note));
     for entry in sets.iter().flat_map(|set| &set.values) {
         // In a set a name is a parameter's.
@@ -43,9 +44,11 @@ pub fn find_references(declaration: &Declaration, scope: &Scope, dimensions: &[O
         let unit = dimension.map(|dimension| format!(", {}", dimension.place())).unwrap_or_default();
         Some((definition.name.clone(), format!("`{}`{unit}", definition.value)))
     };
+    let parts =
+        declaration.wholes.iter().flat_map(|(whole, matrix)| whole.parts().iter().map(|part| (*part, matrix.span)));
     References {
         definitions: first.filter_map(definition).collect(),
         uses,
-        matrices: matrices.iter().chain(added).map(|matrix| (matrix.name, matrix.span)).collect(),
+        matrices: matrices.iter().chain(added).map(|matrix| (matrix.name, matrix.span)).chain(parts).collect(),
     }
 }

@@ -10,11 +10,17 @@ use crate::syntax::{self, Expression, Kind, reserved};
 /// Resolves a formula. Mistakes are reported, and then some value stands in their place.
 pub fn resolve(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
     constants::verify(expression, report);
-    resolve_names(expression, scope, report)
+    resolve_names(expression, false, scope, report)
 }
 
-fn resolve_names(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
-    let mut inner = |value: &Expression| resolve_names(value, scope, report);
+/// Resolves a formula that may depend on the speed, which is a parameter behind all others in it.
+pub fn resolve_in_speed(expression: &Expression, scope: &mut Scope, report: &mut Report) -> Formula {
+    constants::verify(expression, report);
+    resolve_names(expression, true, scope, report)
+}
+
+fn resolve_names(expression: &Expression, in_speed: bool, scope: &mut Scope, report: &mut Report) -> Formula {
+    let mut inner = |value: &Expression| resolve_names(value, in_speed, scope, report);
     match &expression.kind {
         Kind::Number(number) => Formula::Number(number.clone()),
         Kind::Quantity(number, unit) => {
@@ -53,7 +59,23 @@ fn resolve_names(expression: &Expression, scope: &mut Scope, report: &mut Report
         }
         Kind::Name(name) if name == "pi" => Formula::Pi,
         Kind::Name(name) => match scope.get(name) {
-            Some(Meaning::Parameter(index)) => Formula::Parameter(index),
+            Some(Meaning::Speed(_)) if !in_speed => {
+                let message = format!(
+                    "`{name}` is the speed, which `C` and `K` may depend on, and definitions that only they use: expected \
+                     parameters and definitions"
+                );
+                report.error(name, message);
+                Formula::Pi
+            }
+            Some(Meaning::Definition(index)) if !in_speed && index >= scope.steady => {
+                let message = format!(
+                    "`{name}` depends on the speed, which only `C` and `K` may: expected parameters and definitions that do \
+                     not"
+                );
+                report.error(name, message);
+                Formula::Pi
+            }
+            Some(Meaning::Parameter(index) | Meaning::Speed(index)) => Formula::Parameter(index),
             Some(Meaning::Definition(index)) => Formula::Definition(index),
             Some(Meaning::Refused) => Formula::Pi,
             Some(Meaning::Coordinate) => {
@@ -83,5 +105,6 @@ fn resolve_names(expression: &Expression, scope: &mut Scope, report: &mut Report
     }
 }
 
-const SPEED: &str = "unknown name `v`: the speed is taken out of the matrices; expected parameters and definitions in \
-                     C1, the coefficient of v, in K2, the coefficient of v^2, and so on";
+const SPEED: &str = "unknown name `v`: expected parameters and definitions in `C1`, the coefficient of v, in `K2`, that of \
+                     v^2, and so on; or `v: m/s, speed;` among the parameters, and `C = …;` and `K = …;` with the speed in \
+                     them";

@@ -67,6 +67,13 @@ fn read_values(
     for entry in &set.values {
         let name = entry.name.to_string();
         let parameter = known().position(|known| known == name);
+        let is_speed = declaration.speed.as_ref().is_some_and(|speed| speed.name == name);
+        if is_speed {
+            let message =
+                format!("`{name}` is the speed, at which eigenvalues are asked for: expected no value of it in a set");
+            report.error(&entry.name, message);
+            continue;
+        }
         if parameter.is_none() && !declaration.unread.iter().any(|unread| *unread == name) {
             let names: Vec<String> = known().collect();
             let near = find_nearest(&name, names.iter().map(String::as_str));

@@ -1,5 +1,6 @@
 //! The equations of motion of a checked declaration: what its mechanism has, or the matrices that are written.
 
+mod by_speed;
 mod faults;
 mod rates;
 
@@ -56,12 +57,12 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
     let written = Derived {
         definitions: checked.definitions.clone(),
         names,
-        matrices: checked.matrices.clone(),
-        entries: checked.entries.clone(),
+        matrices: checked.written.matrices.clone(),
+        entries: checked.written.regions.clone(),
         symmetric,
         kinematics: None,
     };
-    let Some(mechanism) = &declaration.mechanism else { return written };
+    let Some(mechanism) = &declaration.mechanism else { return by_speed::sort_wholes(checked, written, report) };
     // Declared matrices beside a mechanism are a mistake.
     let nothing = Derived { matrices: Vec::new(), entries: Vec::new(), symmetric: Vec::new(), ..written };
     let Some(assembly) = &checked.assembly else { return nothing };

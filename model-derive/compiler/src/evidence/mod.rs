@@ -24,7 +24,7 @@ use crate::formula::Formula;
 use crate::matrix_name::MatrixName;
 use crate::model::{Coordinate, Model, Parameter, ParameterSet, Requirement};
 use crate::report::{Region, Report};
-use crate::syntax::{Matrix, Unit};
+use crate::syntax::{Expression, Matrix, Unit};
 use crate::written::write_formulas;
 
 /// Holds a declaration against its formulas, and makes the model of both. Mistakes are reported; with none it is complete.
@@ -126,11 +126,14 @@ fn gather<'a>(checked: &'a Checked<'_>, derived: &'a Derived) -> SourcedFormulas
     let entries = match mechanism {
         Some(_) => derived.outputs().map(|formula| sourced(formula, place)).collect(),
         None => {
-            // In the order of the equation of motion, as the formulas are.
-            let mut matrices: Vec<&Matrix> = declaration.matrices.iter().collect();
-            matrices.sort_by_key(|matrix| matrix.name);
-            let written = matrices.into_iter().flat_map(Matrix::entries);
-            derived.outputs().zip(written).map(|(formula, entry)| sourced(formula, Source::Written(entry))).collect()
+            let written = derived.matrices.iter().filter_map(|(name, _)| declaration.find_declared(*name));
+            // What is a part of an entry does not read as that does.
+            let is_whole = |matrix: &Matrix| declaration.wholes.iter().any(|(_, whole)| std::ptr::eq(whole, matrix));
+            let source = |matrix: &'a Matrix, entry: &'a Expression| {
+                if is_whole(matrix) { Source::Derived(entry.region) } else { Source::Written(entry) }
+            };
+            let sources = written.flat_map(|matrix| matrix.entries().map(move |entry| source(matrix, entry)));
+            derived.outputs().zip(sources).map(|(formula, source)| sourced(formula, source)).collect()
         }
     };
     let attributes = checked.attributes.iter().zip(declaration.attributes());

@@ -17,20 +17,30 @@ pub fn find_used(checked: &Checked<'_>, definitions: &[Formula], outputs: &[&For
 
 /// Reports definitions and parameters that nothing depends on, and parameters marked `unused` that are used.
 pub fn report_unused(checked: &Checked<'_>, definitions: &[Formula], outputs: &[&Formula], report: &mut Report) {
-    let Checked { declaration, excused, attributes, assertions, asserted, .. } = checked;
-    let roots = || outputs.iter().copied().chain(checked.requirements.iter().map(|requirement| &requirement.value));
+    let Checked { declaration, excused, attributes, assertions, asserted, unsteady, written, .. } = checked;
+    // What depends on the speed is there as it is written, too: if a mistake keeps it from being sorted, and if terms cancel.
+    let definitions = &match declaration.mechanism {
+        None => definitions.iter().chain(unsteady).cloned().collect::<Vec<Formula>>(),
+        Some(_) => definitions.to_vec(),
+    };
+    let in_speed = || {
+        written.wholes.iter().filter(|_| declaration.mechanism.is_none()).flat_map(|(_, rows)| rows.iter().flatten())
+    };
+    let requirements = || checked.requirements.iter().map(|requirement| &requirement.value);
+    let roots = || outputs.iter().copied().chain(requirements()).chain(in_speed());
     let claims = || assertions.iter().flatten().chain(asserted.iter().flatten().flatten());
     let used = reach(definitions, roots());
     // A definition may serve claims alone, or what a mechanism is given and no matrix depends on. A parameter may not: no
     // value of it would change anything.
     let in_mechanism = reach(definitions, attributes.iter());
-    let mut parameters_of_mechanism = vec![false; declaration.parameters.len()];
+    // Behind the parameters stands the speed.
+    let mut parameters_of_mechanism = vec![false; declaration.parameters.len() + 1];
     let inside =
         definitions.iter().zip(&in_mechanism).filter(|(_, reached)| **reached).map(|(definition, _)| definition);
     mark_parameters(attributes.iter().chain(inside), &mut parameters_of_mechanism);
     let claimed = reach(definitions, claims());
     // Those of a derivation are there because they are used.
-    for index in 0..checked.definitions.len() {
+    for index in 0..checked.order.len().min(definitions.len()) {
         let definition = checked.definition(index);
         let name = definition.to_string();
         if !used[index] && !claimed[index] && !in_mechanism[index] && !excused.contains(&name) {
@@ -41,7 +51,7 @@ pub fn report_unused(checked: &Checked<'_>, definitions: &[Formula], outputs: &[
         }
     }
     // What only an unused definition mentions needs no second error.
-    let mut mentioned = vec![false; declaration.parameters.len()];
+    let mut mentioned = vec![false; declaration.parameters.len() + 1];
     let mut in_claims = mentioned.clone();
     let (used, claimed, in_mechanism) = (&used, &claimed, &in_mechanism);
     let of_definitions = |for_claims: bool| {
@@ -51,6 +61,12 @@ pub fn report_unused(checked: &Checked<'_>, definitions: &[Formula], outputs: &[
     };
     mark_parameters(roots().chain(of_definitions(false)), &mut mentioned);
     mark_parameters(claims().chain(of_definitions(true)), &mut in_claims);
+    if let Some(speed) = declaration.speed.as_ref().filter(|speed| !excused.contains(&speed.name.to_string()))
+        && !mentioned[declaration.parameters.len()]
+    {
+        let name = &speed.name;
+        report.error(name, format!("`{name}` is never used: expected `C = …;` or `K = …;` with the speed in it"));
+    }
     for (index, parameter) in declaration.parameters.iter().enumerate() {
         let name = parameter.name.to_string();
         match (parameter.unused, mentioned[index]) {

@@ -67,7 +67,7 @@ pub(super) fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<P
 }
 
 /// Formulas with more operations than this are not put into others.
-const MAX_OPERATIONS: usize = 5_000;
+pub(super) const MAX_OPERATIONS: usize = 5_000;
 
 /// For each output after the first whether the first is a multiple of it by a number that is not zero, and by which sign.
 /// A sign is a proof.

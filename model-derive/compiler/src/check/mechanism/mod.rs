@@ -22,6 +22,15 @@ pub fn find_tree(declaration: &Declaration, mechanism: &Mechanism, report: &mut 
         );
         report.error(matrix.span, message);
     }
+    if let Some((whole, matrix)) = declaration.wholes.first() {
+        let message = format!(
+            "`{}` beside a mechanism, from which it follows: expected `add {} = …`, or another of its parts, for what the \
+             mechanism does not have",
+            whole.name(),
+            whole.plain().name()
+        );
+        report.error(matrix.span, message);
+    }
     let is_light = declaration.parameters.iter().all(|parameter| parameter.gravity.is_none());
     if let Some(wheel) = mechanism.wheels.first().filter(|_| is_light) {
         let message = format!(

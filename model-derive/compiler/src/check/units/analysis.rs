@@ -58,7 +58,7 @@ impl Analysis<'_> {
 
     fn of_name(&self, name: &proc_macro2::Ident) -> Option<Dimension> {
         match self.scope.get(name) {
-            Some(Meaning::Parameter(index)) => self.dimensions.parameters[index],
+            Some(Meaning::Parameter(index) | Meaning::Speed(index)) => self.dimensions.parameters[index],
             Some(Meaning::Definition(index)) => self.definitions[index],
             Some(Meaning::Coordinate | Meaning::Refused) => None,
             None => (name == "pi").then_some(Dimension::NUMBER),

@@ -4,7 +4,7 @@ use super::dimension::Dimension;
 use super::known;
 use crate::nearest::ask_for;
 use crate::report::{Report, error};
-use crate::syntax::{Declaration, Expression, Factor, Kind, Unit, constant};
+use crate::syntax::{Declaration, Direction, Expression, Factor, Kind, Parameter, Unit, constant};
 
 /// A unit that is known.
 #[derive(Debug)]
@@ -57,6 +57,7 @@ fn unknown(name: &proc_macro2::Ident) -> syn::Error {
 /// The dimensions that a declaration gives; none where its unit is a mistake.
 #[derive(Clone, Debug)]
 pub struct Dimensions {
+    /// Behind those of the parameters that of the speed, where it has a name.
     pub parameters: Vec<Option<Dimension>>,
     pub coordinates: Vec<Option<Dimension>>,
     /// Whether directions are declared, so that formulas must mirror right.
@@ -66,8 +67,9 @@ pub struct Dimensions {
 impl Dimensions {
     pub fn new(declaration: &Declaration, report: &mut Report) -> Self {
         let parameters = declaration.parameters.iter();
-        let parameters: Vec<_> =
+        let mut parameters: Vec<_> =
             parameters.map(|p| coherent(p.unit.as_ref()?, report).map(|unit| unit.directed(p.direction))).collect();
+        parameters.extend(declaration.speed.as_ref().map(|speed| speed_dimension(speed, report)));
         let coordinates = declaration.coordinates.iter().map(|coordinate| {
             let unit = coordinate.unit.as_ref()?;
             let dimension = coherent(unit, report)?;
@@ -83,6 +85,22 @@ impl Dimensions {
             || declaration.coordinates.iter().any(|c| c.direction.is_some());
         Self { parameters, coordinates: coordinates.collect(), mirrored }
     }
+}
+
+/// A speed is in m/s and forward, along x.
+fn speed_dimension(speed: &Parameter, report: &mut Report) -> Option<Dimension> {
+    let forward = Some(Direction::Along([true, false, false]));
+    let unit = speed.unit.as_ref()?;
+    let dimension = coherent(unit, report)?;
+    if !dimension.same_unit(Dimension::new([0, 1, -1])) {
+        let message = format!("`{}`, the speed, is {}: expected `m/s`", speed.name, dimension.place());
+        report.error(unit.region, message);
+        return None;
+    }
+    if speed.direction.is_some_and(|direction| Some(direction) != forward) {
+        report.error(&speed.name, format!("`{}`, the speed, is forward: expected `along x`, or nothing", speed.name));
+    }
+    Some(dimension.directed(forward))
 }
 
 /// The dimension of a unit that formulas calculate in.

@@ -70,7 +70,7 @@ pub fn check_mechanism(
         })
         .collect();
     for matrix in &declaration.added {
-        check_matrix(&analysis, matrix, &coordinates, dimensions.mirrored, report);
+        check_matrix(&analysis, matrix.name.name(), matrix, &coordinates, dimensions.mirrored, report);
     }
 }
 

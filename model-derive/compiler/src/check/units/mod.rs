@@ -54,8 +54,11 @@ pub fn check(
     // Beside a mechanism declared matrices are a mistake, and asserted ones are held against what mirrors right.
     let declared = declaration.matrices.iter().filter(|_| declaration.mechanism.is_none());
     let mirrored = dimensions.mirrored && declaration.mechanism.is_none();
-    for matrix in declaration.asserted.iter().chain(declared) {
-        check_matrix(&analysis, matrix, &dimensions.coordinates, mirrored, report);
+    let wholes = declaration.wholes.iter().filter(|_| declaration.mechanism.is_none());
+    let wholes = wholes.map(|(whole, matrix)| (whole.name(), matrix));
+    let matrices = declaration.asserted.iter().chain(declared).map(|matrix| (matrix.name.name(), matrix));
+    for (name, matrix) in matrices.chain(wholes) {
+        check_matrix(&analysis, name, matrix, &dimensions.coordinates, mirrored, report);
     }
     Found { definitions: analysis.definitions, requirements }
 }
@@ -97,6 +100,7 @@ fn check_requirement(
 /// row an energy; `dimensions` are those of the coordinates.
 fn check_matrix(
     analysis: &Analysis<'_>,
+    name: &str,
     matrix: &Matrix,
     dimensions: &[Option<Dimension>],
     mirrored: bool,
@@ -112,7 +116,6 @@ fn check_matrix(
             else {
                 continue;
             };
-            let name = matrix.name.name();
             let (row, column) = (&coordinates[row], &coordinates[column]);
             if !found.same_unit(expected) {
                 let message = format!(

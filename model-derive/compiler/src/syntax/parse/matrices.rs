@@ -6,7 +6,7 @@ use syn::parse::ParseStream;
 
 use super::expressions::parse_expression;
 use super::tokens::{expected, parse_list, parse_semicolon};
-use crate::matrix_name::MatrixName;
+use crate::matrix_name::{MatrixName, Whole};
 use crate::report::{Region, Report, error};
 use crate::syntax::tree::{Declaration, Matrix};
 
@@ -17,10 +17,34 @@ pub fn parse_symmetric(input: ParseStream<'_>, model: &mut Declaration, report: 
         report.error(&add, "found `symmetric add`: expected `add symmetric`");
         return parse_added(input, model);
     }
-    let (name, span) =
-        parse_matrix_name(input, "a matrix after `symmetric`: `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1` or `K2`")?;
-    model.matrices.push(parse_matrix(input, name, span, true)?);
-    parse_semicolon(input, "`;`", "the matrix")
+    let what = "a matrix after `symmetric`: `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1` or `K2`, or `C` or `K`";
+    if !input.peek(syn::Ident) {
+        return Err(expected(input, what));
+    }
+    let name: syn::Ident = input.parse()?;
+    if parse_declared_matrix(&name.to_string(), name.span(), true, input, model)? {
+        return Ok(());
+    }
+    Err(error(&name, format!("found `{name}`: expected {what}")))
+}
+
+/// `M = …;` or `C = …;`, behind the word that it begins with; `false` if no matrix does.
+pub fn parse_declared_matrix(
+    word: &str,
+    span: Span,
+    symmetric: bool,
+    input: ParseStream<'_>,
+    model: &mut Declaration,
+) -> syn::Result<bool> {
+    if let Some(name) = parse_name_behind(word, input)? {
+        model.matrices.push(parse_matrix(input, name, span, symmetric)?);
+    } else if let Some(whole) = Whole::from_name(word) {
+        model.wholes.push((whole, parse_matrix(input, whole.plain(), span, symmetric)?));
+    } else {
+        return Ok(false);
+    }
+    parse_semicolon(input, "`;`", "the matrix")?;
+    Ok(true)
 }
 
 /// `add C0 = …;` or `add symmetric C0 = …;`, behind its first word.

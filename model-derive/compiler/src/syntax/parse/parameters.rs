@@ -15,38 +15,53 @@ use crate::syntax::tree::{Coordinate, Declaration, Parameter};
 
 /// `parameters { … }`, behind its first word.
 pub fn parse_parameters(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
-    parse_block(input, "the parameters", report, starts_quantity, |input, report| {
-        parse_parameter(input, &mut model.parameters, &mut model.unread, report)
-    })
+    parse_block(input, "the parameters", report, starts_quantity, |input, report| parse_parameter(input, model, report))
 }
 
 /// `lam "λ": rad, in (-pi/2, pi/2);`
 ///
 /// One that cannot be read to its end is there all the same: what uses it is no further mistake.
-fn parse_parameter(
-    input: ParseStream<'_>,
-    parameters: &mut Vec<Parameter>,
-    unread: &mut Vec<syn::Ident>,
-    report: &mut Report,
-) -> syn::Result<()> {
+fn parse_parameter(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
     let what = "the name of a parameter";
     let docs = parse_docs(input, what, report)?;
     let name = parse_declared(input, what)?;
     let reserved = reserved(&name.to_string());
     let bounds = Vec::new();
-    let mut parameter =
-        Parameter { docs, name, symbol: None, unit: None, bounds, direction: None, gravity: None, unused: None };
+    let (direction, gravity, speed, unused) = (None, None, None, None);
+    let mut parameter = Parameter { docs, name, symbol: None, unit: None, bounds, direction, gravity, speed, unused };
     // Of one that is only half read nothing should follow.
     let read = parse_after_name(input, &mut parameter).inspect_err(|_| parameter.unit = None);
     match reserved {
-        None => parameters.push(parameter),
+        None if parameter.speed.is_some() => take_speed(parameter, model, report),
+        None => model.parameters.push(parameter),
         // It could not become a field.
         Some(what) => {
             report.error(&parameter.name, format!("`{}` is {what}: expected another name", parameter.name));
-            unread.push(parameter.name);
+            model.unread.push(parameter.name);
         }
     }
     read
+}
+
+/// `v: m/s, speed;` is read among the parameters, but is none: it has no value in a set, and no field.
+fn take_speed(speed: Parameter, model: &mut Declaration, report: &mut Report) {
+    let name = &speed.name;
+    if let Some(span) = speed.speed.filter(|_| model.speed.is_some()) {
+        report.error(span, "a second `speed`: expected one name for the forward speed");
+    }
+    if let Some(bound) = speed.bounds.first() {
+        let message = format!(
+            "a domain of the speed `{name}`: expected none, since its values are not those of a parameter; eigenvalues are \
+             asked for at any"
+        );
+        report.error(bound.region, message);
+    }
+    for (span, word) in [(speed.gravity, "gravity"), (speed.unused, "unused")] {
+        if let Some(span) = span {
+            report.error(span, format!("`{name}` is the speed: expected no `{word}` beside it"));
+        }
+    }
+    model.speed.get_or_insert(speed);
 }
 
 fn parse_after_name(input: ParseStream<'_>, parameter: &mut Parameter) -> syn::Result<()> {
@@ -64,6 +79,7 @@ fn parse_after_name(input: ParseStream<'_>, parameter: &mut Parameter) -> syn::R
             let word: syn::Ident = input.parse()?;
             match word.to_string().as_str() {
                 "gravity" => parameter.gravity = Some(word.span()),
+                "speed" => parameter.speed = Some(word.span()),
                 "unused" => parameter.unused = Some(word.span()),
                 other => return Err(error(&word, format!("found `{other}`: expected {AFTER_UNIT}"))),
             }
@@ -77,7 +93,7 @@ fn parse_after_name(input: ParseStream<'_>, parameter: &mut Parameter) -> syn::R
 
 /// What may follow the unit of a parameter.
 const AFTER_UNIT: &str = "a domain (`> 0`, `>= 0`, `!= 0`, `in (a, b)`, `in [a, b]`), \
-                          a direction (`along x`, `about y`), `gravity` or `unused`";
+                          a direction (`along x`, `about y`), `gravity`, `speed` or `unused`";
 
 /// `coordinates { … }`, behind its first word.
 pub fn parse_coordinates(

@@ -8,7 +8,9 @@ use syn::parse::discouraged::Speculative as _;
 use super::docs::{LOST, parse_docs};
 use super::domains::parse_comparison;
 use super::expressions::parse_expression;
-use super::matrices::{parse_added, parse_matrix, parse_name_behind, parse_rows, parse_symmetric, starts_minus_one};
+use super::matrices::{
+    parse_added, parse_declared_matrix, parse_name_behind, parse_rows, parse_symmetric, starts_minus_one,
+};
 use super::mechanism::parse_mechanism;
 use super::names::parse_declared;
 use super::parameters::{parse_coordinates, parse_parameters};
@@ -21,8 +23,8 @@ use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requiremen
 /// What is said to be expected where no statement starts.
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
                           `set name { … }`, `coordinates { … }`, `mechanism { … }`, `derivatives;`, \
-                          `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, with \
-                          `symmetric` before it if that is to be proved, and `add` if it is added to that of a \
+                          `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, or \
+                          `C` or `K` with the speed in it, with `symmetric` before it if that is to be proved, and `add` if it is added to that of a \
                           mechanism";
 
 /// One statement. A misspelt first word is noted, and what follows read as what was meant.
@@ -67,7 +69,7 @@ pub fn starts_statement(input: ParseStream<'_>) -> bool {
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 18] = [
+const KEYWORDS: [&str; 19] = [
     "source",
     "parameters",
     "coordinates",
@@ -82,6 +84,7 @@ const KEYWORDS: [&str; 18] = [
     "C",
     "C0",
     "C1",
+    "K",
     "Kc",
     "K0",
     "K1",
@@ -132,12 +135,9 @@ fn parse_after_keyword(
         "symmetric" => parse_symmetric(input, model, report),
         "add" => parse_added(input, model),
         "set" => parse_set(input, docs, model, report),
-        other => match parse_name_behind(other, input)? {
-            Some(matrix_name) => {
-                model.matrices.push(parse_matrix(input, matrix_name, keyword.span(), false)?);
-                parse_semicolon(input, "`;`", "the matrix")
-            }
-            None => Err(expected(input, "`-1`, for the matrix `C-1`")),
+        other => match parse_declared_matrix(other, keyword.span(), false, input, model)? {
+            true => Ok(()),
+            false => unreachable!("a keyword that no statement begins with"),
         },
     }
 }

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use super::expression::Expression;
 use super::mechanism::Mechanism;
 use super::unit::Unit;
-use crate::matrix_name::MatrixName;
+use crate::matrix_name::{MatrixName, Whole};
 use crate::report::Region;
 
 /// A whole `model!` declaration.
@@ -18,6 +18,8 @@ pub struct Declaration {
     /// Where the model comes from.
     pub source: Option<String>,
     pub parameters: Vec<Parameter>,
+    /// What stands for the forward speed in formulas: no parameter of the model.
+    pub speed: Option<Parameter>,
     pub definitions: Vec<Definition>,
     pub requirements: Vec<Requirement>,
     pub assertions: Vec<Assertion>,
@@ -26,6 +28,8 @@ pub struct Declaration {
     pub sets: Vec<ParameterSet>,
     pub coordinates: Vec<Coordinate>,
     pub matrices: Vec<Matrix>,
+    /// Matrices with the speed in them.
+    pub wholes: Vec<(Whole, Matrix)>,
     /// What the matrices are derived from, unless they are written.
     pub mechanism: Option<Mechanism>,
     /// What is added to the matrices of the mechanism.
@@ -43,6 +47,12 @@ impl Declaration {
         let added = self.added.iter().flat_map(Matrix::entries);
         self.mechanism.iter().flat_map(Mechanism::formulas).chain(added)
     }
+
+    /// Where a matrix is declared: under its own name, or as a part of a whole.
+    pub fn find_declared(&self, name: MatrixName) -> Option<&Matrix> {
+        let own = self.matrices.iter().find(|matrix| matrix.name == name);
+        own.or_else(|| self.wholes.iter().find(|(whole, _)| whole.parts().contains(&name)).map(|(_, matrix)| matrix))
+    }
 }
 
 /// `lam "λ": rad, in (-pi/2, pi/2);`
@@ -58,6 +68,8 @@ pub struct Parameter {
     pub direction: Option<Direction>,
     /// The span of the word `gravity`, for the parameter that is the gravitational field strength.
     pub gravity: Option<Span>,
+    /// The span of the word `speed`, for what stands for the forward speed.
+    pub speed: Option<Span>,
     /// The span of the word `unused`, for a parameter that no matrix depends on.
     pub unused: Option<Span>,
 }
