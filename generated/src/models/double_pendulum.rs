@@ -279,7 +279,7 @@ impl<T: Number> DoublePendulumMatrices<T> {
 
 impl<T: Scalar> From<DoublePendulumMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: DoublePendulumMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

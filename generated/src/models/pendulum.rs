@@ -190,7 +190,7 @@ impl<T: Number> PendulumMatrices<T> {
 
 impl<T: Scalar> From<PendulumMatrices<T>> for Coefficients<T, 1> {
     fn from(matrices: PendulumMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

@@ -713,7 +713,7 @@ impl<T: Number> RearSteeredMatrices<T> {
 
 impl<T: Scalar> From<RearSteeredMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: RearSteeredMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

@@ -278,7 +278,7 @@ impl<T: Number> RollingDiscMatrices<T> {
 
 impl<T: Scalar> From<RollingDiscMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: RollingDiscMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

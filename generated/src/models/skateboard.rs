@@ -425,7 +425,7 @@ impl<T: Number> SkateboardMatrices<T> {
 
 impl<T: Scalar> From<SkateboardMatrices<T>> for Coefficients<T, 1> {
     fn from(matrices: SkateboardMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

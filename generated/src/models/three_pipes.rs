@@ -301,7 +301,7 @@ impl<T: Number> ThreePipesMatrices<T> {
 
 impl<T: Scalar> From<ThreePipesMatrices<T>> for Coefficients<T, 3> {
     fn from(matrices: ThreePipesMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

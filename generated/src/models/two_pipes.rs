@@ -277,7 +277,7 @@ impl<T: Number> TwoPipesMatrices<T> {
 
 impl<T: Scalar> From<TwoPipesMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: TwoPipesMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

@@ -667,7 +667,7 @@ impl<T: Number> WhippleMatrices<T> {
 
 impl<T: Scalar> From<WhippleMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: WhippleMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

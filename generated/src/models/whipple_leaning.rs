@@ -919,7 +919,7 @@ impl<T: Number> WhippleLeaningMatrices<T> {
 
 impl<T: Scalar> From<WhippleLeaningMatrices<T>> for Coefficients<T, 3> {
     fn from(matrices: WhippleLeaningMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

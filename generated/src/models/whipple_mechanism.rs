@@ -781,7 +781,7 @@ impl<T: Number> WhippleMechanismMatrices<T> {
 
 impl<T: Scalar> From<WhippleMechanismMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: WhippleMechanismMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

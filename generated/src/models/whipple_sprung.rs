@@ -788,7 +788,7 @@ impl<T: Number> WhippleSprungMatrices<T> {
 
 impl<T: Scalar> From<WhippleSprungMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: WhippleSprungMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

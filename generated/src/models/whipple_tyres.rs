@@ -832,7 +832,7 @@ impl<T: Number> WhippleTyresMatrices<T> {
 
 impl<T: Scalar> From<WhippleTyresMatrices<T>> for Coefficients<T, 2> {
     fn from(matrices: WhippleTyresMatrices<T>) -> Self {
-        Self::from_rows(matrices.rows())
+        Coefficients::from_rows(matrices.rows())
     }
 }
 

@@ -24,6 +24,7 @@ mod nearest;
 mod pipeline;
 pub mod program;
 mod report;
+mod states;
 pub mod symbolic;
 mod syntax;
 mod written;

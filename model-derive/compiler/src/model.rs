@@ -7,6 +7,7 @@ use crate::formula::Formula;
 use crate::kinematics::Kinematics;
 use crate::matrix_name::MatrixName;
 use crate::report::Region;
+use crate::states::States;
 use crate::written::Written;
 
 /// A model that passed all checks, and whose claims are proved.
@@ -102,6 +103,8 @@ pub struct Coordinate {
     pub name: String,
     /// What it is; the symbol where nothing is declared.
     pub label: String,
+    /// Which of its position and its rate are states.
+    pub states: States,
     /// The documentation of the declaration.
     pub docs: String,
     /// The unit in its canonical spelling.

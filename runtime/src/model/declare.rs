@@ -37,6 +37,25 @@
 /// The matrices are those of `M q'' + (C-1/v + C0 + v C1) q' + (Kc + g K0 + v K1 + v^2 K2) q = f`, with a row and a
 /// column for each coordinate. Numbers are decimal and taken exactly: `0.5` is one half.
 ///
+/// In the place of their parts, damping and stiffness may be written as a whole, as textbooks do, with a name for the speed
+/// and with gravity in the formulas:
+///
+/// ```text
+/// parameters { …  v: m/s, speed;  g: N/kg, >= 0, gravity; }
+/// let slip = 1/v;
+/// C = [[2*Cs*slip, m*v], [0, 2*Cs*l^2/v]];
+/// K = [[m*g*h + k*v^2, -2*Cs], [0, 0]];
+/// ```
+///
+/// They are sorted exactly by the powers of the speed, and an entry that is no sum of the powers that there are is refused
+/// (so are `v^3` and `sqrt(v)` in `K`, and `1/v^2`). The speed is no parameter: it has no domain, no field and no value in a
+/// set. `symmetric K = …` has every part proved symmetric.
+///
+/// A coordinate may be one of first order, as the deflection of a tyre, an actuator or a filter, whose position is a state and
+/// whose rate is none (`s: m, only position;`, in any unit); its column of M is zero. Or only its rate matters, as those of
+/// lateral and yaw motion on slipping tyres (`psi: rad, only rate;`); its column of every stiffness matrix is zero. The state
+/// is shorter then, and no eigenvalue that is always zero stands in the way of a verdict.
+///
 /// # Mechanisms
 /// In the place of matrices a model may have a mechanism, from which they are derived, exactly to first order, about
 /// upright straight running at a constant forward speed v, or about rest where nothing is free:

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::body::Body;
 use super::evaluator;
 use super::names::GeneratedNames;
-use super::{derive, docs};
+use super::{derive, docs, states};
 use crate::derivatives::{Derivatives, Partial, entry_names};
 use crate::matrix_name::MatrixName;
 use crate::model::Model;
@@ -162,6 +162,8 @@ fn differentiable(model: &Model, names: &GeneratedNames, count: usize) -> TokenS
         [model.coordinates.len(), model.parameters.len(), count].map(Literal::usize_unsuffixed);
     let [matrices, values, all, position, zero] =
         ["matrices", "derivatives", "all", "position", "zero"].map(|name| names.variable(name));
+    let coefficients = quote!(#runtime::Coefficients::from_rows(#rows::rows(&#matrices)));
+    let coefficients = states::complete(coefficients, model, names);
     quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #runtime::Differentiable<#n> for #name<#scalar> {
@@ -174,7 +176,7 @@ fn differentiable(model: &Model, names: &GeneratedNames, count: usize) -> TokenS
                 for #position in 0..#count {
                     #runtime::Partial::write(&<#derivatives>::PARTIALS[#position], &#values.values, &mut #all);
                 }
-                (#runtime::Coefficients::from_rows(#rows::rows(&#matrices)), #all)
+                (#coefficients, #all)
             }
         }
     }

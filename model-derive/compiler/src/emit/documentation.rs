@@ -4,6 +4,7 @@ use super::or;
 use crate::domain::Domain;
 use crate::formula::Decimal;
 use crate::model::{Model, Origin, Parameter, ParameterSet, Requirement};
+use crate::states::States;
 
 /// The text of the declaration, then where the model comes from, its coordinates and its requirements.
 pub fn model_docs(model: &Model) -> String {
@@ -17,10 +18,19 @@ pub fn model_docs(model: &Model) -> String {
     let coordinates = model.coordinates.iter().map(|coordinate| {
         let label =
             if coordinate.label == coordinate.name { String::new() } else { format!(" ({})", coordinate.label) };
-        format!("`{}`{label} in `{}`", coordinate.name, coordinate.unit)
+        let only = match coordinate.states {
+            States::Both => "",
+            States::Position => ", of first order: only its position is a state",
+            States::Rate => ", of which only the rate is a state",
+        };
+        format!("`{}`{label} in `{}`{only}", coordinate.name, coordinate.unit)
     });
     let coordinates: Vec<String> = coordinates.collect();
-    text.push_str(&format!("\n\nThe fields are the parameters. The coordinates are {}.", coordinates.join(", ")));
+    let has_only = model.coordinates.iter().any(|coordinate| coordinate.states != States::Both);
+    text.push_str(&format!(
+        "\n\nThe fields are the parameters. The coordinates are {}.",
+        coordinates.join(if has_only { "; " } else { ", " })
+    ));
     if !model.requirements.is_empty() {
         text.push_str("\n\nBeside what is said of each field, `validate` requires of them:\n\n");
         let requirements: Vec<String> = model.requirements.iter().map(requirement_docs).collect();

@@ -6,7 +6,7 @@ use quote::quote;
 use super::body::Body;
 use super::fields::{field_docs, field_name};
 use super::names::GeneratedNames;
-use super::{derive, docs};
+use super::{derive, docs, states};
 use crate::derivatives::entry_names;
 use crate::matrix_name::MatrixName;
 use crate::model::{Model, Origin, Requirement};
@@ -71,6 +71,7 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
     let firsts = (0..fields.len()).map(|matrix| Literal::usize_unsuffixed(matrix * n * n));
     let size = Literal::usize_unsuffixed(n);
     let zeros = names.variable("zeros");
+    let coefficients = states::complete(quote!(#runtime::Coefficients::from_rows(#all.rows())), model, names);
     let rows = MatrixName::ALL.map(|matrix| {
         let field = field(matrix, model);
         if fields.contains(&field) { quote!(self.#field.0) } else { quote!(#zeros) }
@@ -99,7 +100,7 @@ pub fn emit_conversions(model: &Model, names: &GeneratedNames) -> TokenStream {
         #allow
         impl<#scalar: #runtime::Scalar> ::core::convert::From<#matrices<#scalar>> for #runtime::Coefficients<#scalar, #size> {
             fn from(#all: #matrices<#scalar>) -> Self {
-                Self::from_rows(#all.rows())
+                #coefficients
             }
         }
     }

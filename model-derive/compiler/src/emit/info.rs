@@ -11,6 +11,7 @@ use crate::domain::{Bound, Domain};
 use crate::matrix_name::MatrixName;
 use crate::model::{Model, Requirement};
 use crate::program::Program;
+use crate::states::States;
 use crate::written::{Of, Written};
 
 pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -> TokenStream {
@@ -26,10 +27,14 @@ pub fn emit(model: &Model, names: &GeneratedNames, matrices: Option<&Program>) -
         quote!(#runtime::ParameterInfo::new(#name, #unit, #domain) #symbol #docs #unused)
     });
     let coordinates = model.coordinates.iter().map(|coordinate| {
-        let crate::model::Coordinate { name, label, docs, unit } = coordinate;
+        let crate::model::Coordinate { name, label, docs, unit, states } = coordinate;
         let label = (label != name).then(|| quote!(.label(#label)));
         let docs = (!docs.is_empty()).then(|| quote!(.docs(#docs)));
-        quote!(#runtime::CoordinateInfo::new(#name, #unit) #label #docs)
+        let states = (*states != States::Both).then(|| {
+            let states = super::states::emit(*states, names);
+            quote!(.states(#states))
+        });
+        quote!(#runtime::CoordinateInfo::new(#name, #unit) #label #docs #states)
     });
     let sets = model.sets.iter().map(|set| {
         let (name, constant) = (set.name.to_string(), constant(set));

@@ -13,6 +13,7 @@ mod lanes;
 mod names;
 mod outline;
 mod references;
+mod states;
 mod structure;
 mod trait_impl;
 

@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 use super::body::Body;
 use super::info;
 use super::names::GeneratedNames;
+use super::states;
 use crate::model::Model;
 use crate::program::Program;
 
@@ -31,6 +32,8 @@ pub fn emit(
         }
         None => quote!(::core::option::Option::None),
     };
+    let coefficients = quote!(#runtime::Coefficients::from_rows(#matrices::rows(&self.matrices())));
+    let coefficients = states::complete(coefficients, model, names);
     let requirements = requirements.filter(|_| !model.requirements.is_empty());
     let derivatives = model.derivatives.is_some().then(|| {
         quote! {
@@ -85,7 +88,7 @@ pub fn emit(
 
             #[inline]
             fn coefficients(&self) -> #runtime::Coefficients<#scalar, #n> {
-                #runtime::Coefficients::from_rows(#matrices::rows(&self.matrices()))
+                #coefficients
             }
 
             #derivatives

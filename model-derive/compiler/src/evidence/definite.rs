@@ -4,17 +4,26 @@ use crate::constant::{Constant, Constants, eliminate};
 use crate::derivation::Derived;
 use crate::matrix_name::MatrixName;
 use crate::report::{Report, number};
-use crate::syntax::ParameterSet;
+use crate::states::States;
+use crate::syntax::{Declaration, ParameterSet};
 
 /// Reports a parameter set at which the mass matrix, if it is symmetric, is not positive definite; `values` are those of
 /// all names there.
-pub fn check_energy(derived: &Derived, set: &ParameterSet, values: &Constants, report: &mut Report) {
+pub fn check_energy(
+    declaration: &Declaration,
+    derived: &Derived,
+    set: &ParameterSet,
+    values: &Constants,
+    report: &mut Report,
+) {
     let Derived { matrices, symmetric, .. } = derived;
     let Some((name, mass)) = matrices.iter().find(|(name, _)| *name == MatrixName::M) else { return };
     if mass.len() > 1 && !symmetric.contains(name) {
         return;
     }
-    let entries = mass.iter().map(|row| row.iter().map(|entry| values.of(entry)).collect());
+    // A coordinate of first order has no kinetic energy.
+    let moves: Vec<bool> = declaration.states().map(|states| states != States::Position).collect();
+    let entries = keep(mass, &moves).map(|row| keep(row, &moves).map(|entry| values.of(entry)).collect());
     // An entry without a value is reported where it is.
     let Ok(mut entries) = entries.collect::<Result<Vec<Vec<Constant>>, _>>() else { return };
     if let Some(row) = eliminate(&mut entries, Constant::is_positive_beside) {
@@ -26,4 +35,8 @@ pub fn check_energy(derived: &Derived, set: &ParameterSet, values: &Constants, r
         );
         report.error(&set.name, message);
     }
+}
+
+fn keep<'a, T>(items: &'a [T], kept: &'a [bool]) -> impl Iterator<Item = &'a T> {
+    items.iter().zip(kept).filter(|(_, kept)| **kept).map(|(item, _)| item)
 }

@@ -11,6 +11,7 @@ mod ranges;
 mod samples;
 mod sets;
 mod sourced;
+mod states;
 mod unused;
 
 use self::claims::Claim;
@@ -54,7 +55,8 @@ pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Mod
         domain,
         used: used || checked.gravity == Some(index),
     });
-    let coordinates = declaration.coordinates.iter().map(|coordinate| Coordinate {
+    let coordinates = declaration.coordinates.iter().zip(declaration.states()).map(|(coordinate, states)| Coordinate {
+        states,
         label: coordinate.label.clone().unwrap_or_else(|| coordinate.name.to_string()),
         name: coordinate.name.to_string(),
         docs: coordinate.docs.clone(),
@@ -98,6 +100,7 @@ fn prove(checked: &Checked<'_>, derived: &Derived, units: &Units, report: &mut R
         physical::check_physical(mechanism, &formulas.attributes, checked, derived, report);
     }
     requirements.extend(checked.requirements.iter().cloned());
+    states::check_states(declaration, derived, report);
     let formulas_have_values = report.is_empty();
     let sets: Vec<&ParameterSet> = checked.sets.iter().map(|CheckedSet { set, .. }| set).collect();
     sets::check_sets(&sets, &derived.definitions, &requirements, report);

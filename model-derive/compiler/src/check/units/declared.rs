@@ -4,6 +4,7 @@ use super::dimension::Dimension;
 use super::known;
 use crate::nearest::ask_for;
 use crate::report::{Report, error};
+use crate::states::States;
 use crate::syntax::{Declaration, Direction, Expression, Factor, Kind, Parameter, Unit, constant};
 
 /// A unit that is known.
@@ -73,7 +74,9 @@ impl Dimensions {
         let coordinates = declaration.coordinates.iter().map(|coordinate| {
             let unit = coordinate.unit.as_ref()?;
             let dimension = coherent(unit, report)?;
-            if !dimension.is_number() && !dimension.same_unit(Dimension::new([0, 1, 0])) {
+            // What a filter or an actuator holds may be in any unit.
+            let is_held = coordinate.only.is_some_and(|(_, states)| states == States::Position);
+            if !is_held && !dimension.is_number() && !dimension.same_unit(Dimension::new([0, 1, 0])) {
                 let message =
                     format!("a coordinate {}: expected an angle (`rad`) or a length (`m`)", dimension.place());
                 report.error(unit.region, message);

@@ -11,6 +11,7 @@ use super::names::{parse_declared, reserved};
 use super::tokens::{expected, parse_colon, parse_semicolon, parse_text};
 use super::units::parse_unit;
 use crate::report::{Report, error};
+use crate::states::States;
 use crate::syntax::tree::{Coordinate, Declaration, Parameter};
 
 /// `parameters { … }`, behind its first word.
@@ -119,7 +120,7 @@ fn parse_coordinate(input: ParseStream<'_>, coordinates: &mut Vec<Coordinate>, r
     let what = "the name of a coordinate";
     let docs = parse_docs(input, what, report)?;
     let name = parse_declared(input, what)?;
-    coordinates.push(Coordinate { docs, name, label: None, unit: None, direction: None });
+    coordinates.push(Coordinate { docs, name, label: None, unit: None, direction: None, only: None });
     let Some(coordinate) = coordinates.last_mut() else { return Ok(()) };
     parse_after_label(input, coordinate).inspect_err(|_| coordinate.unit = None)
 }
@@ -129,8 +130,21 @@ fn parse_after_label(input: ParseStream<'_>, coordinate: &mut Coordinate) -> syn
     parse_colon(input, "`:` and a unit")?;
     coordinate.unit = Some(parse_unit(input)?);
     while input.parse::<Option<Token![,]>>()?.is_some() {
+        if input.cursor().ident().is_some_and(|(word, _)| word == "only") {
+            let only: syn::Ident = input.parse()?;
+            let what = "`rate` or `position` behind `only`: the one of them that the motion depends on";
+            let word: syn::Ident =
+                if input.peek(syn::Ident) { input.parse()? } else { return Err(expected(input, what)) };
+            let Some(states) = States::from_name(&word.to_string()) else {
+                return Err(error(&word, format!("found `{word}`: expected {what}")));
+            };
+            if coordinate.only.replace((only.span(), states)).is_some() {
+                return Err(error(&only, "a second `only`: expected one"));
+            }
+            continue;
+        }
         let Some((span, direction)) = parse_direction(input)? else {
-            return Err(expected(input, "a direction (`along y`, `about x`)"));
+            return Err(expected(input, "a direction (`along y`, `about x`), `only rate` or `only position`"));
         };
         set_once(&mut coordinate.direction, direction, span)?;
     }

@@ -7,6 +7,7 @@ use super::mechanism::Mechanism;
 use super::unit::Unit;
 use crate::matrix_name::{MatrixName, Whole};
 use crate::report::Region;
+use crate::states::States;
 
 /// A whole `model!` declaration.
 #[derive(Debug)]
@@ -46,6 +47,11 @@ impl Declaration {
     pub fn attributes(&self) -> impl Iterator<Item = &Expression> {
         let added = self.added.iter().flat_map(Matrix::entries);
         self.mechanism.iter().flat_map(Mechanism::formulas).chain(added)
+    }
+
+    /// Which of the position and the rate of each coordinate are states.
+    pub fn states(&self) -> impl Iterator<Item = States> {
+        self.coordinates.iter().map(|coordinate| coordinate.only.map_or(States::Both, |(_, states)| states))
     }
 
     /// Where a matrix is declared: under its own name, or as a part of a whole.
@@ -181,6 +187,8 @@ pub struct Coordinate {
     /// Nothing if it could not be read.
     pub unit: Option<Unit>,
     pub direction: Option<Direction>,
+    /// Which of its position and its rate are states, with the span of the word where only one is.
+    pub only: Option<(Span, States)>,
 }
 
 /// `M = [[a, b], [b, c]];`, or `add M = …` beside a mechanism.

@@ -1,0 +1,22 @@
+carvallo::model! {
+    pub model Wheel {
+        parameters {
+            m: kg, > 0;
+            k: N/m, > 0;
+            c: N*s/m, > 0;
+        }
+
+        coordinates {
+            x: m;
+            s: m, only position;
+        }
+
+        symmetric M = [[m - 2 [kg], 0], [0, 0]];
+        C0 = [[0, 0], [0, c]];
+        Kc = [[k, -k], [-k, k]];
+
+        set light { m = 1; k = 1; c = 1; }
+    }
+}
+
+fn main() {}
