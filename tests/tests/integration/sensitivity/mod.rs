@@ -5,7 +5,7 @@ mod critical;
 mod deviations;
 mod eigenvalues;
 
-use carvallo::{Model, Sensitivity};
+use carvallo::Sensitivity;
 use carvallo_models::Whipple;
 
 fn sensitivity(design: &Whipple) -> Sensitivity<2> {
