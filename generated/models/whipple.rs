@@ -123,6 +123,7 @@ carvallo::model! {
             [0, ((SA + SF*sin(lam))/w)*cos(lam)],
         ];
 
+        #[default]
         set benchmark "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1" {
             w = 1.02; c = 0.08; lam = pi/10; g = 9.81;
             rR = 0.3; mR = 2; IRxx = 0.0603; IRyy = 0.12;

@@ -94,6 +94,7 @@ carvallo::model! {
             delta "steer": rad;
         }
 
+        #[default]
         set benchmark "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; tyres are examples" {
             w = 1.02; c = 0.08; lam = pi/10; g = 9.81;
             rR = 0.3; mR = 2; IRxx = 0.0603; IRyy = 0.12;

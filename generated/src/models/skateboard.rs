@@ -2,7 +2,7 @@
 // To write it anew: cargo regenerate
 // Hash of the source: 0f4f8539b65fdea9
 
-#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,

@@ -1,8 +1,8 @@
 // @generated from generated/models/whipple.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 3e007e0439a8d63f
+// Hash of the source: 1f3729bd81655189
 
-#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
@@ -520,6 +520,8 @@ impl Whipple<f64> {
     ///
     /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1
     ///
+    /// It is the default.
+    ///
     /// | parameter | value | unit |
     /// | --- | ---: | --- |
     /// | `w` | 1.02 | `m` |
@@ -593,6 +595,21 @@ impl Whipple<f64> {
         xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.0546, IHyy: 0.06, IHzz: 0.0114, IHxz: -0.0162, rF: 0.35,
         mF: 3.0, IFxx: 0.14, IFyy: 0.28,
     };
+}
+
+impl Whipple<f64> {
+    /// The parameter set `benchmark`.
+    #[must_use]
+    pub const fn default() -> Self {
+        Self::BENCHMARK
+    }
+}
+
+/// The parameter set `benchmark`.
+impl<T: Scalar> Default for Whipple<T> {
+    fn default() -> Self {
+        Whipple::cast(&Whipple::<f64>::BENCHMARK)
+    }
 }
 
 // --- Parameters and matrices as arrays -----------------------------------------------------------

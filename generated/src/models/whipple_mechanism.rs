@@ -1,8 +1,8 @@
 // @generated from generated/models/whipple_mechanism.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: dc474ea890db6fad
+// Hash of the source: 5ac48ef825bc3815
 
-#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
@@ -596,6 +596,8 @@ impl WhippleMechanism<f64> {
     ///
     /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1
     ///
+    /// It is the default.
+    ///
     /// | parameter | value | unit |
     /// | --- | ---: | --- |
     /// | `w` | 1.02 | `m` |
@@ -707,6 +709,21 @@ impl WhippleMechanism<f64> {
         xB: 1.2, zB: -0.4, mB: 10.0, IBxx: 0.0, IByy: 0.0, IBzz: 0.0, IBxz: 0.0, xH: 1.02, zH: -0.2,
         mH: 1.0, IHxx: 0.0, IHyy: 0.0, IHzz: 0.0, IHxz: 0.0, rF: 0.1, mF: 0.0, IFxx: 0.0, IFyy: 0.0,
     };
+}
+
+impl WhippleMechanism<f64> {
+    /// The parameter set `benchmark`.
+    #[must_use]
+    pub const fn default() -> Self {
+        Self::BENCHMARK
+    }
+}
+
+/// The parameter set `benchmark`.
+impl<T: Scalar> Default for WhippleMechanism<T> {
+    fn default() -> Self {
+        WhippleMechanism::cast(&WhippleMechanism::<f64>::BENCHMARK)
+    }
 }
 
 // --- Parameters and matrices as arrays -----------------------------------------------------------

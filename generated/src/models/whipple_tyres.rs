@@ -1,8 +1,8 @@
 // @generated from generated/models/whipple_tyres.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 6e6bda8fcc5ab6a5
+// Hash of the source: a8704a5a1ddc5cfb
 
-#![allow(clippy::all, dead_code, non_camel_case_types, non_snake_case)]
+#![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
@@ -679,6 +679,8 @@ impl WhippleTyres<f64> {
     ///
     /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; tyres are examples
     ///
+    /// It is the default.
+    ///
     /// | parameter | value | unit |
     /// | --- | ---: | --- |
     /// | `w` | 1.02 | `m` |
@@ -756,6 +758,21 @@ impl WhippleTyres<f64> {
         xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.0546, IHyy: 0.06, IHzz: 0.0114, IHxz: -0.0162, rF: 0.35,
         mF: 3.0, IFxx: 0.14, IFyy: 0.28, rhoR: 0.02, rhoF: 0.02,
     };
+}
+
+impl WhippleTyres<f64> {
+    /// The parameter set `benchmark`.
+    #[must_use]
+    pub const fn default() -> Self {
+        Self::BENCHMARK
+    }
+}
+
+/// The parameter set `benchmark`.
+impl<T: Scalar> Default for WhippleTyres<T> {
+    fn default() -> Self {
+        WhippleTyres::cast(&WhippleTyres::<f64>::BENCHMARK)
+    }
 }
 
 // --- Parameters and matrices as arrays -----------------------------------------------------------

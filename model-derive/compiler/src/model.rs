@@ -17,6 +17,8 @@ pub struct Model {
     pub name: Ident,
     /// `pub` and the like, or nothing.
     pub visibility: TokenStream,
+    /// Attributes of the user's own for the struct, each without its brackets.
+    pub rust_attributes: Vec<TokenStream>,
     /// The documentation of the declaration.
     pub docs: String,
     /// Where the model comes from, or empty.
@@ -84,6 +86,8 @@ pub type Matrices = Vec<(MatrixName, Vec<Vec<Formula>>)>;
 pub struct Parameter {
     /// The name of the field.
     pub name: Ident,
+    /// Attributes of the user's own for the field.
+    pub rust_attributes: Vec<TokenStream>,
     /// The symbol in formulas; the name where none is declared.
     pub symbol: String,
     /// The documentation of the declaration.
@@ -116,6 +120,8 @@ pub struct Coordinate {
 pub struct ParameterSet {
     /// The name as declared.
     pub name: Ident,
+    /// Whether it is the default of the model.
+    pub is_default: bool,
     /// The documentation of the declaration.
     pub docs: String,
     /// Where the values come from, or empty.

@@ -27,6 +27,7 @@
 ///
 ///     symmetric M = [[a + 0.1 [kg]*r^2]];       // and C-1, C0, C1, Kc, K0, K1, K2; those left out are zero
 ///
+///     #[default]                                // at most one is: see below
 ///     set example "where the values come from" {
 ///         lam = 18 deg; m = 2; r = 35 cm; g = 9.81; I = 0;
 ///         M = [[0.0356]];                       // published for it: the formulas must give these digits
@@ -163,6 +164,24 @@
 /// At valid parameters every derivative exists. A root has none where its argument is zero, so a model with derivatives
 /// is refused unless domains or a `require` keep the arguments of its roots above zero.
 ///
+/// # Attributes
+/// Attributes of Rust before `model` are those of the struct, and before a parameter those of its field:
+///
+/// ```text
+/// #[derive(serde::Serialize, serde::Deserialize)]
+/// #[serde(deny_unknown_fields)]
+/// pub model Name {
+///     parameters {
+///         #[serde(rename = "length")]
+///         l: m, > 0;
+///     }
+/// ```
+///
+/// `Clone`, `Copy`, `Debug` and `PartialEq` are derived for every model; a declaration may list them as well, and
+/// they are derived once. What is read by serde is not validated: call `validate` then. A `cfg` belongs before
+/// `carvallo::model!`. `#[default]` stands before the one parameter set, if any, that is the `Default` of the model; in a
+/// model without one `#[derive(Default)]` makes all parameters zero.
+///
 /// # Published matrices
 /// A set may carry the matrices that its source publishes. A printed entry must differ from the exact value of its
 /// formula by less than one unit of its last digit; one without a decimal point is exact. Whether or not something is
@@ -182,7 +201,7 @@
 ///
 /// # What it makes
 /// - A struct `Name<T = f64>` with the parameters as public fields, for `f32` and `f64`, which displays them with their
-///   units; `Name::EXAMPLE` for each parameter set, and `Name::set("example")`; `from_array`, `to_array`, `cast`, `to_f32`,
+///   units; `Name::EXAMPLE` for each parameter set, `Name::set("example")`, and `Name::default()`; `from_array`, `to_array`, `cast`, `to_f32`,
 ///   and `From<Name<f32>>` for `Name<f64>`.
 /// - A struct `NameMatrices<T>` with the declared matrices as [`Rows`](crate::Rows), and `Name::matrices`, which computes them
 ///   in one straight-line function whose documentation states its operation counts.

@@ -80,7 +80,7 @@ pub fn whipple(evidence: Evidence) -> String {
     if evidence == Evidence::Sets {
         return body.to_string();
     }
-    let (formulas, _) = body.split_once("set benchmark").expect("a parameter set behind the formulas");
+    let (formulas, _) = body.split_once("#[default]").expect("a parameter set behind the formulas");
     let mut declaration = format!("{formulas}}}");
     if evidence == Evidence::Units {
         for direction in ["along x*z", "along x", "along z", "about x", "about y", "about z"] {

@@ -1,7 +1,6 @@
 carvallo::model! {
     pub model Pendulum {
         parameters {
-            #[serde(default)]
             m: kg, > 0;
             l: m, > 0;
             g: N/kg, >= 0, gravity;
@@ -10,6 +9,7 @@ carvallo::model! {
         let I = m*l^2;
 
         coordinates {
+            #[serde(default)]
             theta: rad;
         }
 

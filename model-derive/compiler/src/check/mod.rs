@@ -9,6 +9,7 @@ mod names;
 mod powers;
 mod references;
 mod resolve;
+mod rust_attributes;
 mod sets;
 mod units;
 
@@ -19,6 +20,7 @@ use proc_macro2::Ident;
 pub use self::matrices::WrittenMatrices;
 pub use self::mechanism::{Assembly, Role, Tree};
 use self::names::Scope;
+pub use self::rust_attributes::RustAttributes;
 pub use self::sets::CheckedSet;
 pub use self::units::Units;
 use self::units::declared::Dimensions;
@@ -36,6 +38,8 @@ pub struct Checked<'a> {
     pub declaration: &'a Declaration,
     /// Whether all its statements could be read.
     pub is_complete: bool,
+    /// Attributes of Rust, for what is generated.
+    pub rust_attributes: RustAttributes,
     /// Names that are not reported as unused: refused ones, and those suggested for an unknown one, so probably meant.
     pub excused: HashSet<String>,
     /// For each parameter.
@@ -81,6 +85,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     if declaration.parameters.is_empty() && is_complete {
         report.error(&declaration.name, "no parameters: expected `parameters { … }` with at least one");
     }
+    let rust_attributes = rust_attributes::read_rust_attributes(declaration, report);
     // What names mean comes before all formulas, in which they stand.
     let mut scope = Scope::new(declaration, report);
     let dimensions = Dimensions::new(declaration, report);
@@ -119,6 +124,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     Checked {
         declaration,
         is_complete,
+        rust_attributes,
         // Every formula has been resolved, and each may have added to them.
         excused: scope.excused,
         domains: domains.iter().map(|domain| domain.to_model()).collect(),

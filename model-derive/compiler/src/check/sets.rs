@@ -48,7 +48,10 @@ pub fn read_sets(declaration: &Declaration, parameters: &Parameters<'_>, report:
         }
         let (values, exact) = read_values(declaration, set, parameters, report).into_iter().unzip();
         let (docs, source) = (set.docs.clone(), set.source.clone().unwrap_or_default());
-        sets.push(CheckedSet { set: ParameterSet { name: set.name.clone(), docs, source, values }, exact });
+        sets.push(CheckedSet {
+            set: ParameterSet { name: set.name.clone(), is_default: !set.defaults.is_empty(), docs, source, values },
+            exact,
+        });
     }
     sets
 }

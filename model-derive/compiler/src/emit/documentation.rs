@@ -108,6 +108,9 @@ pub fn set_docs(set: &ParameterSet, model: &Model) -> String {
     if !set.source.is_empty() {
         text.push_str(&format!("\n\nSource: {}", set.source));
     }
+    if set.is_default {
+        text.push_str("\n\nIt is the default.");
+    }
     text.push_str("\n\n| parameter | value | unit |\n| --- | ---: | --- |");
     for (Parameter { name, unit, .. }, value) in model.parameters.iter().zip(&set.values) {
         let sign = if *value < 0.0 { "-" } else { "" };

@@ -137,7 +137,7 @@ fn plain(program: &Program, model: &Model) -> Vec<(Value, String)> {
 
 /// The lints that generated code does not keep to.
 pub fn allowed() -> TokenStream {
-    quote!(clippy::all, dead_code, non_camel_case_types, non_snake_case)
+    quote!(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)
 }
 
 /// A name for each derivative that has one; one that a definition or an earlier derivative has is set apart.

@@ -16,17 +16,19 @@ pub fn emit(model: &Model, names: &GeneratedNames) -> (TokenStream, Option<Token
 
 fn emit_struct(model: &Model, names: &GeneratedNames) -> TokenStream {
     let GeneratedNames { model: name, scalar, .. } = names;
-    let Model { visibility, parameters, .. } = model;
+    let Model { visibility, rust_attributes, parameters, .. } = model;
     let (allow, derive) = (names.allow(), derive());
     let struct_docs = docs(&model_docs(model));
+    let of_fields = parameters.iter().map(|parameter| &parameter.rust_attributes);
     let field_docs = parameters.iter().map(|parameter| docs(&parameter_docs(parameter)));
     let fields = fields(model);
     quote! {
         #struct_docs
         #allow
         #derive
+        #(#[#rust_attributes])*
         #visibility struct #name<#scalar = ::core::primitive::f64> {
-            #(#field_docs pub #fields: #scalar,)*
+            #(#field_docs #(#[#of_fields])* pub #fields: #scalar,)*
         }
     }
 }
@@ -44,9 +46,36 @@ fn emit_sets(model: &Model, names: &GeneratedNames) -> TokenStream {
         let values = set.values.iter().map(|value| number(*value));
         quote! { #text pub const #constant: Self = Self { #(#fields: #values,)* }; }
     });
+    let default = model.sets.iter().find(|set| set.is_default).map(|set| emit_default(set, names));
     quote! {
         #allow
         impl #name<::core::primitive::f64> { #(#constants)* }
+        #default
+    }
+}
+
+/// For `f64` it is also an inherent function: `Name::default()` has one meaning then.
+fn emit_default(set: &ParameterSet, names: &GeneratedNames) -> TokenStream {
+    let GeneratedNames { runtime, model: name, scalar, .. } = names;
+    let (allow, constant) = (names.allow(), constant(set));
+    let text = docs(&format!("The parameter set `{}`.", set.name));
+    quote! {
+        #allow
+        impl #name<::core::primitive::f64> {
+            #text
+            #[must_use]
+            pub const fn default() -> Self {
+                Self::#constant
+            }
+        }
+
+        #text
+        #allow
+        impl<#scalar: #runtime::Scalar> ::core::default::Default for #name<#scalar> {
+            fn default() -> Self {
+                #name::cast(&#name::<::core::primitive::f64>::#constant)
+            }
+        }
     }
 }
 

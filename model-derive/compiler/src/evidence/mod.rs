@@ -46,10 +46,17 @@ pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Mod
         false => (Vec::new(), checked.requirements),
     };
     let declaration = checked.declaration;
-    let parameters = declaration.parameters.iter().zip(checked.domains).zip(used).enumerate();
-    let parameters = parameters.map(|(index, ((parameter, domain), used))| Parameter {
+    let parameters = declaration
+        .parameters
+        .iter()
+        .zip(checked.rust_attributes.parameters)
+        .zip(checked.domains)
+        .zip(used)
+        .enumerate();
+    let parameters = parameters.map(|(index, (((parameter, rust_attributes), domain), used))| Parameter {
         symbol: parameter.symbol.clone().unwrap_or_else(|| parameter.name.to_string()),
         name: parameter.name.clone(),
+        rust_attributes,
         docs: parameter.docs.clone(),
         unit: unit_text(parameter.unit.as_ref()),
         domain,
@@ -65,6 +72,7 @@ pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Mod
     Model {
         name: declaration.name.clone(),
         visibility: declaration.visibility.clone(),
+        rust_attributes: checked.rust_attributes.model,
         docs: declaration.docs.clone(),
         source: declaration.source.clone().unwrap_or_default(),
         parameters: parameters.collect(),

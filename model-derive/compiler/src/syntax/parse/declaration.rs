@@ -5,7 +5,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 
 use super::blocks::parse_statements;
-use super::docs::parse_docs;
+use super::docs::{Supported, parse_rust_attributes};
 use super::names::parse_name;
 use super::statements::{parse_statement, starts_statement};
 use super::tokens::expected;
@@ -14,7 +14,7 @@ use crate::syntax::tree::Declaration;
 
 /// `/// docs  pub model Name { statements }`
 pub fn parse_declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Result<Declaration> {
-    let docs = parse_docs(input, MODEL, report)?;
+    let (docs, rust_attributes) = parse_rust_attributes(input, MODEL, Supported::Rust, report)?;
     let visibility = parse_visibility(input)?;
     if !input.peek(syn::Ident::peek_any) || input.fork().call(syn::Ident::parse_any)? != "model" {
         return Err(expected(input, MODEL));
@@ -28,6 +28,7 @@ pub fn parse_declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Re
     syn::braced!(content in input);
     let mut declaration = Declaration {
         docs,
+        rust_attributes,
         visibility,
         name,
         source: None,

@@ -5,7 +5,7 @@ use syn::parse::ParseStream;
 
 use super::blocks::parse_block;
 use super::directions::{parse_direction, set_once};
-use super::docs::parse_docs;
+use super::docs::{Supported, parse_docs, parse_rust_attributes};
 use super::domains::{parse_comparison, parse_interval};
 use super::names::{parse_declared, reserved};
 use super::tokens::{expected, parse_colon, parse_semicolon, parse_text};
@@ -24,12 +24,13 @@ pub fn parse_parameters(input: ParseStream<'_>, model: &mut Declaration, report:
 /// One that cannot be read to its end is there all the same: what uses it is no further mistake.
 fn parse_parameter(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
     let what = "the name of a parameter";
-    let docs = parse_docs(input, what, report)?;
+    let (docs, rust_attributes) = parse_rust_attributes(input, what, Supported::Rust, report)?;
     let name = parse_declared(input, what)?;
     let reserved = reserved(&name.to_string());
     let bounds = Vec::new();
     let (direction, gravity, speed, unused) = (None, None, None, None);
-    let mut parameter = Parameter { docs, name, symbol: None, unit: None, bounds, direction, gravity, speed, unused };
+    let mut parameter =
+        Parameter { docs, rust_attributes, name, symbol: None, unit: None, bounds, direction, gravity, speed, unused };
     // Of one that is only half read nothing should follow.
     let read = parse_after_name(input, &mut parameter).inspect_err(|_| parameter.unit = None);
     match reserved {

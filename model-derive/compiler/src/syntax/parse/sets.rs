@@ -13,12 +13,12 @@ use super::names::{parse_declared, parse_name};
 use super::tokens::{expected, parse_equals, parse_semicolon, parse_text};
 use crate::formula::Decimal;
 use crate::report::{Region, Report, error};
-use crate::syntax::tree::{Declaration, ParameterSet, Printed, Published, SetValue};
+use crate::syntax::tree::{Declaration, ParameterSet, Printed, Published, RustAttribute, SetValue};
 
 /// `set benchmark "source" { w = 1.02; }`, behind its first word.
 pub fn parse_set(
     input: ParseStream<'_>,
-    docs: String,
+    (docs, attributes): (String, Vec<RustAttribute>),
     model: &mut Declaration,
     report: &mut Report,
 ) -> syn::Result<()> {
@@ -56,7 +56,9 @@ pub fn parse_set(
         values.push(SetValue { name, value: value.as_ref().ok().cloned() });
         value.map(|_| ())
     })?;
-    model.sets.push(ParameterSet { docs, name, source, values, published });
+    // Nothing but `#[default]` is let through.
+    let defaults = attributes.into_iter().map(|attribute| attribute.region).collect();
+    model.sets.push(ParameterSet { docs, defaults, name, source, values, published });
     Ok(())
 }
 

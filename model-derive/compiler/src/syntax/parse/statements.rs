@@ -5,7 +5,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::parse::discouraged::Speculative as _;
 
-use super::docs::{LOST, parse_docs};
+use super::docs::{LOST, Supported, parse_rust_attributes, peek_behind_attributes};
 use super::domains::parse_comparison;
 use super::expressions::parse_expression;
 use super::matrices::{
@@ -18,7 +18,7 @@ use super::sets::parse_set;
 use super::tokens::{expected, parse_equals, parse_semicolon, parse_text};
 use crate::nearest::{ask_for, find_nearest};
 use crate::report::{Report, error};
-use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requirement};
+use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requirement, RustAttribute};
 
 /// What is said to be expected where no statement starts.
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
@@ -30,8 +30,9 @@ const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, 
 /// One statement. A misspelt first word is noted, and what follows read as what was meant.
 pub fn parse_statement(input: ParseStream<'_>, model: &mut Declaration, report: &mut Report) -> syn::Result<()> {
     let start = input.span();
-    let docs = parse_docs(input, "what it is about", report)?;
-    let is_set = input.cursor().ident().is_some_and(|(word, _)| word == "set");
+    let is_set = peek_behind_attributes(input).is_some_and(|word| word == "set");
+    let supported = if is_set { Supported::Default } else { Supported::Nothing };
+    let (docs, attributes) = parse_rust_attributes(input, "what it is about", supported, report)?;
     if !docs.is_empty() && !is_set {
         report.error(start, LOST);
     }
@@ -47,14 +48,14 @@ pub fn parse_statement(input: ParseStream<'_>, model: &mut Declaration, report: 
     let keyword = input.call(syn::Ident::parse_any)?;
     let word = keyword.to_string();
     if KEYWORDS.contains(&word.as_str()) {
-        return parse_after_keyword(&word, &keyword, input, docs, model, report);
+        return parse_after_keyword(&word, &keyword, input, (docs, attributes), model, report);
     }
     let Some(meant) = find_nearest(&word, KEYWORDS.into_iter()) else {
         return Err(error(&keyword, format!("found `{word}`: expected {STATEMENTS}")));
     };
     // Read on as what was meant, so that the names inside are known.
     report.error(&keyword, format!("found `{word}`: expected a statement{}", ask_for(meant)));
-    parse_after_keyword(meant, &keyword, input, docs, model, report)
+    parse_after_keyword(meant, &keyword, input, (docs, attributes), model, report)
 }
 
 /// Whether a statement starts here.
@@ -99,7 +100,7 @@ fn parse_after_keyword(
     word: &str,
     keyword: &syn::Ident,
     input: ParseStream<'_>,
-    docs: String,
+    (docs, attributes): (String, Vec<RustAttribute>),
     model: &mut Declaration,
     report: &mut Report,
 ) -> syn::Result<()> {
@@ -134,7 +135,7 @@ fn parse_after_keyword(
         "assert" => parse_assertion(input, model),
         "symmetric" => parse_symmetric(input, model, report),
         "add" => parse_added(input, model),
-        "set" => parse_set(input, docs, model, report),
+        "set" => parse_set(input, (docs, attributes), model, report),
         other => match parse_declared_matrix(other, keyword.span(), false, input, model)? {
             true => Ok(()),
             false => unreachable!("a keyword that no statement begins with"),

@@ -1,6 +1,9 @@
 //! The syntax tree of a declaration.
 
+use std::fmt;
+
 use proc_macro2::{Ident, Span, TokenStream};
+use quote::ToTokens as _;
 
 use super::expression::Expression;
 use super::mechanism::Mechanism;
@@ -14,6 +17,8 @@ use crate::states::States;
 pub struct Declaration {
     /// Documentation lines, joined.
     pub docs: String,
+    /// Attributes of Rust, for the struct.
+    pub rust_attributes: Vec<RustAttribute>,
     pub visibility: TokenStream,
     pub name: Ident,
     /// Where the model comes from.
@@ -61,11 +66,27 @@ impl Declaration {
     }
 }
 
+/// `#[derive(serde::Serialize)]`
+pub struct RustAttribute {
+    /// What stands between the brackets.
+    pub meta: syn::Meta,
+    pub region: Region,
+}
+
+/// As it is written: `syn` shows nothing without another of its features.
+impl fmt::Debug for RustAttribute {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "#[{}]", self.meta.to_token_stream())
+    }
+}
+
 /// `lam "λ": rad, in (-pi/2, pi/2);`
 #[derive(Debug)]
 pub struct Parameter {
     /// Documentation lines, joined.
     pub docs: String,
+    /// Attributes of Rust, for the field.
+    pub rust_attributes: Vec<RustAttribute>,
     pub name: Ident,
     pub symbol: Option<String>,
     /// Nothing if it could not be read.
@@ -145,6 +166,8 @@ pub struct Assertion {
 pub struct ParameterSet {
     /// Documentation lines, joined.
     pub docs: String,
+    /// Each `#[default]` before it.
+    pub defaults: Vec<Region>,
     pub name: Ident,
     pub source: Option<String>,
     pub values: Vec<SetValue>,

@@ -8,7 +8,7 @@ mod unit;
 
 pub use self::declaration::{
     Assertion, Bound, Coordinate, Declaration, Definition, Direction, Matrix, Parameter, ParameterSet, Printed,
-    Published, Relation, Requirement, SetValue, Value,
+    Published, Relation, Requirement, RustAttribute, SetValue, Value,
 };
 pub use self::expression::{Expression, Factor, Kind, Term};
 pub use self::mechanism::{Body, Force, Free, Freedom, Inertia, Joint, JointKind, Mechanism, Vector, Wheel};

@@ -1,5 +1,5 @@
 carvallo::model! {
-    #[derive(Debug)]
+    #[default]
     pub model Pendulum {
         parameters {
             m: kg, > 0;
@@ -9,6 +9,7 @@ carvallo::model! {
             theta: rad;
         }
         M = [[m*l^2]];
+        set bob { m = 1; l = 2; }
     }
 }
 

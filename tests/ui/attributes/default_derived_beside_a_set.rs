@@ -1,0 +1,17 @@
+carvallo::model! {
+    #[derive(Debug, Default)]
+    pub model Pendulum {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+        }
+        coordinates {
+            theta: rad;
+        }
+        M = [[m*l^2]];
+        #[default]
+        set bob { m = 1; l = 2; }
+    }
+}
+
+fn main() {}
