@@ -40,6 +40,8 @@
 //! documented with the features `derive`, `std` and `batch`.
 
 #![cfg_attr(not(feature = "std"), no_std)]
+// docs.rs says of each item which feature it is for.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 // What a feature adds can be linked only where it is there.
 #![cfg_attr(not(all(feature = "derive", feature = "std", feature = "batch")), allow(rustdoc::broken_intra_doc_links))]
 

@@ -1,34 +1,4 @@
-//! Compiles models of [Carvallo](https://docs.rs/carvallo) in a build script, instead of in the macro `model!`.
-//!
-//! Models stand in files of their own, each with one `carvallo::model! { … }` and nothing else, such as
-//! `models/pendulum.rs`. In `Cargo.toml`:
-//!
-//! ```toml
-//! [dependencies]
-//! carvallo = "0.1"        # without its feature `derive`
-//!
-//! [build-dependencies]
-//! carvallo-build = "0.1"
-//! ```
-//!
-//! In `build.rs`:
-//!
-//! ```no_run
-//! fn main() -> Result<(), carvallo_build::Error> {
-//!     carvallo_build::compile("models/*.rs")
-//! }
-//! ```
-//!
-//! And where the models are to be, in `src/main.rs` for one:
-//!
-//! ```ignore
-//! include!(concat!(env!("OUT_DIR"), "/models.rs"));
-//! ```
-//!
-//! There the types are then that the macro would have made. The script runs only when a model is changed, added or
-//! removed, and so the models cost nothing when anything else of the crate is. It still builds Symbolica, which does the
-//! algebra, as a dependency of the script. A crate that is to build without it has its Rust written into its sources: by
-//! the program `carvallo-compiler` with `expand`, of the same files.
+#![doc = include_str!("../README.md")]
 
 use std::fmt;
 use std::path::{Component, Path, PathBuf};
