@@ -154,7 +154,7 @@ fn random<const N: usize>(count: u64) -> Vec<System<N>> {
         let l = SMatrix::<f64, N, N>::from_fn(|_, _| draw());
         l * l.transpose() * scale + SMatrix::identity() * (0.1 * scale)
     };
-    (0..count).map(|_| System { m: positive(1.0), c: positive(2.0), k: positive(50.0) }).collect()
+    (0..count).map(|_| System::new(positive(1.0), positive(2.0), positive(50.0))).collect()
 }
 
 fn eigenvalues(criterion: &mut Criterion) {

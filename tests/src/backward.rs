@@ -197,7 +197,7 @@ mod tests {
     fn tells_how_far_off_eigenvalues_are() {
         // s^2 = -1 and (s + 1/4)(s + 1/2) = 0, in units that need no scaling.
         let c = Matrix2::new(0.0, 0.0, 0.0, 0.75);
-        let state = StateMatrix::new(&System { m: Matrix2::identity(), c, k: Matrix2::new(1.0, 0.0, 0.0, 0.125) });
+        let state = StateMatrix::new(&System::new(Matrix2::identity(), c, Matrix2::new(1.0, 0.0, 0.0, 0.125)));
         let exact = [C::new(0.0, 1.0), C::new(0.0, -1.0), C::new(-0.25, 0.0), C::new(-0.5, 0.0)];
         assert!(exact.iter().all(|value| state.error_of(*value) < 1e-60));
         assert!(state.joint_error(&exact) < 1e-60);

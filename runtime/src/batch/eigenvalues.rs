@@ -24,7 +24,7 @@ impl Batch {
     /// use carvallo::{Complex, Matrix, System};
     ///
     /// let one = Matrix::<f64, 2>::identity();
-    /// let systems = [1.0, 4.0, 9.0].map(|k| System { m: one, c: one * 0.0, k: one * k });
+    /// let systems = [1.0, 4.0, 9.0].map(|k| System::new(one, one * 0.0, one * k));
     /// let mut eigenvalues = systems.map(|_| Ok(Default::default()));
     /// Batch::new().eigenvalues(&systems, &mut eigenvalues)?;
     /// assert_eq!(eigenvalues[2].unwrap()[3], Complex::new(0.0, 3.0));

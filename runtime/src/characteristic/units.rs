@@ -29,8 +29,9 @@ impl<const N: usize> Units<N> {
     ///
     /// # Errors
     /// If a row or a column of M is zero.
-    pub(crate) fn of_system(System { m, c, k }: &System<N>) -> Result<Self, SystemError> {
-        let sides = Self::of_mass(m)?;
+    pub(crate) fn of_system(system: &System<N>) -> Result<Self, SystemError> {
+        let System { c, k, .. } = system;
+        let sides = Self::of_mass(&system.leading())?;
         Ok(Self { time: time_unit(sides.largest(c), sides.largest(k)), ..sides })
     }
 
@@ -78,8 +79,9 @@ impl<const N: usize> Units<N> {
     }
 
     /// The matrices at one speed, or derivatives of them, in these units.
-    pub(crate) fn scale_system(&self, System { m, c, k }: &System<N>) -> System<N> {
-        System { m: self.scale(m, [2, 0], 0), c: self.scale(c, [1, 0], 0), k: self.scale(k, [0, 0], 0) }
+    pub(crate) fn scale_system(&self, System { m, c, k, states }: &System<N>) -> System<N> {
+        let [m, c, k] = [self.scale(m, [2, 0], 0), self.scale(c, [1, 0], 0), self.scale(k, [0, 0], 0)];
+        System { m, c, k, states: *states }
     }
 
     /// Coefficients, or derivatives of them, in these units.

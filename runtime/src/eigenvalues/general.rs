@@ -8,10 +8,11 @@ use super::quadratic::Quadratic;
 use crate::characteristic::units::{time_unit, to_per_second};
 use crate::number::{Number, Scalar};
 use crate::numeric::{exponent, ldexp};
-use crate::system::{Matrix, System, SystemError, require_in_range};
+use crate::system::{Matrix, States, System, SystemError, require_in_range};
 
 impl<const N: usize, T: Scalar> System<N, T> {
-    /// The 2N eigenvalues in 1/s, sorted by real part, then by imaginary part.
+    /// The eigenvalues in 1/s, one for each [state](States), so 2N where all positions and rates are, sorted by real part, then
+    /// by imaginary part.
     ///
     /// For N = 2 they are [those of the quartic](System::quartic_eigenvalues), and for N = 1 those of the quadratic. For
     /// more they come from the state matrix, balanced, by the QR algorithm with a bound on its iterations; jointly they are
@@ -24,12 +25,18 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or if the
     /// iteration for N other than 2 does not converge.
     pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>, SystemError> {
-        if N == 2 {
+        if N == 2 && self.states == [States::Both; N] {
             let two = |matrix: &Matrix<T, N>| Matrix::<T, 2>::from_fn(|i, j| matrix[(i, j)]);
-            let system = System { m: two(&self.m), c: two(&self.c), k: two(&self.k) };
+            let system = System::new(two(&self.m), two(&self.c), two(&self.k));
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
         let mut eigenvalues = self.widened(eigenvalues_of_state_matrix)?.as_flattened().to_vec();
+        // What is no state has a row and a column of zeros, which nothing else touches.
+        for _ in self.states.iter().filter(|states| **states != States::Both) {
+            if let Some(zero) = eigenvalues.iter().position(|eigenvalue| *eigenvalue == Complex::new(0.0, 0.0)) {
+                eigenvalues.swap_remove(zero);
+            }
+        }
         eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
         Ok(eigenvalues)
     }
@@ -38,21 +45,29 @@ impl<const N: usize, T: Scalar> System<N, T> {
 /// The eigenvalues, in no order.
 fn eigenvalues_of_state_matrix<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
     system.require_finite()?;
-    let [stiffness, damping] = system.solve([-system.k, -system.c])?;
+    let [stiffness, damping] = system.solve(system.with_columns_of_states([-system.k, -system.c]))?;
     require_in_range("M^-1 K", &stiffness)?;
     require_in_range("M^-1 C", &damping)?;
-    // Time in units that bring stiffness and damping to at most one.
-    let largest = |matrix: &Matrix<f64, N>| exponent(matrix.iter().fold(0.0, |max: f64, entry| max.max(entry.abs())));
-    let unit = time_unit(largest(&damping), largest(&stiffness));
-    let stiffness = stiffness.map(|entry| ldexp(entry, -2 * unit));
-    let damping = damping.map(|entry| ldexp(entry, -unit));
+    // Time in units that bring stiffness and damping to at most one. A row that gives a rate is per second once less.
+    let is_rate = |row: usize| system.states[row] == States::Position;
+    let largest = |matrix: &Matrix<f64, N>, of_rates: bool| {
+        let rows = (0..N).filter(|&row| is_rate(row) == of_rates);
+        let entries = rows.flat_map(|row| (0..N).map(move |column| matrix[(row, column)].abs()));
+        exponent(entries.fold(0.0, f64::max))
+    };
+    let returning = largest(&damping, false).max(largest(&stiffness, true));
+    let unit = time_unit(returning, largest(&stiffness, false));
+    let scale = |matrix: &Matrix<f64, N>, power: i32| -> Matrix<f64, N> {
+        Matrix::from_fn(|i, j| ldexp(matrix[(i, j)], -(power - i32::from(is_rate(i))) * unit))
+    };
+    let (stiffness, damping) = (scale(&stiffness, 2), scale(&damping, 1));
     let mut found = [[Complex::new(0.0, 0.0); 2]; N];
-    if N == 1 {
+    if N == 1 && system.states == [States::Both; N] {
         found[0] = Quadratic { p: 0.0 - damping[(0, 0)], q: 0.0 - stiffness[(0, 0)] }.complex_roots();
-    } else if damping.iter().all(|&entry| entry == 0.0) {
+    } else if system.states == [States::Both; N] && damping.iter().all(|&entry| entry == 0.0) {
         undamped(&stiffness, found.as_flattened_mut())?;
     } else {
-        damped(&stiffness, &damping, found.as_flattened_mut())?;
+        damped(&stiffness, &damping, &system.states, found.as_flattened_mut())?;
     }
     to_per_second(found, unit)
 }
@@ -62,19 +77,25 @@ fn eigenvalues_of_state_matrix<const N: usize>(system: &System<N>) -> Result<[[C
 fn damped<const N: usize>(
     stiffness: &Matrix<f64, N>,
     damping: &Matrix<f64, N>,
+    states: &[States; N],
     found: &mut [Complex<f64>],
 ) -> Result<(), SystemError> {
     let mut rows = [[[[0.0; 2]; N]; 2]; N];
     for i in 0..N {
         for j in 0..N {
-            rows[i][0][j][1] = stiffness[(j, i)];
-            rows[i][1][j][1] = damping[(j, i)];
+            // What is solved for is the rate of a coordinate of first order, the acceleration of any other.
+            let solved = if states[j] == States::Position { 0 } else { 1 };
+            rows[i][0][j][solved] = stiffness[(j, i)];
+            rows[i][1][j][solved] = damping[(j, i)];
         }
-        rows[i][1][i][0] = 1.0;
+        if states[i] == States::Both {
+            rows[i][1][i][0] = 1.0;
+        }
     }
     let rows = rows.as_flattened_mut();
     balance(rows);
-    reduce(rows, 1);
+    // With a coordinate of first order, what would be its first column may not be in that form.
+    reduce(rows, if *states == [States::Both; N] { 1 } else { 0 });
     collect(rows, found)
 }
 

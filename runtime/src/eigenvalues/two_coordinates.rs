@@ -27,11 +27,11 @@ impl<T: Scalar> System<2, T> {
     /// use carvallo::{Complex, Matrix, System};
     ///
     /// // q1'' + 2 q1' + 5 q1 = 0 and q2'' - 4 q2 = 0.
-    /// let system = System {
-    ///     m: Matrix::<f64, 2>::identity(),
-    ///     c: Matrix::<f64, 2>::new(2.0, 0.0, 0.0, 0.0),
-    ///     k: Matrix::<f64, 2>::new(5.0, 0.0, 0.0, -4.0),
-    /// };
+    /// let system = System::new(
+    ///     Matrix::<f64, 2>::identity(),
+    ///     Matrix::<f64, 2>::new(2.0, 0.0, 0.0, 0.0),
+    ///     Matrix::<f64, 2>::new(5.0, 0.0, 0.0, -4.0),
+    /// );
     /// let expected = [(-2.0, 0.0), (-1.0, -2.0), (-1.0, 2.0), (2.0, 0.0)].map(|(re, im)| Complex::new(re, im));
     /// for (eigenvalue, expected) in system.quartic_eigenvalues()?.into_iter().zip(expected) {
     ///     assert!((eigenvalue - expected).norm() < 1e-15);
@@ -121,7 +121,7 @@ fn regular_quartic(m: Rows, c: Rows, k: Rows) -> Result<Quartic, SystemError> {
 #[cold]
 fn scaled_eigenvalues(system: &System<2>) -> Result<[[Complex<f64>; 2]; 2], SystemError> {
     let units = Units::of_system(system)?;
-    let System { m, c, k } = units.scale_system(system);
+    let System { m, c, k, .. } = units.scale_system(system);
     to_per_second(regular_quartic(rows(&m), rows(&c), rows(&k))?.roots(), units.time)
 }
 

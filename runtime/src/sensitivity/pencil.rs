@@ -79,7 +79,7 @@ impl<const N: usize> Pencil<N> {
 
     /// A direction in the units of the polynomial.
     pub(super) fn scale(&self, &Direction { m, c, k }: &Direction<N>) -> Direction<N> {
-        let System { m, c, k } = self.units.scale_system(&System { m, c, k });
+        let System { m, c, k, .. } = self.units.scale_system(&System::new(m, c, k));
         Direction { m, c, k }
     }
 

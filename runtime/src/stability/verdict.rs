@@ -47,7 +47,7 @@ impl Verdict {
     ///
     /// // Three coordinates, each a damped oscillator: q'' + q' + 4 q = 0.
     /// let one = Matrix::<f64, 3>::identity();
-    /// let system = System { m: one, c: one, k: one * 4.0 };
+    /// let system = System::new(one, one, one * 4.0);
     /// assert_eq!(Verdict::of(&system.eigenvalues()?), Verdict::Stable);
     /// # Ok::<(), carvallo::SystemError>(())
     /// ```

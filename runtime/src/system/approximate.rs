@@ -57,8 +57,8 @@ macro_rules! compare {
 }
 
 compare!(Coefficients<T, N>: m, cm1, c0, c1, kc, k0, k1, k2; states);
-compare!(System<N, T>: m, c, k);
-compare!(StateSpace<N, T>: stiffness, damping, input);
+compare!(System<N, T>: m, c, k; states);
+compare!(StateSpace<N, T>: stiffness, damping, input; states);
 
 #[cfg(test)]
 mod tests {
@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn systems_and_state_spaces_are_compared_in_each_matrix() {
         let one = Matrix::<f32, 1>::new(1.0);
-        let system = System { m: one, c: one, k: one };
+        let system = System::new(one, one, one);
         let larger = one * 1.001;
         for other in [System { m: larger, ..system }, System { c: larger, ..system }, System { k: larger, ..system }] {
             assert_relative_eq!(system, other, max_relative = 1.1e-3);

@@ -4,6 +4,7 @@ use core::any::Any;
 
 use super::coefficients::{Coefficients, Matrix, MatrixName};
 use super::error::SystemError;
+use super::states::States;
 use crate::number::Scalar;
 
 /// The linearized equations of motion at one speed: `M q'' + C q' + K q = f`, each matrix N x N.
@@ -18,7 +19,7 @@ use crate::number::Scalar;
 /// use carvallo::{Matrix, System};
 ///
 /// // A pendulum of 2 kg on a massless rod of 0.5 m, hanging: 0.5 q'' + 9.81 q = f.
-/// let pendulum = System { m: Matrix::<f64, 1>::new(0.5), c: Matrix::<f64, 1>::new(0.0), k: Matrix::<f64, 1>::new(9.81) };
+/// let pendulum = System::new(Matrix::<f64, 1>::new(0.5), Matrix::<f64, 1>::new(0.0), Matrix::<f64, 1>::new(9.81));
 /// let swing = pendulum.eigenvalues()?;
 /// assert!((swing[1].im - (9.81_f64 / 0.5).sqrt()).abs() < 1e-12);
 /// # Ok::<(), carvallo::SystemError>(())
@@ -31,9 +32,28 @@ pub struct System<const N: usize, T: Scalar = f64> {
     pub c: Matrix<T, N>,
     /// Stiffness matrix K = Kc + g K0 + v K1 + v^2 K2.
     pub k: Matrix<T, N>,
+    /// Which of the position and the rate of each coordinate are states.
+    pub states: [States; N],
 }
 
 impl<const N: usize, T: Scalar> System<N, T> {
+    /// From M, C and K. Positions and rates of all coordinates are states.
+    pub const fn new(m: Matrix<T, N>, c: Matrix<T, N>, k: Matrix<T, N>) -> Self {
+        Self { m, c, k, states: [States::Both; N] }
+    }
+
+    /// What multiplies the highest derivatives that the motion has: the columns of M, and those of C for coordinates of first
+    /// order.
+    pub(crate) fn leading(&self) -> Matrix<T, N> {
+        let mut leading = self.m;
+        for (column, states) in self.states.iter().enumerate() {
+            if *states == States::Position {
+                leading.set_column(column, &self.c.column(column));
+            }
+        }
+        leading
+    }
+
     /// What is computed of the same numbers as `f64`, exactly; without a copy where they are that.
     #[inline]
     pub(crate) fn widened<R>(&self, compute: impl FnOnce(&System<N>) -> R) -> R {
@@ -41,7 +61,7 @@ impl<const N: usize, T: Scalar> System<N, T> {
             return compute(system);
         }
         let [m, c, k] = [&self.m, &self.c, &self.k].map(|matrix| matrix.map(Scalar::to_f64));
-        compute(&System { m, c, k })
+        compute(&System { m, c, k, states: self.states })
     }
 
     /// Whether every entry is finite.
@@ -66,7 +86,7 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         self.require_finite()?;
         require_finite("speed", speed)?;
         require_finite("gravity", gravity)?;
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states: _ } = *self;
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = *self;
         let mut c = c0 + c1 * speed;
         // v (v K2): the square alone may overflow where the product does not.
         let mut k = kc + k0 * gravity + k2 * speed * speed;
@@ -81,7 +101,7 @@ impl<T: Scalar, const N: usize> Coefficients<T, N> {
         }
         require_in_range("C-1/v + C0 + v C1", &c)?;
         require_in_range("Kc + g K0 + v K1 + v^2 K2", &k)?;
-        Ok(System { m, c, k })
+        Ok(System { m, c, k, states })
     }
 
     /// Whether every entry is finite.

@@ -5,9 +5,13 @@ use nalgebra::{Matrix4, Matrix4x2};
 use super::at_speed::{System, require_in_range};
 use super::coefficients::Matrix;
 use super::error::SystemError;
+use super::states::States;
 use crate::number::Scalar;
 
 /// The state-space form `x' = A x + B f` with the state x = (q, q') and the generalized forces f as inputs.
+///
+/// Where of a coordinate only the position or only the rate is a [state](States), the row and the column of the other one are
+/// zero; of one of first order the row of its position is that of its rate in the blocks below.
 ///
 /// A is 2N x 2N and B is 2N x N, in blocks of N x N:
 ///
@@ -20,11 +24,11 @@ use crate::number::Scalar;
 /// use carvallo::{Matrix, System};
 ///
 /// // 2 q1'' + 4 q1' + 8 q1 = f1 and q2'' + q1 = f2.
-/// let system = System {
-///     m: Matrix::<f64, 2>::new(2.0, 0.0, 0.0, 1.0),
-///     c: Matrix::<f64, 2>::new(4.0, 0.0, 0.0, 0.0),
-///     k: Matrix::<f64, 2>::new(8.0, 0.0, 1.0, 0.0),
-/// };
+/// let system = System::new(
+///     Matrix::<f64, 2>::new(2.0, 0.0, 0.0, 1.0),
+///     Matrix::<f64, 2>::new(4.0, 0.0, 0.0, 0.0),
+///     Matrix::<f64, 2>::new(8.0, 0.0, 1.0, 0.0),
+/// );
 /// let state_space = system.state_space()?;
 /// assert_eq!(state_space.a().row(2).transpose().as_slice(), [-4.0, 0.0, -2.0, 0.0]);
 /// assert_eq!(state_space.b().row(2).transpose().as_slice(), [0.5, 0.0]);
@@ -38,6 +42,8 @@ pub struct StateSpace<const N: usize, T: Scalar = f64> {
     pub damping: Matrix<T, N>,
     /// The block M^-1 of B.
     pub input: Matrix<T, N>,
+    /// Which of the position and the rate of each coordinate are states.
+    pub states: [States; N],
 }
 
 impl<const N: usize, T: Scalar> System<N, T> {
@@ -47,14 +53,30 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// If the mass matrix is singular as far as `T` can tell, an entry is not finite, or a block leaves the range of `T`.
     pub fn state_space(&self) -> Result<StateSpace<N, T>, SystemError> {
         self.require_finite()?;
-        let [stiffness, damping, input] = self.solve([-self.k, -self.c, identity()])?;
+        let [stiffness, damping, input] = self.solve(self.with_columns_of_states([-self.k, -self.c, identity()]))?;
         for (quantity, block) in [("M^-1 K", &stiffness), ("M^-1 C", &damping), ("M^-1", &input)] {
             require_in_range(quantity, block)?;
         }
-        Ok(StateSpace { stiffness, damping, input })
+        Ok(StateSpace { stiffness, damping, input, states: self.states })
     }
 
-    /// The solutions X of `M X = B` for several B, by elimination with pivots that are the largest relative to their rows.
+    /// Matrices that positions and rates are multiplied by, and perhaps others, without the columns of what is no state.
+    pub(crate) fn with_columns_of_states<const COUNT: usize>(
+        &self,
+        mut matrices: [Matrix<T, N>; COUNT],
+    ) -> [Matrix<T, N>; COUNT] {
+        for (column, states) in self.states.iter().enumerate() {
+            match states {
+                States::Both => {}
+                States::Position => matrices[1].column_mut(column).fill(T::from_f64(0.0)),
+                States::Rate => matrices[0].column_mut(column).fill(T::from_f64(0.0)),
+            }
+        }
+        matrices
+    }
+
+    /// The solutions X of `M X = B` for several B, with columns of C in the place of those of M for coordinates of first
+    /// order, by elimination with pivots that are the largest relative to their rows.
     ///
     /// M is singular if a pivot is no more than the rounding of the terms that were subtracted to form it, whatever the
     /// scale of its rows and columns.
@@ -64,7 +86,7 @@ impl<const N: usize, T: Scalar> System<N, T> {
         mut x: [Matrix<T, N>; COUNT],
     ) -> Result<[Matrix<T, N>; COUNT], SystemError> {
         let zero = T::from_f64(0.0);
-        let mut m = self.m;
+        let mut m = self.leading();
         let mut terms = m.map(Scalar::abs);
         for step in 0..N {
             let relative = |row: usize| {
@@ -107,24 +129,33 @@ impl<const N: usize, T: Scalar> System<N, T> {
 impl<T: Scalar> StateSpace<2, T> {
     /// The state matrix A.
     pub fn a(&self) -> Matrix4<T> {
-        Matrix4::from_fn(|row, column| match (row, column) {
-            (0 | 1, _) => if_equal(row + 2, column),
-            (_, 0 | 1) => self.stiffness[(row - 2, column)],
-            _ => self.damping[(row - 2, column - 2)],
+        Matrix4::from_fn(|row, column| {
+            let solved = |row: usize| match column {
+                0 | 1 => self.stiffness[(row, column)],
+                _ => self.damping[(row, column - 2)],
+            };
+            match (self.states[row % 2], row) {
+                (States::Position, 0 | 1) | (States::Rate | States::Both, 2 | 3) => solved(row % 2),
+                (States::Both, _) => if_equal(row + 2, column),
+                (States::Position | States::Rate, _) => T::from_f64(0.0),
+            }
         })
     }
 
     /// The input matrix B.
     pub fn b(&self) -> Matrix4x2<T> {
-        Matrix4x2::from_fn(|row, column| if row < 2 { T::from_f64(0.0) } else { self.input[(row - 2, column)] })
+        Matrix4x2::from_fn(|row, column| match (self.states[row % 2], row) {
+            (States::Position, 0 | 1) | (States::Rate | States::Both, 2 | 3) => self.input[(row % 2, column)],
+            _ => T::from_f64(0.0),
+        })
     }
 }
 
 /// The same numbers, exactly.
 impl<const N: usize> From<StateSpace<N, f32>> for StateSpace<N> {
-    fn from(StateSpace { stiffness, damping, input }: StateSpace<N, f32>) -> Self {
+    fn from(StateSpace { stiffness, damping, input, states }: StateSpace<N, f32>) -> Self {
         let [stiffness, damping, input] = [stiffness, damping, input].map(|block| block.map(f64::from));
-        Self { stiffness, damping, input }
+        Self { stiffness, damping, input, states }
     }
 }
 

@@ -19,7 +19,7 @@ impl Mechanism {
     /// Whatever holds the mechanism in the reference motion, such as the preload of a spring, is taken to be constant.
     pub fn linearized<const N: usize>(&self, independent: [usize; N], forward: Option<usize>) -> Coefficients<f64, N> {
         let at = |speed, gravity| self.linearized_at(&Drive { independent, forward, speed, gravity });
-        let System { m, c: c0, k: kc } = at(0.0, 0.0);
+        let System { m, c: c0, k: kc, .. } = at(0.0, 0.0);
         let running = at(1.0, 0.0);
         let heavy = at(0.0, 1.0);
         Coefficients { m, c0, c1: running.c - c0, kc, k0: heavy.k - kc, k2: running.k - kc, ..Default::default() }
@@ -32,12 +32,9 @@ impl Mechanism {
         let slope =
             |varied, step| (self.varied(drive, varied, step) - self.varied(drive, varied, -step)) / (2.0 * step);
         let (near, far) = (slope(Varied::Position, STEP), slope(Varied::Position, 2.0 * STEP));
-        System {
-            m: slope(Varied::Acceleration, 1.0),
-            c: slope(Varied::Rate, 1.0),
-            // Richardson: the error that grows with the square of the step drops out.
-            k: (near * 4.0 - far) / 3.0,
-        }
+        // Richardson: the error that grows with the square of the step drops out.
+        let k = (near * 4.0 - far) / 3.0;
+        System::new(slope(Varied::Acceleration, 1.0), slope(Varied::Rate, 1.0), k)
     }
 
     /// The forces when one independent coordinate after the other, by columns, has a displacement, rate or acceleration.

@@ -71,7 +71,7 @@ proptest! {
     #[test]
     fn systems_of_any_kind_side_by_side(entries in prop::collection::vec(prop::array::uniform12(any_number()), 0..20)) {
         let matrix = |entries: &[f64]| Matrix2::from_column_slice(entries);
-        let system = |e: &[f64; 12]| System { m: matrix(&e[..4]), c: matrix(&e[4..8]), k: matrix(&e[8..]) };
+        let system = |e: &[f64; 12]| System::new(matrix(&e[..4]), matrix(&e[4..8]), matrix(&e[8..]));
         check(&entries.iter().map(system).collect::<Vec<_>>());
     }
 
@@ -88,7 +88,7 @@ proptest! {
 #[test]
 fn one_that_is_wrong_leaves_the_others_alone() {
     let one = Matrix2::identity();
-    let mut systems = [System { m: one, c: one * 0.5, k: one }; 11];
+    let mut systems = [System::new(one, one * 0.5, one); 11];
     systems[3].m = Matrix2::new(1.0, 2.0, 2.0, 4.0);
     systems[10].k[(1, 0)] = f64::NAN;
     let mut found = unset(11);
@@ -101,7 +101,7 @@ fn one_that_is_wrong_leaves_the_others_alone() {
 #[test]
 fn slices_of_unequal_length_are_an_error() {
     let one = Matrix2::identity();
-    let systems = [System { m: one, c: one, k: one }; 3];
+    let systems = [System::new(one, one, one); 3];
     let mut found = unset(2);
     let error = Batch::new().eigenvalues(&systems, &mut found).unwrap_err();
     assert_eq!(error, BatchError::Length { what: "result", position: 0, expected: 3, found: 2 });

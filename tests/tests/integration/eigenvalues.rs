@@ -65,13 +65,13 @@ proptest! {
     fn units_of_mass_and_time_do_not_matter(
         design in designs::regular(), speed in 0.0..30.0, mass in -300..300, time in -60..60,
     ) {
-        let System { m, c, k } = design.coefficients().at(speed, design.g).unwrap();
+        let System { m, c, k, .. } = design.coefficients().at(speed, design.g).unwrap();
         let (mass, rate) = (2f64.powi(mass), 2f64.powi(time));
-        let scaled = System { m: m * mass, c: c * mass * rate, k: k * mass * rate * rate };
+        let scaled = System::new(m * mass, c * mass * rate, k * mass * rate * rate);
         let eigenvalues = four(&scaled);
         prop_assert!(are_real_or_conjugate(&eigenvalues), "{eigenvalues:?}");
         let unscaled = eigenvalues.map(|value| value / rate);
-        let error = backward_error(&System { m, c, k }, &unscaled);
+        let error = backward_error(&System::new(m, c, k), &unscaled);
         prop_assert!(error <= BOUND, "{error} at {unscaled:?}");
     }
 }
@@ -93,7 +93,7 @@ proptest! {
     #[test]
     fn results_are_finite_or_an_error(entries in prop::array::uniform12(any_size())) {
         let matrix = |from: usize| Matrix2::from_column_slice(&entries[from..from + 4]);
-        let system = System { m: matrix(0), c: matrix(4), k: matrix(8) };
+        let system = System::new(matrix(0), matrix(4), matrix(8));
         let both = [system.eigenvalues(), system.quartic_eigenvalues().map(|four| four.to_vec())];
         for eigenvalues in both.iter().flatten() {
             prop_assert!(eigenvalues.iter().all(|value| value.re.is_finite() && value.im.is_finite()), "{eigenvalues:?}");
@@ -121,7 +121,7 @@ fn double_roots_are_backward_stable() {
 fn multiple_roots_are_found_to_the_root_of_the_precision() {
     // (s + 1)^4, of two equal oscillators with critical damping.
     let one = Matrix2::identity();
-    let system = System { m: one, c: one * 2.0, k: one };
+    let system = System::new(one, one * 2.0, one);
     for value in four(&system) {
         assert!((value + 1.0).norm() <= 1e-3, "{value}");
     }
@@ -130,18 +130,15 @@ fn multiple_roots_are_found_to_the_root_of_the_precision() {
 
 #[test]
 fn free_motion_has_four_eigenvalues_at_zero() {
-    let system = System { m: Matrix2::identity(), c: Matrix2::zeros(), k: Matrix2::zeros() };
+    let system = System::new(Matrix2::identity(), Matrix2::zeros(), Matrix2::zeros());
     assert_eq!(four(&system), [Complex::new(0.0, 0.0); 4]);
 }
 
 #[test]
 fn eigenvalues_of_very_different_size_are_all_found() {
     // Overdamped oscillators with rates 1e12 and 1e-12 in one, 2 and 3 in the other.
-    let system = System {
-        m: Matrix2::identity(),
-        c: Matrix2::new(1e12 + 1e-12, 0.0, 0.0, 5.0),
-        k: Matrix2::new(1.0, 0.0, 0.0, 6.0),
-    };
+    let system =
+        System::new(Matrix2::identity(), Matrix2::new(1e12 + 1e-12, 0.0, 0.0, 5.0), Matrix2::new(1.0, 0.0, 0.0, 6.0));
     let expected = [-1e12, -3.0, -2.0, -1e-12];
     for (value, expected) in four(&system).into_iter().zip(expected) {
         assert!((value - expected).norm() <= 1e-13 * expected.abs(), "{value} instead of {expected}");
@@ -150,7 +147,7 @@ fn eigenvalues_of_very_different_size_are_all_found() {
 
 #[test]
 fn one_coordinate_is_a_quadratic() {
-    let oscillator = |c, k| System { m: Matrix1::new(2.0), c: Matrix1::new(c), k: Matrix1::new(k) };
+    let oscillator = |c, k| System::new(Matrix1::new(2.0), Matrix1::new(c), Matrix1::new(k));
     // 2 (s + 1) (s + 3), and 2 ((s + 1)^2 + 4).
     assert_near(&oscillator(8.0, 6.0).eigenvalues().unwrap(), &[(-3.0, 0.0), (-1.0, 0.0)]);
     assert_near(&oscillator(4.0, 10.0).eigenvalues().unwrap(), &[(-1.0, -2.0), (-1.0, 2.0)]);
@@ -161,7 +158,7 @@ fn three_coordinates_are_those_of_their_parts() {
     // Three uncoupled oscillators seen in other coordinates, q = T p: the eigenvalues are those of the oscillators.
     let t = Matrix3::new(1.0, 2.0, 0.5, 0.0, 1.0, -1.0, 1.0, 0.0, 3.0);
     let seen = |diagonal: [f64; 3]| t.transpose() * Matrix3::from_diagonal(&diagonal.into()) * t;
-    let system = System { m: seen([1.0, 2.0, 1.0]), c: seen([3.0, 4.0, 0.0]), k: seen([2.0, 10.0, 9.0]) };
+    let system = System::new(seen([1.0, 2.0, 1.0]), seen([3.0, 4.0, 0.0]), seen([2.0, 10.0, 9.0]));
     let expected = [(-2.0, 0.0), (-1.0, -2.0), (-1.0, 0.0), (-1.0, 2.0), (0.0, -3.0), (0.0, 3.0)];
     assert_near(&system.eigenvalues().unwrap(), &expected);
 }
@@ -178,7 +175,7 @@ fn assert_near(eigenvalues: &[Complex<f64>], expected: &[(f64, f64)]) {
 
 #[test]
 fn a_singular_mass_matrix_is_an_error() {
-    let system = System { m: Matrix2::new(1.0, 2.0, 2.0, 4.0), c: Matrix2::identity(), k: Matrix2::identity() };
+    let system = System::new(Matrix2::new(1.0, 2.0, 2.0, 4.0), Matrix2::identity(), Matrix2::identity());
     assert!(matches!(system.eigenvalues(), Err(SystemError::SingularMass)));
     assert!(matches!(system.state_space(), Err(SystemError::SingularMass)));
 }

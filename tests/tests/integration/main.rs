@@ -36,6 +36,7 @@ mod sensitivity;
 mod single_precision;
 mod stability;
 mod state_space;
+mod states;
 mod textbook;
 mod trigonometry;
 #[cfg(feature = "compiler")]

@@ -59,11 +59,11 @@ impl Numbers {
 fn random_systems<const N: usize>(seed: u64) -> Result<(), TestCaseError> {
     let mut numbers = Numbers(seed);
     let m = numbers.positive::<N>();
-    check(&System { m, c: numbers.matrix(), k: numbers.matrix::<N>() * 10.0 })?;
-    check(&System { m, c: numbers.positive(), k: numbers.positive::<N>() * 10.0 })?;
+    check(&System::new(m, numbers.matrix(), numbers.matrix::<N>() * 10.0))?;
+    check(&System::new(m, numbers.positive(), numbers.positive::<N>() * 10.0))?;
     // Without damping there is another way.
-    check(&System { m, c: Matrix::<f64, N>::zeros(), k: numbers.matrix() })?;
-    check(&System { m, c: Matrix::<f64, N>::zeros(), k: numbers.positive() })
+    check(&System::new(m, Matrix::<f64, N>::zeros(), numbers.matrix()))?;
+    check(&System::new(m, Matrix::<f64, N>::zeros(), numbers.positive()))
 }
 
 /// Coordinates and time in other units: the backward error is that of the system in usual ones.
@@ -72,12 +72,12 @@ fn units<const N: usize>(seed: u64) -> Result<(), TestCaseError> {
     let mut power = |range: f64| 2f64.powi((numbers.next() * range) as i32);
     let (time, rows, columns) =
         (power(60.0), SMatrix::from_fn(|_, _| power(60.0)), SMatrix::from_fn(|_, _| power(60.0)));
-    let system = System { m: numbers.positive::<N>(), c: numbers.matrix(), k: numbers.matrix::<N>() * 10.0 };
+    let system = System::new(numbers.positive::<N>(), numbers.matrix(), numbers.matrix::<N>() * 10.0);
     let scale = |matrix: Matrix<f64, N>, factor: f64| {
         let (rows, columns): (SMatrix<f64, N, 1>, SMatrix<f64, N, 1>) = (rows, columns);
         Matrix::<f64, N>::from_fn(|i, j| rows[i] * matrix[(i, j)] * columns[j] * factor)
     };
-    let scaled = System { m: scale(system.m, 1.0), c: scale(system.c, time), k: scale(system.k, time * time) };
+    let scaled = System::new(scale(system.m, 1.0), scale(system.c, time), scale(system.k, time * time));
     let found = scaled.eigenvalues().map_err(|error| TestCaseError::fail(error.to_string()))?;
     let found: Vec<_> = found.into_iter().map(|value| value / time).collect();
     check_as(&system, &found)
@@ -90,8 +90,8 @@ fn integers<const N: usize>(seed: u64) -> Result<(), TestCaseError> {
     let mut matrix = |share: f64| {
         Matrix::<f64, N>::from_fn(|_, _| if numbers.next().abs() < share { numbers.next().signum() } else { 0.0 })
     };
-    check(&System { m: Matrix::<f64, N>::identity(), c: matrix(0.2), k: matrix(0.3) })?;
-    check(&System { m: Matrix::<f64, N>::identity(), c: Matrix::<f64, N>::zeros(), k: matrix(0.3) })
+    check(&System::new(Matrix::<f64, N>::identity(), matrix(0.2), matrix(0.3)))?;
+    check(&System::new(Matrix::<f64, N>::identity(), Matrix::<f64, N>::zeros(), matrix(0.3)))
 }
 
 /// What QR iterations are known to struggle with, and multiple eigenvalues that have too few vectors.
@@ -102,7 +102,7 @@ fn degenerate<const N: usize>() -> Result<(), TestCaseError> {
     let tiny = m * 1e-300;
     for k in [cycle, -cycle, chain, m * 0.0, m] {
         for c in [m * 0.0, tiny, m * 2.0 + chain, cycle] {
-            check(&System { m, c, k })?;
+            check(&System::new(m, c, k))?;
         }
     }
     Ok(())

@@ -116,7 +116,7 @@ fn numbers_that_are_none_are_told_of_as_in_f64() {
 fn a_mass_matrix_is_singular_as_far_as_f32_can_tell() {
     let nearly = 1.0 + f32::EPSILON;
     let m = Matrix::<f32, 2>::new(1.0, 1.0, 1.0, nearly);
-    let system = System { m, c: Matrix::<f32, 2>::zeros(), k: Matrix::<f32, 2>::zeros() };
+    let system = System::new(m, Matrix::<f32, 2>::zeros(), Matrix::<f32, 2>::zeros());
     assert_eq!(system.state_space(), Err(SystemError::SingularMass));
     assert!(System::<2>::from(system).state_space().is_ok());
 }

@@ -11,7 +11,7 @@ const ITERATIONS: usize = 200;
 fn a_state_moves_as_the_equation_of_motion_says() {
     for (name, bicycle) in bicycles::all() {
         let system = bicycle.coefficients().at(4.5, bicycle.g).unwrap();
-        let System { m, c, k } = system;
+        let System { m, c, k, .. } = system;
         let (q, rate, torque) = (Vector2::new(0.1, -0.3), Vector2::new(-0.7, 0.2), Vector2::new(3.0, -0.5));
         let space = system.state_space().unwrap();
         let moved = space.a() * Vector4::new(q.x, q.y, rate.x, rate.y) + space.b() * torque;
@@ -41,7 +41,7 @@ fn its_matrix_has_the_eigenvalues_of_the_system() {
 
 #[test]
 fn a_force_acts_through_the_inverse_of_the_mass() {
-    let system = System { m: Matrix2::new(2.0, 1.0, 1.0, 1.0), c: Matrix2::zeros(), k: Matrix2::zeros() };
+    let system = System::new(Matrix2::new(2.0, 1.0, 1.0, 1.0), Matrix2::zeros(), Matrix2::zeros());
     let b = system.state_space().unwrap().b();
     assert_eq!(b.fixed_rows::<2>(0), Matrix2::zeros());
     assert_eq!(b.fixed_rows::<2>(2), Matrix2::new(1.0, -1.0, -1.0, 2.0));
