@@ -38,7 +38,7 @@ impl Ride {
     /// The rates of the state, under a lean and a steer torque in N m.
     fn rates(&self, state: &[f32; 6], torques: [f32; 2]) -> [f32; 6] {
         let [lean, steer, lean_rate, steer_rate, yaw, _] = *state;
-        let StateSpace { stiffness, damping, input } = &self.motion;
+        let StateSpace { stiffness, damping, input, .. } = &self.motion;
         let acceleration = |row: usize| {
             stiffness[(row, 0)] * lean
                 + stiffness[(row, 1)] * steer
