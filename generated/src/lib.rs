@@ -30,6 +30,10 @@
 //!
 //! [`Pendulum`], [`TwoPipes`] and [`ThreePipes`] are written as formulas, from the sources that they name.
 //!
+//! With feature `serde` the parameters of every model can be written and read as JSON, TOML and all that serde knows. What
+//! is read must have all parameters and no others, an error names those that are too few or too many. Values are not
+//! looked at then: `validate` tells which is outside its domain.
+//!
 //! [`BICYCLES`] are parameter sets for [`Whipple`] as text, with their sources and the standard deviations of what was
 //! measured, and [`each_model!`] calls a function for every model. The example `embedding` simulates a bicycle without
 //! allocating.

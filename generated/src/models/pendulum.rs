@@ -30,6 +30,11 @@ use carvallo::{
 ///
 /// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Pendulum<T = f64> {
     /// Mass of the bob.
     ///

@@ -57,6 +57,11 @@ use carvallo::{
 ///
 /// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Skateboard<T = f64> {
     /// Wheel base, from axle to axle.
     ///

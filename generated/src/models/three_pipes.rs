@@ -49,6 +49,11 @@ use carvallo::{
 ///
 /// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct ThreePipes<T = f64> {
     /// Length of each pipe.
     ///

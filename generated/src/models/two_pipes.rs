@@ -46,6 +46,11 @@ use carvallo::{
 ///
 /// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct TwoPipes<T = f64> {
     /// Length of each pipe.
     ///

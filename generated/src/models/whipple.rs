@@ -66,6 +66,11 @@ use carvallo::{
 ///
 /// </details>
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Whipple<T = f64> {
     /// Wheel base.
     ///

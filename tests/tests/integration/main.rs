@@ -33,6 +33,7 @@ mod regenerate;
 mod rounding;
 mod rows;
 mod sensitivity;
+mod serialization;
 mod single_precision;
 mod stability;
 mod state_space;

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use proc_macro2::TokenStream;
+
 use super::modules;
 use super::source::{self, Source};
 
@@ -18,6 +20,8 @@ pub struct Job<'a> {
     pub shown_written: &'a str,
     /// What writes the files.
     pub command: &'a str,
+    /// An attribute of every model beside those in its source.
+    pub attribute: Option<TokenStream>,
     /// Whether `mod.rs` has a list of the models, and the folder nothing but generated files.
     pub lists_models: bool,
 }
@@ -73,7 +77,7 @@ impl Job<'_> {
         let shown = self.shown_models;
         let paths = rust_files(self.models).map_err(|error| format!("error: {shown}: {error}"))?;
         let sources = paths.into_iter().map(|path| Source { shown: format!("{shown}/{}", file_name(&path)), path });
-        let generated = source::compile_all(&sources.collect::<Vec<_>>(), self.command)?;
+        let generated = source::compile_all(&sources.collect::<Vec<_>>(), self.command, self.attribute.as_ref())?;
         let module = modules::declare(&generated, self.command, self.lists_models);
         let mut files: BTreeMap<String, String> =
             generated.into_iter().map(|generated| (format!("{}.rs", generated.module), generated.text)).collect();

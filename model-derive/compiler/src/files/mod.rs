@@ -8,6 +8,8 @@ mod source;
 
 use std::path::Path;
 
+use quote::quote;
+
 use self::folder::Job;
 pub use self::modules::include;
 
@@ -24,6 +26,10 @@ pub fn regenerate(generated: &Path, check: bool) -> Result<String, String> {
         written: &generated.join("src/models"),
         shown_written: "generated/src/models",
         command: "cargo regenerate",
+        // A feature of the crate that the files are in.
+        attribute: Some(quote! {
+            cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))
+        }),
         lists_models: true,
     };
     job.run(check)
@@ -41,7 +47,8 @@ pub fn expand(models: &Path, written: &Path, check: bool) -> Result<String, Stri
         _ => format!("carvallo-compiler expand {shown_models} {shown_written}"),
     };
     let (shown_models, shown_written) = (&*shown_models, &*shown_written);
-    Job { models, shown_models, written, shown_written, command: &command, lists_models: false }.run(check)
+    let (attribute, lists_models) = (None, false);
+    Job { models, shown_models, written, shown_written, command: &command, attribute, lists_models }.run(check)
 }
 
 /// Where a crate of one's own has its sources, if it says nothing else.

@@ -41,7 +41,7 @@ pub fn include(paths: &[PathBuf]) -> Result<String, String> {
     let sources: Vec<Source> =
         paths.iter().map(|path| Source { path: path.clone(), shown: super::show(path) }).collect();
     let mut text = String::new();
-    for Generated { module, text: content, .. } in source::compile_all(&sources, "cargo build")? {
+    for Generated { module, text: content, .. } in source::compile_all(&sources, "cargo build", None)? {
         text.push_str(&format!("{OWN}mod {module} {{\n{content}}}\n"));
         // Of a model that is not `pub` nothing leaves the crate.
         text.push_str(&format!("#[allow(unused_imports)]\npub use {module}::*;\n"));

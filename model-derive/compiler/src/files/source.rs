@@ -27,15 +27,19 @@ pub struct Generated {
     pub text: String,
 }
 
-/// Compiles sources, which `command` does as well.
+/// Compiles sources, which `command` does as well, and gives each model an attribute beside those in its source.
 ///
 /// # Errors
 /// Every mistake of all of them, as `path:line:column: error: …` with the line and a mark below it.
-pub fn compile_all(sources: &[Source], command: &str) -> Result<Vec<Generated>, String> {
+pub fn compile_all(
+    sources: &[Source],
+    command: &str,
+    attribute: Option<&TokenStream>,
+) -> Result<Vec<Generated>, String> {
     let mut generated = Vec::new();
     let mut errors = Vec::new();
     for source in sources {
-        match source.compile(command) {
+        match source.compile(command, attribute) {
             Ok(compiled) => generated.push(compiled),
             Err(error) => errors.push(error),
         }
@@ -44,7 +48,7 @@ pub fn compile_all(sources: &[Source], command: &str) -> Result<Vec<Generated>, 
 }
 
 impl Source {
-    fn compile(&self, command: &str) -> Result<Generated, String> {
+    fn compile(&self, command: &str, attribute: Option<&TokenStream>) -> Result<Generated, String> {
         let Self { path, shown } = self;
         let module = self.module()?;
         let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
@@ -54,6 +58,7 @@ impl Source {
             // What is private where it is declared is for the module around its file.
             compiled.model.visibility = quote!(pub(super));
         }
+        compiled.model.rust_attributes.extend(attribute.cloned());
         let rust = layout::lay_out(&emit::emit_sections(&compiled, &Driver::File));
         let rust = rust.map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
         let text = format!("{}\n{rust}", header(shown, &text, command));
