@@ -61,21 +61,38 @@ impl Model {
 /// What editors need to know of the names in a declaration.
 #[derive(Debug)]
 pub struct References {
-    /// The definitions in declared order, each with its formula as it was written.
-    pub definitions: Vec<(Ident, String)>,
-    /// Every use of a name in a formula or a parameter set.
+    /// What has a name beside the parameters: each name once for what it stands for.
+    pub named: Vec<Named>,
+    /// Every use of a name.
     pub uses: Vec<(Target, Ident)>,
     /// The names of the declared matrices, where they are declared.
     pub matrices: Vec<(MatrixName, Span)>,
 }
 
+/// Something that has a name.
+#[derive(Debug)]
+pub struct Named {
+    /// What it is.
+    pub target: Target,
+    /// The name, where it is declared.
+    pub name: Ident,
+    /// What is to be known of it, as Markdown.
+    pub docs: String,
+}
+
 /// What a name stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Target {
     /// A parameter.
     Parameter,
-    /// A definition.
+    /// A definition, or the speed.
     Definition,
+    /// A coordinate: also the joint or the freedom that has its name.
+    Coordinate,
+    /// A body or a wheel.
+    Part,
+    /// A unit, which is declared nowhere.
+    Unit,
 }
 
 /// Matrices by name, each as rows of formulas.

@@ -23,6 +23,7 @@ pub struct RustAttributes {
 /// Reads the attributes of the model and of its parameters, and finds its default.
 pub fn read_rust_attributes(declaration: &Declaration, report: &mut Report) -> RustAttributes {
     check_defaults(declaration, report);
+    refuse_on_the_speed(declaration, report);
     let model =
         declaration.rust_attributes.iter().filter_map(|attribute| read_of_model(attribute, declaration, report));
     let model = model.collect();
@@ -62,6 +63,13 @@ fn read_of_parameter(attribute: &RustAttribute, report: &mut Report) -> Option<T
         return None;
     }
     Some(quote!(#meta))
+}
+
+/// The speed is a parameter of formulas alone.
+fn refuse_on_the_speed(declaration: &Declaration, report: &mut Report) {
+    for attribute in declaration.speed.iter().flat_map(|speed| &speed.rust_attributes) {
+        report.error(attribute.region, "an attribute on the speed, which is no field: expected it on a parameter");
+    }
 }
 
 /// Nothing, and a mistake, for `#[default]`.

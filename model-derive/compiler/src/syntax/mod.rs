@@ -7,8 +7,8 @@ mod tree;
 
 pub use self::parse::{constant, parse, reserved};
 pub use self::tree::{
-    Assertion, Bound, Coordinate, Declaration, Definition, Direction, Expression, Factor, Freedom, Inertia, JointKind,
-    Kind, Matrix, Mechanism, Parameter, ParameterSet, Printed, Published, Relation, Requirement, RustAttribute, Term,
-    Unit, Value, Vector,
+    Assertion, Bound, Coordinate, Declaration, Direction, Expression, Factor, Freedom, Inertia, JointKind, Kind,
+    Matrix, Mechanism, Parameter, ParameterSet, Printed, Published, Relation, Requirement, RustAttribute, Term, Unit,
+    Value, Vector,
 };
 // Declarations write the names of matrices.

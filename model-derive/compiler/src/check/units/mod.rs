@@ -8,7 +8,7 @@ mod analysis;
 pub mod declared;
 pub mod dimension;
 mod formulas;
-mod known;
+pub mod known;
 mod mechanism;
 
 pub use self::formulas::Units;

@@ -24,6 +24,17 @@ impl Expression {
             Kind::Power(inner, _) | Kind::Call(_, inner) => inner.names(visit),
         }
     }
+
+    /// Calls `visit` with every unit.
+    pub fn units<'a>(&'a self, visit: &mut impl FnMut(&'a Unit)) {
+        match &self.kind {
+            Kind::Number(_) | Kind::Name(_) => {}
+            Kind::Quantity(_, unit) => visit(unit),
+            Kind::Sum(terms) => terms.iter().for_each(|term| term.value.units(visit)),
+            Kind::Product(factors) => factors.iter().for_each(|factor| factor.value.units(visit)),
+            Kind::Power(inner, _) | Kind::Call(_, inner) => inner.units(visit),
+        }
+    }
 }
 
 /// What a formula is. Sums and products are flat, so that long ones do not nest deeply.
