@@ -29,8 +29,8 @@
 //! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
 //! Many designs at once run in the lanes of the processor ([`batch`]).
 //!
-//! Along speed, models with two coordinates have their critical speeds and stable ranges ([`Stability`]) and eigenvalues
-//! that are followed mode by mode ([`Modes`]); for any other number of coordinates there are the eigenvalues at a speed.
+//! Along speed, models have their critical speeds and stable ranges ([`Stability`]), and those with two coordinates
+//! eigenvalues that are followed mode by mode ([`Modes`]).
 //!
 //! How all of them change with the parameters, for models that were compiled with their derivatives or with derivatives of
 //! your own, and what measured standard deviations make of them, tells [`Sensitivity`].
@@ -79,7 +79,8 @@ pub use sensitivity::{
 };
 #[cfg(feature = "std")]
 pub use stability::{
-    Change, CriticalKind, CriticalSpeed, MarginalRange, Mode, ModeValue, Modes, Stability, StableRange, Verdict,
+    Change, CriticalKind, CriticalSpeed, MarginalRange, Mode, ModeValue, Modes, Stability, StableRange, UndecidedRange,
+    Verdict,
 };
 pub use system::{Coefficients, Matrix, MatrixName, Rows, StateSpace, States, System, SystemError, rows};
 

@@ -37,6 +37,56 @@ pub struct StableRange {
     pub to: Option<f64>,
 }
 
+/// Equations of motion made of random integers.
+#[derive(Clone, Debug)]
+pub struct RandomSystem {
+    /// The family, the number of coordinates, and a number.
+    pub name: &'static str,
+    /// The number of coordinates.
+    pub coordinates: usize,
+    /// Of each coordinate `both`, `position` or `rate`.
+    pub states: Vec<&'static str>,
+    /// M, C-1, C0, C1, Kc, K0, K1 and K2, row by row; nothing for a matrix that is zero.
+    pub matrices: [Vec<f64>; 8],
+    /// All of its critical speeds, ascending.
+    pub critical_speeds: Vec<RandomSystemSpeed>,
+}
+
+/// One critical speed of random equations of motion.
+#[derive(Clone, Copy, Debug)]
+pub struct RandomSystemSpeed {
+    /// `weave`, `capsize` or `double_root`.
+    pub kind: &'static str,
+    /// Speed in m/s.
+    pub speed: f64,
+    /// Frequency in 1/s.
+    pub frequency: f64,
+    /// `up` or `down`, or `-` where the real part has no finite derivative.
+    pub way: &'static str,
+}
+
+/// The random equations of motion with their critical speeds.
+pub fn random_systems() -> Vec<RandomSystem> {
+    let mut speeds: std::collections::HashMap<_, Vec<_>> = std::collections::HashMap::new();
+    for [name, kind, speed, frequency, way] in rows(include_str!("../data/random_systems_speeds.tsv")) {
+        let speed = RandomSystemSpeed { kind, speed: number(speed), frequency: number(frequency), way };
+        speeds.entry(name).or_default().push(speed);
+    }
+    let row = |columns: [&'static str; 11]| {
+        let [name, coordinates, states, matrices @ ..] = columns;
+        RandomSystem {
+            name,
+            coordinates: coordinates.parse().expect("a number of coordinates"),
+            states: states.split(' ').collect(),
+            matrices: matrices.map(|entries| entries.split_whitespace().map(number).collect()),
+            critical_speeds: speeds.remove(name).unwrap_or_default(),
+        }
+    };
+    let systems = rows(include_str!("../data/random_systems.tsv")).map(row).collect();
+    assert!(speeds.is_empty(), "speeds of systems that there are not: {speeds:?}");
+    systems
+}
+
 /// Eigenvalues of the two benchmarks, ordered by real, then imaginary part.
 pub fn eigenvalues() -> Vec<Eigenvalue> {
     let row = |[bicycle, speed, re, im]: [&'static str; 4]| Eigenvalue {

@@ -18,8 +18,7 @@ impl<const N: usize, T: Scalar> System<N, T> {
     /// more they come from the state matrix, balanced, by the QR algorithm with a bound on its iterations; jointly they are
     /// the exact ones of a state matrix that differs from the given one by rounding, relative to its norm. There, too, real
     /// ones have an imaginary part of exactly zero and pairs are exactly conjugate. Without any damping they are the square
-    /// roots of the eigenvalues of -M^-1 K: what oscillates then has a real part of exactly zero. Stability along speed is
-    /// for N = 2 alone.
+    /// roots of the eigenvalues of -M^-1 K: what oscillates then has a real part of exactly zero.
     ///
     /// # Errors
     /// If an entry is not finite, if the mass matrix is singular, if an eigenvalue leaves the range of `f64`, or if the
@@ -110,6 +109,22 @@ fn undamped<const N: usize>(stiffness: &Matrix<f64, N>, found: &mut [Complex<f64
         [found[2 * i], found[2 * i + 1]] = square_roots(found[i]);
     }
     Ok(())
+}
+
+/// The eigenvalues of a matrix of any size given by its rows, transposed or not, whose columns before `first` are in
+/// Hessenberg form, and the norm of the matrix once it is balanced: what they err by is its rounding. The rows are
+/// overwritten.
+pub(crate) fn eigenvalues_of_rows<R: Row>(
+    rows: &mut [R],
+    first: usize,
+    found: &mut [Complex<f64>],
+) -> Result<f64, SystemError> {
+    balance(rows);
+    let sum = |row: &R| row.entries()[..found.len()].iter().map(|entry| entry.abs()).sum();
+    let norm = rows.iter().map(sum).fold(0.0, f64::max);
+    reduce(rows, first);
+    collect(rows, found)?;
+    Ok(norm)
 }
 
 fn collect<R: Row>(rows: &mut [R], found: &mut [Complex<f64>]) -> Result<(), SystemError> {

@@ -3,7 +3,7 @@
 use crate::number::Number;
 
 /// A row of a square matrix, as long as there are rows; the matrix itself is an array of them.
-pub(super) trait Row: Copy {
+pub(crate) trait Row: Copy {
     fn entries(&self) -> &[f64];
     fn entries_mut(&mut self) -> &mut [f64];
     #[inline]

@@ -17,6 +17,8 @@ mod two_coordinates;
 #[cfg(feature = "batch")]
 pub(crate) use four::Four;
 #[cfg(feature = "std")]
+pub(crate) use general::eigenvalues_of_rows;
+#[cfg(feature = "std")]
 pub(crate) use quartic::Quartic;
 #[cfg(feature = "batch")]
 pub(crate) use two_coordinates::quick_eigenvalues;

@@ -1,9 +1,10 @@
-//! Stability along speed, for models with two coordinates.
+//! Stability along speed.
 
 mod along_speed;
 mod careful;
 mod critical;
 mod fast;
+mod general;
 mod mode;
 mod modes;
 mod naming;
@@ -12,30 +13,45 @@ mod stretches;
 mod verdict;
 
 use along_speed::Characteristic;
+use general::Answer;
 use ranges::Verdicts;
 
+use core::any::Any;
+
 use crate::number::Scalar;
-use crate::system::{Coefficients, SystemError, require_speed};
+use crate::system::{Coefficients, States, SystemError, require_speed};
 
 pub use critical::{Change, CriticalKind, CriticalSpeed};
 pub use mode::Mode;
 pub use modes::{ModeValue, Modes};
-pub use ranges::{MarginalRange, StableRange};
+pub use ranges::{MarginalRange, StableRange, UndecidedRange};
 pub use verdict::Verdict;
 
-/// The critical speeds and the stable ranges of a model with two coordinates.
+/// The critical speeds and the stable ranges of a model, of any number of coordinates.
 ///
-/// Critical speeds are not scanned for: they are all the positive roots of polynomials in the speed, made from the
-/// coefficients of the characteristic polynomial `p_4 s^4 + ... + p_0 = det(M s^2 + (C0 + v C1) s + Kc + g K0 + v^2 K2)`:
+/// Critical speeds are not scanned for. They are all the positive zeros of functions of the speed alone, which are zero
+/// where an eigenvalue is (capsize, or divergence) or where two sum to zero (weave, or flutter, if both are imaginary).
+///
+/// Of two coordinates, whose positions and rates are all states, with C0, C1, Kc, K0 and K2, these are polynomials with
+/// coefficients that are known exactly, made from those of the characteristic polynomial
+/// `p_4 s^4 + ... + p_0 = det(M s^2 + (C0 + v C1) s + Kc + g K0 + v^2 K2)`:
 ///
 /// - capsize: p_0 = 0, of degree 4;
 /// - weave: the Hurwitz determinant `p_1 p_2 p_3 - p_1^2 p_4 - p_0 p_3^2` = 0, of degree 6, with an imaginary pair;
 /// - double roots: the discriminant = 0, of degree 12.
 ///
+/// Of any other number N, with C-1 and K1, and for coordinates of which only the position or the rate is a state, they are
+/// the product of all eigenvalues and that of all sums of two of them, polynomials in the speed as well, up to a power of it,
+/// of a degree that is measured. They are interpolated; where the coefficients in an interval do not tell how often one is
+/// zero there, anew in a smaller one. Each critical speed is then found to all digits from the equations themselves. That
+/// none is missing is checked: at every speed at which eigenvalues were computed by the way, as many of them are
+/// unstable as the critical speeds say. Where not, the search goes on by bisection, and what cannot be decided is in
+/// [`undecided`](Stability::undecided). Double roots are found where they decide about stability: where without damping
+/// imaginary pairs meet.
+///
 /// Eigenvalues that are zero at all speeds, as without gravity, are set aside first; then the same holds for the
-/// polynomial of lower degree that is left. Eigenvalues that coincide at all speeds make no double-root speed, and a pair
-/// that is imaginary at all speeds makes no weave speed. All of this is for two coordinates; for any other number
-/// [`System::eigenvalues`](crate::System::eigenvalues) is what there is.
+/// others. Eigenvalues that coincide at all speeds make no double-root speed, and a pair that is imaginary at all
+/// speeds makes no weave speed.
 ///
 /// The benchmark bicycle of Meijaard, Papadopoulos, Ruina & Schwab (2007):
 ///
@@ -62,6 +78,9 @@ pub struct Stability {
     pub critical_speeds: Vec<CriticalSpeed>,
     /// The ranges of speed in which the motion is stable, ascending.
     pub stable_ranges: Vec<StableRange>,
+    /// The ranges of speed in which a critical speed is missing, ascending: none, but where eigenvalues are so close to the
+    /// imaginary axis that rounding decides. Always empty for two coordinates with C0, C1, Kc, K0 and K2 alone.
+    pub undecided: Vec<UndecidedRange>,
     verdicts: Verdicts,
 }
 
@@ -69,21 +88,34 @@ impl Stability {
     /// Everything about stability along speed, at a gravitational field strength in N/kg.
     ///
     /// # Errors
-    /// If gravity or an entry is not finite, if the mass matrix is singular, or if a critical speed leaves the range of
-    /// `f64`.
-    pub fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
-        Self::of(&coefficients.widen(), gravity)
+    /// If gravity or an entry is not finite, if the mass matrix is singular, if a critical speed or an eigenvalue leaves the
+    /// range of `f64`, or if an iteration does not converge within its bound.
+    pub fn new<T: Scalar, const N: usize>(
+        coefficients: &Coefficients<T, N>,
+        gravity: f64,
+    ) -> Result<Self, SystemError> {
+        let coefficients = coefficients.widen();
+        let has_quartic = !coefficients.has_odd_powers() && coefficients.states == [States::Both; N];
+        match (&coefficients as &dyn Any).downcast_ref() {
+            Some(two) if has_quartic => Self::of_two(two, gravity),
+            _ => Self::general(&coefficients, gravity),
+        }
     }
 
     /// Not generic, so that it is compiled with this crate, as a whole, and not with each that uses it.
-    fn of(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Result<Self, SystemError> {
-        if coefficients.has_odd_powers() {
-            return Err(SystemError::OddPowers);
-        }
+    fn of_two(coefficients: &Coefficients<f64, 2>, gravity: f64) -> Result<Self, SystemError> {
         match Self::fast(coefficients, gravity) {
             Some(stability) => Ok(stability),
             None => Self::careful(coefficients, gravity),
         }
+    }
+
+    /// What [`Stability::new`] gives for other than two coordinates, for other powers of the speed, and for coordinates of
+    /// which only the position or the rate is a state.
+    #[doc(hidden)]
+    pub fn general<const N: usize>(coefficients: &Coefficients<f64, N>, gravity: f64) -> Result<Self, SystemError> {
+        let Answer { critical_speeds, verdicts, undecided } = general::find_stability(coefficients, gravity)?;
+        Ok(Self { undecided, ..Self::from_verdicts((critical_speeds, verdicts)) })
     }
 
     /// What [`Stability::new`] gives where it is certain in `f64`.
@@ -103,7 +135,7 @@ impl Stability {
     }
 
     fn from_verdicts((critical_speeds, verdicts): (Vec<CriticalSpeed>, Verdicts)) -> Self {
-        Self { critical_speeds, stable_ranges: verdicts.stable_ranges(), verdicts }
+        Self { critical_speeds, stable_ranges: verdicts.stable_ranges(), undecided: Vec::new(), verdicts }
     }
 
     /// Whether the motion is stable at a speed in m/s.
@@ -112,10 +144,10 @@ impl Stability {
     /// marginal.
     ///
     /// # Errors
-    /// If the speed is negative or not finite.
+    /// If the speed is negative or not finite, or if it is zero and there is a C-1.
     pub fn verdict(&self, speed: f64) -> Result<Verdict, SystemError> {
         require_speed(speed)?;
-        Ok(self.verdicts.at(speed))
+        self.verdicts.at(speed).ok_or(SystemError::AtRest)
     }
 
     /// The ranges of speed in which the motion is marginal, ascending.

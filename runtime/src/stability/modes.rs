@@ -10,7 +10,7 @@ use super::naming::{self, Course, Names};
 use super::stretches::{Stretch, stretches};
 use super::{CriticalKind, CriticalSpeed, Stability};
 use crate::number::Scalar;
-use crate::system::{Coefficients, SystemError, require_speed};
+use crate::system::{Coefficients, States, SystemError, require_speed};
 
 /// One eigenvalue and the mode it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,12 +79,15 @@ impl Modes {
     /// Follows the modes along speed, at a gravitational field strength in N/kg.
     ///
     /// # Errors
-    /// As [`Stability::new`], and if there are no eigenvalues in the range of `f64` at a speed next to a double-root speed.
+    /// As [`Stability::new`], with a C-1 or a K1, and if there are no eigenvalues in the range of `f64` at a speed next to a double-root speed.
     pub fn new<T: Scalar>(coefficients: &Coefficients<T, 2>, gravity: f64) -> Result<Self, SystemError> {
         Self::of(coefficients.widen(), gravity)
     }
 
     fn of(coefficients: Coefficients<f64, 2>, gravity: f64) -> Result<Self, SystemError> {
+        if coefficients.has_odd_powers() || coefficients.states != [States::Both; 2] {
+            return Err(SystemError::OddPowers);
+        }
         let stretches = stretches(&Characteristic::new(&coefficients, gravity)?)?;
         let critical_speeds = Stability::new(&coefficients, gravity)?.critical_speeds;
         let mut modes = Self { coefficients, gravity, stretches: Vec::new() };

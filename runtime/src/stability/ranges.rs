@@ -26,6 +26,16 @@ pub struct MarginalRange {
     pub to: Option<f64>,
 }
 
+/// An open range of speeds in which something is missing: as many eigenvalues are unstable at its ends as the critical
+/// speeds in it do not explain, and what they do between them is within rounding of the imaginary axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UndecidedRange {
+    /// The lower end in m/s.
+    pub from: f64,
+    /// The upper end in m/s.
+    pub to: f64,
+}
+
 /// The verdict at every speed: constant between speeds at which an eigenvalue is on the imaginary axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Verdicts {
@@ -37,8 +47,8 @@ pub(super) struct Verdicts {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stretch {
     pub(super) speed: f64,
-    /// The verdict at the lower end.
-    pub(super) at: Verdict,
+    /// The verdict at the lower end; none at rest where the damping C-1/v has no value there.
+    pub(super) at: Option<Verdict>,
     /// The verdict above it.
     pub(super) above: Verdict,
 }
@@ -53,19 +63,19 @@ impl Verdicts {
         let mut stretches = Vec::with_capacity(bounds.len() + 1);
         let (mut speed, mut verdict) = (0.0, at_rest);
         for &(next, next_verdict) in bounds {
-            stretches.push(Stretch { speed, at: verdict, above: at(0.5 * (speed + next))? });
+            stretches.push(Stretch { speed, at: Some(verdict), above: at(0.5 * (speed + next))? });
             (speed, verdict) = (next, next_verdict);
         }
         let above = at(if speed == 0.0 { 1.0 } else { 2.0 * speed })?;
-        stretches.push(Stretch { speed, at: verdict, above });
+        stretches.push(Stretch { speed, at: Some(verdict), above });
         Some(Self { stretches })
     }
 
     /// The verdict at a speed that is not negative.
-    pub(super) fn at(&self, speed: f64) -> Verdict {
+    pub(super) fn at(&self, speed: f64) -> Option<Verdict> {
         let above = self.stretches.partition_point(|stretch| stretch.speed <= speed);
         let stretch = self.stretches[above.max(1) - 1];
-        if stretch.speed == speed { stretch.at } else { stretch.above }
+        if stretch.speed == speed { stretch.at } else { Some(stretch.above) }
     }
 
     /// The verdicts just below and just above a speed that is not negative; at rest the one above stands for both.

@@ -20,7 +20,7 @@ pub enum SystemError {
     },
     /// The speed is zero where damping is divided by it: there is a C-1.
     AtRest,
-    /// There is a C-1 or a K1, with which critical speeds are not found.
+    /// There is a C-1 or a K1, or a coordinate of which only the position or the rate is a state: modes are not followed.
     OddPowers,
     /// The mass matrix M cannot be inverted: its determinant is zero as far as its entries can tell.
     SingularMass,
@@ -45,7 +45,9 @@ impl fmt::Display for SystemError {
             Self::AtRest => {
                 f.write_str("the speed is 0 m/s, and the damping C-1/v has no value there; it must not be 0")
             }
-            Self::OddPowers => f.write_str("with C-1 or K1 critical speeds are not found"),
+            Self::OddPowers => {
+                f.write_str("with C-1, K1 or coordinates that are not of second order modes are not followed")
+            }
             Self::SingularMass => f.write_str("the mass matrix M is singular; it must be invertible"),
             Self::OutOfRange { quantity } => write!(f, "{quantity} leaves the range of floating-point numbers"),
             Self::NotConverged { iterations } => {

@@ -28,6 +28,7 @@ mod mutants;
 mod operations;
 mod parameters;
 mod published;
+mod random_systems;
 #[cfg(feature = "compiler")]
 mod regenerate;
 mod rounding;

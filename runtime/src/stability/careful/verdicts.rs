@@ -19,11 +19,11 @@ pub(super) fn find_verdicts(characteristic: &Characteristic, found: &[FoundSpeed
         (Some(last), Some(next)) => at((last + next.speed) * 0.5.into()),
     };
     let mut stretches = Vec::with_capacity(bounds.len() + 1);
-    let mut last = Stretch { speed: 0.0, at: at(DoubleDouble::ZERO), above: above(0) };
+    let mut last = Stretch { speed: 0.0, at: Some(at(DoubleDouble::ZERO)), above: above(0) };
     for (i, bound) in bounds.iter().enumerate() {
         let next = Stretch {
             speed: characteristic.speed(bound.speed.to_f64()),
-            at: bound.verdict.unwrap_or(last.above.min(above(i + 1))),
+            at: bound.verdict.or(Some(last.above.min(above(i + 1)))),
             above: above(i + 1),
         };
         if next.speed > last.speed {

@@ -1,0 +1,95 @@
+//! Critical speeds and stable ranges of any number of coordinates, of any powers of the speed and orders of coordinates.
+//!
+//! Two conditions are functions of the speed alone that are zero at critical speeds: the product of all eigenvalues, and
+//! that of all sums of two of them. Up to a known power of the speed both are polynomials in `v / (1 + v)` of known degree,
+//! so that interpolation has them exactly; how often they are zero in an interval is read from their coefficients.
+//!
+//! - [`units`], [`equations`]: the equations in scaled units, their eigenvalues and their pencil at a speed;
+//! - [`condition`], [`product`], [`polynomial`]: the conditions, and what they are as polynomials;
+//! - [`bernstein`], [`isolation`]: all of their zeros, each in an interval of its own;
+//! - [`field`], [`inverse`], [`newton`]: critical speeds and eigenvalues to all digits;
+//! - [`crossings`]: the critical speeds in the intervals;
+//! - [`count`], [`complete`]: whether the numbers of unstable eigenvalues between them agree, and the search where not.
+
+mod bernstein;
+mod complete;
+mod condition;
+mod count;
+mod crossings;
+mod equations;
+mod field;
+mod inverse;
+mod isolation;
+mod newton;
+mod polynomial;
+mod product;
+mod units;
+
+use nalgebra::Complex;
+
+use self::complete::Course;
+use self::count::Count;
+use self::equations::Equations;
+use super::critical::{Change, CriticalKind, CriticalSpeed};
+use super::ranges::{Stretch, UndecidedRange, Verdicts};
+use super::verdict::Verdict;
+use crate::system::{Coefficients, SystemError};
+
+/// What is known along the speed.
+pub(super) struct Answer {
+    /// Ascending.
+    pub(super) critical_speeds: Vec<CriticalSpeed>,
+    pub(super) verdicts: Verdicts,
+    pub(super) undecided: Vec<UndecidedRange>,
+}
+
+/// All critical speeds, ascending, and the verdicts between and at them.
+pub(super) fn find_stability<const N: usize>(
+    coefficients: &Coefficients<f64, N>,
+    gravity: f64,
+) -> Result<Answer, SystemError> {
+    let equations = Equations::new(coefficients, gravity)?;
+    let course = equations.complete(equations.find_crossings()?)?;
+    let critical_speeds = critical_speeds(&equations, &course)?;
+    let undecided = course
+        .undecided
+        .iter()
+        .map(|&[low, high]| UndecidedRange { from: equations.units.speed(low), to: equations.units.speed(high) });
+    let undecided = undecided.collect();
+    // With C-1 there is no motion at rest, and where that is not regular either.
+    let at_rest = if equations.excludes_rest() { None } else { equations.count(0.0).ok().map(Count::verdict) };
+    let mut verdicts = vec![Stretch { speed: 0.0, at: at_rest, above: course.between[0].verdict() }];
+    for (i, group) in course.groups.iter().enumerate() {
+        let speed = critical_speeds[group.start].speed;
+        let at = Some(verdict_at(&course, i));
+        verdicts.push(Stretch { speed, at, above: course.between[i + 1].verdict() });
+    }
+    Ok(Answer { critical_speeds, verdicts: Verdicts { stretches: verdicts }, undecided })
+}
+
+fn critical_speeds<const N: usize>(
+    equations: &Equations<N>,
+    course: &Course,
+) -> Result<Vec<CriticalSpeed>, SystemError> {
+    let critical = course.found.iter().map(|found| {
+        let speed = equations.speed(found.crossing.v);
+        let error = equations.units.speed(found.crossing.error) + 0.5 * f64::EPSILON * speed;
+        let eigenvalue = equations.units.eigenvalue(Complex::new(0.0, found.crossing.omega));
+        let change = found.change.unwrap_or(Change::Touches);
+        let is_finite = [speed, error, eigenvalue.im].iter().all(|number| number.is_finite()) && speed > 0.0;
+        let critical = CriticalSpeed { kind: found.kind, speed, error, eigenvalue, change };
+        is_finite.then_some(critical).ok_or(SystemError::OutOfRange { quantity: "a critical speed" })
+    });
+    critical.collect()
+}
+
+/// The verdict at the speed of a group: by the eigenvalues that are not on the axis there.
+fn verdict_at(course: &Course, i: usize) -> Verdict {
+    let leaving = course.found[course.groups[i].clone()].iter().map(|found| match (found.change, found.kind) {
+        (Some(Change::Stabilizes), CriticalKind::Capsize) => 1,
+        (Some(Change::Stabilizes), _) => 2,
+        _ => 0,
+    });
+    let rest = course.between[i].unstable.saturating_sub(leaving.sum());
+    if rest > 0 { Verdict::Unstable } else { Verdict::Marginal }
+}

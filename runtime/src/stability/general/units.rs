@@ -1,0 +1,94 @@
+//! Units of rows, columns, time and speed for coordinates of any order, powers of two, in which the numbers are about one.
+
+use nalgebra::Complex;
+
+use crate::characteristic::units::{ldexp_complex, time_unit};
+use crate::numeric::{exponent, ldexp};
+use crate::system::{Coefficients, Matrix, States, SystemError};
+
+/// The exponents of the units.
+pub(super) struct Units<const N: usize> {
+    rows: [i32; N],
+    columns: [i32; N],
+    time: i32,
+    speed: i32,
+    gravity: i32,
+}
+
+impl<const N: usize> Units<N> {
+    /// Rows and columns bring the largest entry of what each column is solved for, M or the damping of a coordinate of
+    /// first order, to about one; then time brings damping and stiffness to at most one, and speed what depends on it.
+    pub(super) fn new(coefficients: &Coefficients<f64, N>, gravity: f64) -> Result<Self, SystemError> {
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = coefficients;
+        let is_first_order = |j: usize| states[j] == States::Position;
+        let leading = |i: usize, j: usize| {
+            let matrices = if is_first_order(j) { [cm1, c0, c1] } else { [m; 3] };
+            matrices.into_iter().filter_map(|matrix| exponent(matrix[(i, j)])).max()
+        };
+        let mut units =
+            Self { rows: [0; N], columns: [0; N], time: 0, speed: 0, gravity: exponent(gravity).unwrap_or(0) };
+        for i in 0..N {
+            units.rows[i] = -(0..N).filter_map(|j| leading(i, j)).max().ok_or(SystemError::SingularMass)?;
+        }
+        for j in 0..N {
+            let largest = (0..N).filter_map(|i| Some(leading(i, j)? + units.rows[i])).max();
+            units.columns[j] = -largest.ok_or(SystemError::SingularMass)?;
+        }
+        let largest = |matrix: &Matrix<f64, N>, first_order: bool| {
+            let columns = (0..N).filter(|&j| is_first_order(j) == first_order);
+            let places = columns.flat_map(|j| (0..N).map(move |i| (i, j)));
+            places.filter_map(|(i, j)| Some(exponent(matrix[(i, j)])? + units.rows[i] + units.columns[j])).max()
+        };
+        let weight = |first_order: bool| match gravity {
+            0.0 => None,
+            _ => largest(k0, first_order).map(|e| e + units.gravity),
+        };
+        // What a coordinate of first order returns with, in the unit of the others.
+        let relaxation = largest(kc, true).max(weight(true)).max(largest(k1, true)).max(largest(k2, true));
+        let damping = largest(c0, false).max(relaxation).or_else(|| largest(cm1, false));
+        let time = time_unit(damping, largest(kc, false).max(weight(false)));
+        let half = |e: i32| (e + 1).div_euclid(2);
+        let rising = [largest(c1, false), largest(k1, false).map(|e| e - time), largest(k2, false).map(half)];
+        let per_speed = rising.into_iter().max().flatten().or_else(|| largest(cm1, false).map(|e| 2 * time - e));
+        // Columns of first order are solved for a rate, not an acceleration.
+        for j in (0..N).filter(|&j| is_first_order(j)) {
+            units.columns[j] += time;
+        }
+        Ok(Self { time, speed: time - per_speed.unwrap_or(time), ..units })
+    }
+
+    /// The coefficients in these units.
+    pub(super) fn scale(&self, coefficients: &Coefficients<f64, N>) -> Coefficients<f64, N> {
+        let scale = |matrix: &Matrix<f64, N>, [s, v]: [i32; 2], rest: i32| {
+            let power = v * self.speed - (2 - s) * self.time + rest;
+            Matrix::from_fn(|i, j| ldexp(matrix[(i, j)], self.rows[i] + self.columns[j] + power))
+        };
+        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = coefficients;
+        Coefficients {
+            m: scale(m, [2, 0], 0),
+            cm1: scale(cm1, [1, -1], 0),
+            c0: scale(c0, [1, 0], 0),
+            c1: scale(c1, [1, 1], 0),
+            kc: scale(kc, [0, 0], 0),
+            k0: scale(k0, [0, 0], self.gravity),
+            k1: scale(k1, [0, 1], 0),
+            k2: scale(k2, [0, 2], 0),
+            states: *states,
+        }
+    }
+
+    /// A gravitational field strength in these units.
+    pub(super) fn scale_gravity(&self, gravity: f64) -> f64 {
+        ldexp(gravity, -self.gravity)
+    }
+
+    /// A scaled speed in m/s.
+    pub(super) fn speed(&self, scaled: f64) -> f64 {
+        ldexp(scaled, self.speed)
+    }
+
+    /// A scaled eigenvalue in 1/s.
+    pub(super) fn eigenvalue(&self, scaled: Complex<f64>) -> Complex<f64> {
+        ldexp_complex(scaled, self.time)
+    }
+}

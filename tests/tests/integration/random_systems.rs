@@ -1,0 +1,69 @@
+//! Critical speeds of random systems of 1 to 8 coordinates against certain references: none lost, none extra.
+
+use carvallo::{Change, Coefficients, CriticalKind, CriticalSpeed, Stability, States};
+use carvallo_tests::facts::{RandomSystem, RandomSystemSpeed, random_systems};
+
+const GRAVITY: f64 = 2.0;
+
+/// The error relative to the speed that is allowed where the estimate is smaller.
+const ACCURACY: f64 = 1e-11;
+
+/// Frequencies are no better than the speeds.
+const FREQUENCY: f64 = 1e-9;
+
+pub fn coefficients<const N: usize>(system: &RandomSystem) -> Coefficients<f64, N> {
+    let entry = |matrix: usize, i: usize, j: usize| system.matrices[matrix].get(N * i + j).copied().unwrap_or(0.0);
+    let rows = std::array::from_fn(|matrix| std::array::from_fn(|i| std::array::from_fn(|j| entry(matrix, i, j))));
+    let states = std::array::from_fn(|coordinate| match system.states[coordinate] {
+        "position" => States::Position,
+        "rate" => States::Rate,
+        _ => States::Both,
+    });
+    Coefficients { states, ..Coefficients::from_rows(rows) }
+}
+
+fn check_speed(found: &CriticalSpeed, expected: &RandomSystemSpeed) {
+    let &RandomSystemSpeed { kind, speed, frequency, way } = expected;
+    let off = (found.speed - speed).abs();
+    assert!(off <= found.error.max(ACCURACY * speed), "{kind} at {speed}: off by {off:e}, {found:?}");
+    let off = (found.eigenvalue.im - frequency).abs();
+    assert!(found.eigenvalue.re == 0.0 && off <= FREQUENCY * frequency, "{kind} at {speed}: {found:?}");
+    match way {
+        "up" => assert_eq!(found.change, Change::Destabilizes, "{kind} at {speed}"),
+        "down" => assert_eq!(found.change, Change::Stabilizes, "{kind} at {speed}"),
+        _ => {}
+    }
+}
+
+fn check<const N: usize>(system: &RandomSystem) {
+    let stability = Stability::general(&coefficients::<N>(system), GRAVITY).expect("an answer");
+    for kind in [CriticalKind::Weave, CriticalKind::Capsize, CriticalKind::DoubleRoot] {
+        let found: Vec<_> = stability.critical_speeds.iter().filter(|critical| critical.kind == kind).collect();
+        let name = kind.to_string();
+        let expected: Vec<_> = system.critical_speeds.iter().filter(|critical| critical.kind == name).collect();
+        assert_eq!(found.len(), expected.len(), "{}: {name}: {found:?} where there are {expected:?}", system.name);
+        for (found, expected) in found.into_iter().zip(expected) {
+            check_speed(found, expected);
+        }
+    }
+    assert!(stability.undecided.is_empty(), "{}: {:?}", system.name, stability.undecided);
+}
+
+#[test]
+fn no_critical_speed_is_lost_and_none_is_extra() {
+    let systems = random_systems();
+    assert!(systems.len() >= 200);
+    for system in systems {
+        match system.coordinates {
+            1 => check::<1>(&system),
+            2 => check::<2>(&system),
+            3 => check::<3>(&system),
+            4 => check::<4>(&system),
+            5 => check::<5>(&system),
+            6 => check::<6>(&system),
+            7 => check::<7>(&system),
+            8 => check::<8>(&system),
+            other => panic!("{}: {other} coordinates", system.name),
+        }
+    }
+}
