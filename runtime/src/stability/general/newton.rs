@@ -52,7 +52,7 @@ impl<const N: usize> Equations<N> {
         let (mut fine_v, mut fine_omega) = (DoubleDouble::from(v), DoubleDouble::from(omega));
         for _ in 0..FINE_STEPS {
             let [dv, domega] = self.flutter_step::<ComplexDoubleDouble>(fine_v, fine_omega).step?;
-            if !(dv.to_f64().abs() <= CLOSE * v) {
+            if dv.to_f64().is_nan() || dv.to_f64().abs() > CLOSE * v {
                 return None;
             }
             (fine_v, fine_omega) = (fine_v + dv, fine_omega + domega);
@@ -99,7 +99,7 @@ impl<const N: usize> Equations<N> {
         let mut fine = DoubleDouble::from(v);
         for _ in 0..FINE_STEPS {
             let dv = -(DoubleDouble::from(1.0) / Slopes::new(&self.pencil(DoubleDouble::ZERO, fine)).by_v);
-            if !(dv.to_f64().abs() <= CLOSE * v) {
+            if dv.to_f64().is_nan() || dv.to_f64().abs() > CLOSE * v {
                 return None;
             }
             fine = fine + dv;
