@@ -92,7 +92,7 @@ impl<const N: usize> Equations<N> {
             let [damping0, damping1, damping2] = damping;
             let [_, stiffness1, stiffness2] = stiffness;
             let all = [damping0, damping1, damping2, equations.static_stiffness(), stiffness1, stiffness2];
-            let [d0, d1, d2, k0, k1, k2] = (System { m, c: m, k: m }).solve(all.map(|matrix| -matrix))?;
+            let [d0, d1, d2, k0, k1, k2] = System::new(m, m, m).solve(all.map(|matrix| -matrix))?;
             equations.solved = Some([[d0, d1, d2], [k0, k1, k2]]);
         }
         Ok(equations)
@@ -138,7 +138,7 @@ impl<const N: usize> Equations<N> {
                 for (j, _) in self.columns.iter().enumerate().filter(|(_, column)| **column == Column::Position) {
                     leading.set_column(j, &c.column(j));
                 }
-                (System { m: leading, c, k }).solve([-c, -k])?
+                System::new(leading, c, k).solve([-c, -k])?
             }
         };
         let mut rows = [[[[0.0; 2]; N]; 2]; N];
