@@ -168,13 +168,19 @@
 /// Attributes of Rust before `model` are those of the struct, and before a parameter those of its field:
 ///
 /// ```text
+/// /// A point mass on a line.
 /// #[derive(serde::Serialize, serde::Deserialize)]
 /// #[serde(deny_unknown_fields)]
-/// pub model Name {
+/// pub model Slider {
 ///     parameters {
-///         #[serde(rename = "length")]
-///         l: m, > 0;
+///         #[serde(rename = "mass")]
+///         m: kg, > 0;
 ///     }
+///     coordinates { x: m; }
+///     M = [[m]];
+///     #[default]
+///     set kilogram { m = 1; }
+/// }
 /// ```
 ///
 /// `Clone`, `Copy`, `Debug` and `PartialEq` are derived for every model; a declaration may list them as well, and
