@@ -1,7 +1,9 @@
 //! Which of the position and the rate of a coordinate are states of the motion, which all stages use.
 
+use nanoserde::{DeBin, SerBin};
+
 /// What the motion goes on from, of one coordinate.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, DeBin, Default, PartialEq, Eq, SerBin)]
 pub enum States {
     /// Its position and its rate.
     #[default]

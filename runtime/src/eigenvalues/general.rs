@@ -29,19 +29,15 @@ impl<const N: usize, T: Scalar> System<N, T> {
             let system = System::new(two(&self.m), two(&self.c), two(&self.k));
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
-        let mut eigenvalues = self.widened(eigenvalues_of_state_matrix)?.as_flattened().to_vec();
-        // What is no state has a row and a column of zeros, which nothing else touches.
-        for _ in self.states.iter().filter(|states| **states != States::Both) {
-            if let Some(zero) = eigenvalues.iter().position(|eigenvalue| *eigenvalue == Complex::new(0.0, 0.0)) {
-                eigenvalues.swap_remove(zero);
-            }
-        }
+        let found = self.widened(eigenvalues_of_state_matrix)?;
+        let absent = self.states.iter().filter(|states| **states != States::Both).count();
+        let mut eigenvalues = found.as_flattened()[..2 * N - absent].to_vec();
         eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
         Ok(eigenvalues)
     }
 }
 
-/// The eigenvalues, in no order.
+/// The eigenvalues, in no order; behind them zeros in the places of what is no state.
 fn eigenvalues_of_state_matrix<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
     system.require_finite()?;
     let [stiffness, damping] = system.solve(system.with_columns_of_states([-system.k, -system.c]))?;
@@ -87,15 +83,37 @@ fn damped<const N: usize>(
             rows[i][0][j][solved] = stiffness[(j, i)];
             rows[i][1][j][solved] = damping[(j, i)];
         }
-        if states[i] == States::Both {
-            rows[i][1][i][0] = 1.0;
-        }
+        rows[i][1][i][0] = 1.0;
     }
-    let rows = rows.as_flattened_mut();
+    let rows = without_absent(rows.as_flattened_mut(), states);
     balance(rows);
-    // With a coordinate of first order, what would be its first column may not be in that form.
-    reduce(rows, if *states == [States::Both; N] { 1 } else { 0 });
+    // Without the position of the first coordinate its first column is not in that form.
+    reduce(rows, usize::from(states[0] == States::Both));
     collect(rows, found)
+}
+
+/// The rows and columns of states alone.
+fn without_absent<'a, const N: usize>(rows: &'a mut [[[f64; 2]; N]], states: &[States; N]) -> &'a mut [[[f64; 2]; N]] {
+    if *states == [States::Both; N] {
+        return rows;
+    }
+    let kept = |place: usize| match states[place / 2] {
+        States::Both => true,
+        States::Position => place.is_multiple_of(2),
+        States::Rate => !place.is_multiple_of(2),
+    };
+    let mut count = 0;
+    for place in (0..2 * N).filter(|&place| kept(place)) {
+        rows[count] = rows[place];
+        let entries = rows[count].as_flattened_mut();
+        let mut column = 0;
+        for from in (0..2 * N).filter(|&from| kept(from)) {
+            entries[column] = entries[from];
+            column += 1;
+        }
+        count += 1;
+    }
+    &mut rows[..count]
 }
 
 /// Of `q'' = S q`: both square roots of the eigenvalues of S, half as many.

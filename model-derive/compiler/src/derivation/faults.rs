@@ -83,9 +83,16 @@ impl Faulty<'_> {
                     Role::Joint(index) => self.mechanism.joints[index].spring.is_some(),
                     _ => false,
                 };
-                let hint = match joints.iter().any(is_sprung) {
-                    true => "; as a coordinate of its own a joint has its weight carried by its spring",
-                    false => "",
+                let slips = self.mechanism.wheels.iter().any(|wheel| wheel.slip.is_some());
+                let is_carried = |joint: &usize| {
+                    matches!(self.tree.joints[*joint].role, Role::Freedom(Freedom::Lateral | Freedom::Yaw))
+                };
+                let hint = if joints.iter().any(is_sprung) {
+                    "; as a coordinate of its own a joint has its weight carried by its spring"
+                } else if slips && joints.iter().any(is_carried) {
+                    "; on tyres that slip, lateral motion and yaw are coordinates, `free …: lateral y, yaw psi`"
+                } else {
+                    ""
                 };
                 let expected = match joints.len() {
                     1 => "a coordinate for it, or a wheel that determines it",
@@ -121,8 +128,9 @@ impl Faulty<'_> {
             }
             Fault::Remains { joint } => {
                 let message = format!(
-                    "the motion depends on {}, which the coordinates do not determine: expected it among the coordinates",
-                    self.joint(*joint)
+                    "the motion depends on {}, which the coordinates do not determine: expected it among the coordinates{}",
+                    self.joint(*joint),
+                    self.as_first_order(*joint)
                 );
                 (self.region(*joint), message)
             }
@@ -142,14 +150,6 @@ impl Faulty<'_> {
                      inertia that every motion of the coordinates moves",
                     self.joint(*joint),
                     self.moving_along(along),
-                );
-                (self.region(*joint), message)
-            }
-            Fault::Dragged { joint } => {
-                let message = format!(
-                    "a damper at a joint that the wheels turn makes a force proportional to v times {}, which the equations \
-                     of motion have no place for: expected dampers at joints that are coordinates",
-                    self.joint(*joint)
                 );
                 (self.region(*joint), message)
             }
@@ -184,6 +184,16 @@ impl Faulty<'_> {
             ),
         };
         (Region::from(name), message)
+    }
+
+    /// How a joint that the wheels turn can be a coordinate.
+    fn as_first_order(&self, joint: usize) -> String {
+        let unit = if self.turns(joint) { "rad" } else { "m" };
+        match (self.tree.joints[joint].role, self.coordinate(joint)) {
+            (Role::Spin(_), _) => String::new(),
+            (_, Some(name)) => format!(", `{name}: {unit}, only position;`, as the wheels determine how it moves"),
+            (_, None) => format!(", by a name, and with `{unit}, only position`, as the wheels determine how it moves"),
+        }
     }
 
     /// What is said of joints that move with another one, if there are any.
@@ -233,6 +243,7 @@ impl Faulty<'_> {
                 let names = &self.mechanism.free.first()?.names;
                 names.iter().find(|(known, _)| *known == freedom).map(|(_, name)| name)
             }
+            Role::Deflection(index) => self.mechanism.wheels[index].deflection(),
             Role::Forward | Role::Spin(_) => None,
         }
     }
@@ -240,7 +251,7 @@ impl Faulty<'_> {
     fn turns(&self, joint: usize) -> bool {
         match self.tree.joints[joint].role {
             Role::Joint(index) => self.mechanism.joints[index].kind == JointKind::Revolute,
-            Role::Forward | Role::Freedom(Freedom::Lateral | Freedom::Vertical) => false,
+            Role::Forward | Role::Deflection(_) | Role::Freedom(Freedom::Lateral | Freedom::Vertical) => false,
             Role::Freedom(_) | Role::Spin(_) => true,
         }
     }
@@ -250,6 +261,7 @@ impl Faulty<'_> {
         match self.tree.joints[joint].role {
             Role::Forward => "the forward motion".into(),
             Role::Spin(wheel) => format!("the spin of `{}`", self.mechanism.wheels[wheel].name),
+            Role::Deflection(wheel) => format!("the deflection of the tyre of `{}`", self.mechanism.wheels[wheel].name),
             Role::Joint(index) => format!("`{}`", self.mechanism.joints[index].name),
             Role::Freedom(freedom) => {
                 let body = self.mechanism.free.first().map(|free| free.body.to_string()).unwrap_or_default();
@@ -286,8 +298,7 @@ fn joint_of(fault: &Fault) -> Option<usize> {
         | Fault::Coupled { joint }
         | Fault::Remains { joint }
         | Fault::Massless { joint, .. }
-        | Fault::PerhapsMassless { joint, .. }
-        | Fault::Dragged { joint } => Some(*joint),
+        | Fault::PerhapsMassless { joint, .. } => Some(*joint),
         Fault::OffGround { .. } | Fault::Tied { .. } | Fault::Undecided { .. } | Fault::Undetermined(_) => None,
     }
 }

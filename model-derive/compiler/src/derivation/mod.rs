@@ -18,6 +18,7 @@ use crate::matrix_name::MatrixName;
 use crate::mechanics::{self, Declared, Derivation};
 use crate::model::Matrices;
 use crate::report::{Region, Report};
+use crate::states::States;
 use crate::symbolic::{Failure, Place};
 use crate::syntax::Mechanism;
 
@@ -34,6 +35,8 @@ pub struct Derived {
     pub entries: Vec<Region>,
     /// The matrices that are said to be symmetric, or are derived so.
     pub symmetric: Vec<MatrixName>,
+    /// For each coordinate which of its position and its rate are states.
+    pub states: Vec<States>,
     /// Rates and forces, of a mechanism.
     pub kinematics: Option<Kinematics<Formula>>,
 }
@@ -60,6 +63,7 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         matrices: checked.written.matrices.clone(),
         entries: checked.written.regions.clone(),
         symmetric,
+        states: declaration.states().collect(),
         kinematics: None,
     };
     let Some(mechanism) = &declaration.mechanism else { return by_speed::sort_wholes(checked, written, report) };
@@ -132,9 +136,16 @@ fn adopt(
         names: Names { definitions: kept.iter().map(|index| names.definitions[*index].clone()).collect(), ..names },
         entries: vec![mechanism.span.into(); matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).count()],
         symmetric: matrices.iter().filter(|(_, rows)| is_symmetric(rows)).map(|(name, _)| *name).collect(),
+        states: complete_states(checked, &derivation.states),
         kinematics: Some(kinematics.map(|formula| formula.renumbered(&new))),
         matrices,
     }
+}
+
+/// What is said of the states of the coordinates, and of the others what was derived.
+fn complete_states(checked: &Checked<'_>, derived: &[States]) -> Vec<States> {
+    let declared = checked.declaration.states().zip(derived);
+    declared.map(|(declared, derived)| if declared == States::Both { *derived } else { declared }).collect()
 }
 
 /// Reports the first number beyond the range of `f64`: numbers that are in it can have a product that is not.

@@ -44,7 +44,7 @@ fn force_unit(mechanism: &Mechanism, on: &Ident) -> &'static str {
 /// The name of a rate in generated code, and what it is; none for what does not move in the first order.
 fn name_rate(role: Role, mechanism: &Mechanism) -> Option<(String, String)> {
     match role {
-        Role::Forward | Role::Freedom(Freedom::Vertical | Freedom::Pitch) => None,
+        Role::Forward | Role::Deflection(_) | Role::Freedom(Freedom::Vertical | Freedom::Pitch) => None,
         Role::Freedom(freedom) => {
             let body = mechanism.free.first().map(|free| free.body.to_string()).unwrap_or_default();
             let (name, what) = match freedom {

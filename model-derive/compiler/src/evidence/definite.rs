@@ -5,24 +5,18 @@ use crate::derivation::Derived;
 use crate::matrix_name::MatrixName;
 use crate::report::{Report, number};
 use crate::states::States;
-use crate::syntax::{Declaration, ParameterSet};
+use crate::syntax::ParameterSet;
 
 /// Reports a parameter set at which the mass matrix, if it is symmetric, is not positive definite; `values` are those of
 /// all names there.
-pub fn check_energy(
-    declaration: &Declaration,
-    derived: &Derived,
-    set: &ParameterSet,
-    values: &Constants,
-    report: &mut Report,
-) {
+pub fn check_energy(derived: &Derived, set: &ParameterSet, values: &Constants, report: &mut Report) {
     let Derived { matrices, symmetric, .. } = derived;
     let Some((name, mass)) = matrices.iter().find(|(name, _)| *name == MatrixName::M) else { return };
     if mass.len() > 1 && !symmetric.contains(name) {
         return;
     }
     // A coordinate of first order has no kinetic energy.
-    let moves: Vec<bool> = declaration.states().map(|states| states != States::Position).collect();
+    let moves: Vec<bool> = derived.states.iter().map(|states| *states != States::Position).collect();
     let entries = keep(mass, &moves).map(|row| keep(row, &moves).map(|entry| values.of(entry)).collect());
     // An entry without a value is reported where it is.
     let Ok(mut entries) = entries.collect::<Result<Vec<Vec<Constant>>, _>>() else { return };

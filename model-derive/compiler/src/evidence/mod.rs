@@ -62,13 +62,14 @@ pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Mod
         domain,
         used: used || checked.gravity == Some(index),
     });
-    let coordinates = declaration.coordinates.iter().zip(declaration.states()).map(|(coordinate, states)| Coordinate {
-        states,
-        label: coordinate.label.clone().unwrap_or_else(|| coordinate.name.to_string()),
-        name: coordinate.name.to_string(),
-        docs: coordinate.docs.clone(),
-        unit: unit_text(coordinate.unit.as_ref()),
-    });
+    let coordinates =
+        declaration.coordinates.iter().zip(derived.states.clone()).map(|(coordinate, states)| Coordinate {
+            states,
+            label: coordinate.label.clone().unwrap_or_else(|| coordinate.name.to_string()),
+            name: coordinate.name.to_string(),
+            docs: coordinate.docs.clone(),
+            unit: unit_text(coordinate.unit.as_ref()),
+        });
     Model {
         name: declaration.name.clone(),
         visibility: declaration.visibility.clone(),

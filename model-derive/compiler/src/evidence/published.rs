@@ -30,7 +30,7 @@ pub fn check_set(
             }
         }
     }
-    definite::check_energy(checked.declaration, derived, set, &values, report);
+    definite::check_energy(derived, set, &values, report);
     for published in &set.published {
         compare(checked.declaration, set, published, derived, &values, report);
     }

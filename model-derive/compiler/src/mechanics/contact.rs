@@ -54,6 +54,11 @@ impl<'a> Contact<'a> {
         Condition { rates: self.components(1), positions }
     }
 
+    /// How the wheel leans to the right, by joint.
+    pub fn lean(&self) -> Vec<Form> {
+        self.rotations.iter().map(|rotation| rotation[0].clone()).collect()
+    }
+
     /// The rim does not slip along the wheel, which is what turns it.
     pub fn along(&self) -> Condition {
         let mut rates = self.components(0);

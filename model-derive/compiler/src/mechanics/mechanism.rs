@@ -16,6 +16,8 @@ pub struct Mechanism<V> {
     pub root: Option<Root>,
     /// The joints whose motions are the coordinates q, in their order.
     pub coordinates: Vec<usize>,
+    /// Those of the coordinates whose motion the wheels determine, so that only their positions are states.
+    pub following: Vec<usize>,
     /// The joints that an applied force or torque acts on.
     pub forces: Vec<usize>,
     /// What is added to the matrices of the coordinates, in rows of theirs.
@@ -59,7 +61,7 @@ pub struct Body<V> {
     pub inertia: [[V; 3]; 3],
 }
 
-/// What rolls without slip: a disc about an axle along y, with a rim that is a knife edge or a part of a torus. Its mass
+/// What rolls, without slip unless it is said to slip sideways: a disc about an axle along y, with a rim that is a knife edge or a part of a torus. Its mass
 /// is that of the body on its spin joint.
 #[derive(Clone, Debug, SerBin)]
 pub struct Wheel<V> {
@@ -72,6 +74,21 @@ pub struct Wheel<V> {
     pub tyre: Option<V>,
     /// The moment of inertia about the axle.
     pub axial: V,
+    /// Of a tyre that slips sideways.
+    pub slip: Option<Slip<V>>,
+}
+
+/// The side force of a tyre, linear in slip and camber.
+#[derive(Clone, Debug, SerBin)]
+pub struct Slip<V> {
+    /// Against the slip angle, in N by rad.
+    pub cornering: V,
+    /// To the side to which the wheel leans, in N by rad.
+    pub camber: Option<V>,
+    /// How far behind the contact point it acts, in m.
+    pub trail: Option<V>,
+    /// The length over which it follows, in m, and the joint that stands for the deflection of the tyre.
+    pub relaxation: Option<(V, usize)>,
 }
 
 /// The freedoms of a body that nothing holds to the ground: the first joints, each on the one before.
@@ -80,8 +97,24 @@ pub struct Root {
     pub count: usize,
     /// The displacement along x, whose rate is the speed v.
     pub forward: usize,
+    /// The displacement along y.
+    pub lateral: usize,
     /// The rotation about z, by which the path turns.
     pub yaw: usize,
+}
+
+impl<V> Slip<V> {
+    fn map<W, E>(&self, f: &mut impl FnMut(&V) -> Result<W, E>) -> Result<Slip<W>, E> {
+        Ok(Slip {
+            cornering: f(&self.cornering)?,
+            camber: self.camber.as_ref().map(&mut *f).transpose()?,
+            trail: self.trail.as_ref().map(&mut *f).transpose()?,
+            relaxation: match &self.relaxation {
+                Some((length, joint)) => Some((f(length)?, *joint)),
+                None => None,
+            },
+        })
+    }
 }
 
 impl<V> Mechanism<V> {
@@ -113,6 +146,7 @@ impl<V> Mechanism<V> {
                 radius: f(&wheel.radius)?,
                 tyre: wheel.tyre.as_ref().map(&mut *f).transpose()?,
                 axial: f(&wheel.axial)?,
+                slip: wheel.slip.as_ref().map(|slip| slip.map(f)).transpose()?,
             })
         });
         let wheels = wheels.collect::<Result<_, E>>()?;
@@ -121,9 +155,28 @@ impl<V> Mechanism<V> {
             Ok((*name, rows.collect::<Result<_, E>>()?))
         });
         let added = added.collect::<Result<_, E>>()?;
-        let Self { root, coordinates, forces, has_weight, .. } = self;
-        let (coordinates, forces) = (coordinates.clone(), forces.clone());
-        Ok(Mechanism { joints, bodies, wheels, root: *root, coordinates, forces, added, has_weight: *has_weight })
+        Ok(Mechanism {
+            joints,
+            bodies,
+            wheels,
+            root: self.root,
+            coordinates: self.coordinates.clone(),
+            following: self.following.clone(),
+            forces: self.forces.clone(),
+            added,
+            has_weight: self.has_weight,
+        })
+    }
+
+    /// Whether a wheel slips sideways.
+    pub fn slips(&self) -> bool {
+        self.wheels.iter().any(|wheel| wheel.slip.is_some())
+    }
+
+    /// Whether a joint stands for the deflection of a tyre.
+    pub fn is_deflection(&self, joint: usize) -> bool {
+        let mut slips = self.wheels.iter().filter_map(|wheel| wheel.slip.as_ref());
+        slips.any(|slip| slip.relaxation.as_ref().is_some_and(|(_, deflection)| *deflection == joint))
     }
 
     /// What a joint moves, in names of definitions.

@@ -16,10 +16,11 @@ mod matrix;
 mod mechanism;
 mod motion;
 mod projection;
+mod slip;
 mod unreduced;
 mod vectors;
 
-pub use self::mechanism::{Body, Joint, Mechanism, Motion, Root, Wheel};
+pub use self::mechanism::{Body, Joint, Mechanism, Motion, Root, Slip, Wheel};
 
 use nanoserde::{DeBin, SerBin};
 
@@ -30,6 +31,7 @@ use self::projection::Projection;
 use self::unreduced::Unreduced;
 use crate::formula::Formula;
 use crate::matrix_name::MatrixName;
+use crate::states::States;
 use crate::symbolic::{self, Engine, EngineFailure, Failure, Form, Place};
 
 /// Square matrices of formulas, those that are not zero, in the order of the equation of motion.
@@ -42,6 +44,8 @@ pub struct Derivation {
     /// Names and formulas; names may occur twice.
     pub definitions: Vec<(String, Formula)>,
     pub matrices: Matrices<Formula>,
+    /// For each coordinate which of its position and its rate are states.
+    pub states: Vec<States>,
     /// For each joint that is no coordinate, and whose rate follows from these.
     pub rates: Vec<Rate>,
     /// For each coordinate and each applied force: the force on the coordinate that it makes.
@@ -82,8 +86,6 @@ pub enum Fault {
     Massless { joint: usize, along: Vec<usize> },
     /// A coordinate of which it could not be proved that it moves no mass, where others move along, nor that it does.
     PerhapsMassless { joint: usize, along: Vec<usize> },
-    /// A damper that makes a stiffness proportional to the speed.
-    Dragged { joint: usize },
 }
 
 /// A condition that a wheel on the ground makes.
@@ -185,7 +187,7 @@ fn linearize(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Res
     let motions = Motions::new(&mechanism, &contacts, formulas)?;
     let unreduced = Unreduced::new(&mechanism, &contacts, formulas)?;
     let projection = Projection::new(&mechanism, &unreduced, &motions, formulas);
-    let faults = projection.faults(&motions, formulas);
+    let faults = projection.faults(formulas);
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -199,7 +201,8 @@ impl Linearized {
         let Self { mechanism, motions, matrices } = self;
         let to_formula = |form: &Form| form.to_formula(parameters);
         let all = |row: &[Form]| row.iter().map(to_formula).collect();
-        let n = mechanism.coordinates.len();
+        let freedom = |joint: usize| motions.freedoms.iter().position(|free| *free == joint);
+        let forward = mechanism.root.and_then(|root| freedom(root.forward));
         let yaw = mechanism.root.map(|root| root.yaw);
         // A rate that depends on its own position, as that of a caster does, does not follow from the coordinates.
         let follows = |joint: &usize| {
@@ -207,13 +210,17 @@ impl Linearized {
             !mechanism.coordinates.contains(joint)
                 && others.into_iter().all(|other| motions.positions[*joint][*other].is_nothing())
         };
+        let by_coordinates = |joint: usize| -> Vec<Formula> {
+            let rate = |q: &usize| freedom(*q).map_or(Formula::zero(), |q| to_formula(&motions.rates[joint][q]));
+            mechanism.coordinates.iter().map(rate).collect()
+        };
         let rates = (0..mechanism.joints.len()).filter(follows).map(|joint| {
             let positions = &motions.positions[joint];
             Rate {
                 joint,
                 // The forward rate of all is the speed.
-                speed: motions.rates[joint].get(n).map_or(Formula::zero(), to_formula),
-                rates: all(&motions.rates[joint][..n]),
+                speed: forward.map_or(Formula::zero(), |forward| to_formula(&motions.rates[joint][forward])),
+                rates: by_coordinates(joint),
                 coordinates: mechanism.coordinates.iter().map(|q| to_formula(&positions[*q])).collect(),
                 heading: match mechanism.root {
                     Some(root) if !mechanism.coordinates.contains(&root.yaw) => to_formula(&positions[root.yaw]),
@@ -222,11 +229,12 @@ impl Linearized {
             }
         });
         let rates = rates.collect();
-        let forces =
-            (0..n).map(|q| mechanism.forces.iter().map(|joint| to_formula(&motions.rates[*joint][q])).collect());
+        let by_forces: Vec<Vec<Formula>> = mechanism.forces.iter().map(|joint| by_coordinates(*joint)).collect();
+        let forces = (0..mechanism.coordinates.len()).map(|q| by_forces.iter().map(|force| force[q].clone()).collect());
         let forces = forces.collect();
+        let states = Projection::states(&mechanism, &matrices);
         let matrices = matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect();
         let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), to_formula(form))).collect();
-        Derivation { definitions, matrices, rates, forces }
+        Derivation { definitions, matrices, states, rates, forces }
     }
 }

@@ -11,13 +11,16 @@ use crate::symbolic::Form;
 /// How all joints move: `z' = rates q' + v positions z`, where heights of wheels make `z = places z`. Square matrices have a
 /// row and a column for each joint.
 pub struct Motions {
-    /// A row for each joint, a column for each freedom: the coordinates, and behind them the forward motion if there is one.
+    /// A row for each joint, a column for each freedom.
     pub rates: Matrix,
     pub positions: Matrix,
     /// Columns of joints that the heights of wheels determine are zero.
     pub places: Matrix,
     /// The joints that only roll: no position of theirs is determined by the coordinates.
     pub rolling: Vec<usize>,
+    /// The joints that move freely: the coordinates but for those that follow by rolling, and behind them the forward motion
+    /// if there is one.
+    pub freedoms: Vec<usize>,
 }
 
 impl Motions {
@@ -28,7 +31,8 @@ impl Motions {
     ) -> Result<Self, Vec<Fault>> {
         let count = mechanism.joints.len();
         let forward = mechanism.root.map(|root| root.forward);
-        let freedoms: Vec<usize> = mechanism.coordinates.iter().copied().chain(forward).collect();
+        let is_free = |joint: &usize| !mechanism.following.contains(joint);
+        let freedoms: Vec<usize> = mechanism.coordinates.iter().copied().filter(is_free).chain(forward).collect();
         let dependent: Vec<usize> = (0..count).filter(|joint| !freedoms.contains(joint)).collect();
         // The positions stand behind the rates, as further unknowns.
         let row = |condition: Condition| -> Row {
@@ -50,9 +54,10 @@ impl Motions {
             return Err(faults);
         }
         let heights = solved.clone();
-        let sideways = contacts.iter().map(|contact| (row(contact.sideways()), &dependent[..])).collect();
-        let sideways =
-            solved.add(sideways, formulas, name).into_iter().map(|(wheel, left)| (Ground::Sideways(wheel), left));
+        let held: Vec<usize> = (0..contacts.len()).filter(|wheel| mechanism.wheels[*wheel].slip.is_none()).collect();
+        let sideways = held.iter().map(|wheel| (row(contacts[*wheel].sideways()), &dependent[..])).collect();
+        let sideways = solved.add(sideways, formulas, name).into_iter();
+        let sideways = sideways.map(|(index, left)| (Ground::Sideways(held[index]), left));
         let spins: Vec<[usize; 1]> = mechanism.wheels.iter().map(|wheel| [wheel.spin]).collect();
         let along = contacts.iter().zip(&spins).map(|(contact, spin)| (row(contact.along()), &spin[..])).collect();
         let along = solved.add(along, formulas, name).into_iter().map(|(wheel, left)| (Ground::Along(wheel), left));
@@ -91,8 +96,17 @@ impl Motions {
             rates.push(freedoms.iter().map(|freedom| row[*freedom].clone()).collect());
             positions.push(matrix::times_row(&row[count..], &places));
         }
+        if let Some(root) = mechanism.root.filter(|_| mechanism.slips())
+            && let Some(lateral) = freedoms.iter().position(|joint| *joint == root.lateral)
+        {
+            // The rate of this coordinate is along the axes of the body, which yaws: so neither its position nor that of the
+            // yaw matters.
+            for (rates, positions) in rates.iter().zip(&mut positions) {
+                positions[root.yaw] = &positions[root.yaw] + &rates[lateral];
+            }
+        }
         let rolling = (0..count).filter(|joint| !by_height.contains(joint) && !mechanism.coordinates.contains(joint));
-        Ok(Self { rates, positions, places, rolling: rolling.collect() })
+        Ok(Self { rates, positions, places, rolling: rolling.collect(), freedoms })
     }
 }
 

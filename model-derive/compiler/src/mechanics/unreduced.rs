@@ -7,6 +7,7 @@ use super::formulas::Formulas;
 use super::loads::find_loads;
 use super::matrix::{self, Matrix};
 use super::mechanism::{Mechanism, Motion};
+use super::slip::SideForces;
 use super::vectors::cross;
 use crate::symbolic::Form;
 
@@ -17,8 +18,12 @@ pub struct Unreduced {
     pub spin: Matrix,
     /// To be multiplied by gravity.
     pub weight: Matrix,
+    /// To be divided by the speed.
+    pub slip: Matrix,
     pub damping: Matrix,
     pub stiffness: Matrix,
+    /// Stiffness to be multiplied by the speed.
+    pub relaxation: Matrix,
 }
 
 impl Unreduced {
@@ -58,7 +63,10 @@ impl Unreduced {
         };
         let damping = diagonal(mechanism.joints.iter().map(|joint| joint.damping.as_ref()).collect());
         let stiffness = diagonal(mechanism.joints.iter().map(|joint| joint.stiffness.as_ref()).collect());
-        Ok(Self { mass, spin, weight, damping, stiffness })
+        let SideForces { over_speed, damping: by_rates, stiffness: by_positions, by_speed } =
+            SideForces::new(mechanism, contacts);
+        let (damping, stiffness) = (matrix::plus(&damping, &by_rates), matrix::plus(&stiffness, &by_positions));
+        Ok(Self { mass, spin, weight, slip: over_speed, damping, stiffness, relaxation: by_speed })
     }
 }
 

@@ -14,6 +14,8 @@ mod others;
 #[cfg(feature = "compiler")]
 mod random;
 #[cfg(feature = "compiler")]
+mod tyres;
+#[cfg(feature = "compiler")]
 mod vehicles;
 
 use carvallo::{Coefficients, Matrix};

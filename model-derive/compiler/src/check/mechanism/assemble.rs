@@ -7,6 +7,7 @@ use super::tree::{Role, Tree};
 use crate::formula::Formula;
 use crate::mechanics::{self, Motion, Root};
 use crate::report::Report;
+use crate::states::States;
 use crate::syntax::{Declaration, Freedom, Inertia, JointKind, Mechanism};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -45,7 +46,15 @@ pub fn assemble(
         .map(|wheel| {
             let [mass, radius, axial, radial] = [(); 4].map(|()| attributes.next());
             let centre = attributes.vector();
-            Rolling { mass, centre, radius, tyre: wheel.tyre.as_ref().map(|_| attributes.next()), axial, radial }
+            let tyre = wheel.tyre.as_ref().map(|_| attributes.next());
+            let slip = wheel.slip.as_ref().map(|slip| mechanics::Slip {
+                cornering: attributes.next(),
+                camber: slip.camber.as_ref().map(|_| attributes.next()),
+                trail: slip.trail.as_ref().map(|_| attributes.next()),
+                // Where its coordinate is will be known with the tree.
+                relaxation: slip.relaxation.as_ref().map(|_| (attributes.next(), 0)),
+            });
+            Rolling { mass, centre, radius, tyre, axial, radial, slip }
         })
         .collect();
     let joints: Vec<_> = mechanism
@@ -92,6 +101,10 @@ pub fn assemble(
                 let name = format!("spin_{}", mechanism.wheels[index].name);
                 joint(name, Motion::Turns, Held { point, ..Held::at_origin(1) })
             }
+            Role::Deflection(index) => {
+                let name = mechanism.wheels[index].deflection().map(Ident::to_string).unwrap_or_default();
+                joint(name, Motion::Slides, Held::at_origin(1))
+            }
         }
     });
     let joints: Vec<_> = parts.collect();
@@ -107,13 +120,19 @@ pub fn assemble(
     });
     let bodies = bodies.chain(rims).collect();
     let position = |role: Role| tree.joints.iter().position(|node| node.role == role);
-    let root = position(Role::Forward).zip(position(Role::Freedom(Freedom::Yaw)));
+    let freedom = |freedom: Freedom| position(Role::Freedom(freedom));
+    let root = position(Role::Forward).zip(freedom(Freedom::Lateral).zip(freedom(Freedom::Yaw)));
     let find = |name: &Ident| {
         let (_, role) = named.iter().find(|(known, _)| *known == name)?;
         position(*role)
     };
-    let coordinates = declaration.coordinates.iter().map(|coordinate| find(&coordinate.name)).collect::<Option<_>>()?;
+    let coordinates = declaration.coordinates.iter().map(|coordinate| find(&coordinate.name));
+    let coordinates: Vec<usize> = coordinates.collect::<Option<_>>()?;
     let forces = mechanism.forces.iter().map(|force| find(&force.on)).collect::<Option<_>>()?;
+    let following = declaration.states().zip(&coordinates).filter_map(|(states, joint)| {
+        let holds = matches!(tree.joints[*joint].role, Role::Deflection(_));
+        (states == States::Position && !holds).then_some(*joint)
+    });
     let mechanism = mechanics::Mechanism {
         joints,
         bodies,
@@ -126,9 +145,17 @@ pub fn assemble(
                 radius: wheel.radius,
                 tyre: wheel.tyre,
                 axial: wheel.axial,
+                slip: wheel.slip.map(|slip| mechanics::Slip {
+                    relaxation: slip
+                        .relaxation
+                        .zip(position(Role::Deflection(index)))
+                        .map(|((length, _), joint)| (length, joint)),
+                    ..slip
+                }),
             })
             .collect(),
-        root: root.map(|(forward, yaw)| Root { count: tree.root(), forward, yaw }),
+        root: root.map(|(forward, (lateral, yaw))| Root { count: tree.root(), forward, lateral, yaw }),
+        following: following.collect(),
         coordinates,
         forces,
         added,
@@ -175,6 +202,7 @@ struct Rolling {
     tyre: Option<Formula>,
     axial: Formula,
     radial: Formula,
+    slip: Option<mechanics::Slip<Formula>>,
 }
 
 /// The formulas of a mechanism, which are taken one by one in a fixed order.

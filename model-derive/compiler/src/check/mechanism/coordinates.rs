@@ -6,7 +6,7 @@ use super::tree::Role;
 use crate::mechanics::Motion;
 use crate::nearest::{ask_for, find_nearest};
 use crate::report::Report;
-use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
+use crate::syntax::{Declaration, Freedom, JointKind, Mechanism, Wheel};
 
 /// Finds the names of joints and of freedoms. Coordinates and forces that are of none are reported, unless what is missing may
 /// be among other mistakes: if the mechanism is not `complete`.
@@ -19,8 +19,10 @@ pub fn find_joints<'a>(
     let joints = mechanism.joints.iter().enumerate().map(|(index, joint)| (&joint.name, Role::Joint(index)));
     let freedoms = mechanism.free.iter().flat_map(|free| &free.names);
     let freedoms = freedoms.map(|(freedom, name)| (name, Role::Freedom(*freedom)));
+    let deflections = mechanism.wheels.iter().enumerate();
+    let deflections = deflections.filter_map(|(index, wheel)| Some((wheel.deflection()?, Role::Deflection(index))));
     let mut named: Vec<(&Ident, Role)> = Vec::new();
-    for (name, role) in joints.chain(freedoms) {
+    for (name, role) in joints.chain(freedoms).chain(deflections) {
         if named.iter().any(|(known, _)| *known == name) {
             report.error(name, format!("`{name}` is the coordinate of two joints: expected one of each name"));
         } else if named.iter().any(|(_, known)| *known == role) {
@@ -50,6 +52,7 @@ pub fn find_joints<'a>(
         let turns = match role {
             Role::Joint(index) => mechanism.joints[*index].kind == JointKind::Revolute,
             Role::Freedom(freedom) => axis_of(*freedom).0 == Motion::Turns,
+            Role::Deflection(_) => false,
             Role::Forward | Role::Spin(_) => continue,
         };
         let (what, expected) = if turns { ("turns", "rad") } else { ("slides", "m") };
@@ -59,6 +62,15 @@ pub fn find_joints<'a>(
         if coordinate.direction.is_some() {
             let message = format!("the mechanism says how `{name}` {what}: expected no direction here");
             report.error(name, message);
+        }
+    }
+    for deflection in mechanism.wheels.iter().filter_map(Wheel::deflection) {
+        if complete && !declaration.coordinates.iter().any(|coordinate| coordinate.name == *deflection) {
+            let message = format!(
+                "`{deflection}`, the deflection of a tyre, is a coordinate of first order: expected it among the coordinates, \
+                 `{deflection}: m;`"
+            );
+            report.error(deflection, message);
         }
     }
     for force in &mechanism.forces {

@@ -37,6 +37,8 @@ pub enum Role {
     Joint(usize),
     /// The axle of the wheel at a position.
     Spin(usize),
+    /// The deflection of the tyre of the wheel at a position, which moves nothing else.
+    Deflection(usize),
 }
 
 /// Grows the tree, unless there are mistakes in it, which are reported.
@@ -131,6 +133,8 @@ impl Attachments<'_> {
             }
             tree.joints.push(Node { role: Role::Spin(index), parent });
         }
+        let deflections = mechanism.wheels.iter().enumerate().filter(|(_, wheel)| wheel.deflection().is_some());
+        tree.joints.extend(deflections.map(|(index, _)| Node { role: Role::Deflection(index), parent: None }));
         let bodies: Option<Vec<usize>> = moved_by.into_iter().flatten().collect();
         let spins = (0..tree.joints.len()).filter(|joint| matches!(tree.joints[*joint].role, Role::Spin(_)));
         let moved_by: Vec<usize> = bodies?.into_iter().chain(spins).collect();

@@ -8,11 +8,12 @@ use crate::check::mechanism::axis_of;
 use crate::check::names::Scope;
 use crate::mechanics::Motion;
 use crate::report::Report;
-use crate::syntax::{Coordinate, Declaration, Direction, Expression, Inertia, JointKind, Mechanism, Vector};
+use crate::syntax::{Coordinate, Declaration, Direction, Expression, Inertia, JointKind, Mechanism, Slip, Vector};
 
 const MASS: Dimension = Dimension::new([1, 0, 0]);
 const LENGTH: Dimension = Dimension::new([0, 1, 0]);
 const INERTIA: Dimension = Dimension::new([1, 2, 0]);
+const FORCE: Dimension = Dimension::new([1, 1, -2]);
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Reports what is in another unit than its place asks for; `definitions` are the dimensions of those.
@@ -42,6 +43,20 @@ pub fn check_mechanism(
         }
         check.formula(&wheel.axial, INERTIA, &format!("the axial moment of inertia of `{name}`"));
         check.formula(&wheel.radial, INERTIA, &format!("the radial moment of inertia of `{name}`"));
+        if let Some(Slip { cornering, camber, trail, relaxation }) = &wheel.slip {
+            let force = "N, the side force by an angle in rad";
+            check.formula_in(cornering, FORCE, &format!("the cornering stiffness of `{name}`"), force);
+            if let Some(camber) = camber {
+                check.formula_in(camber, FORCE, &format!("the camber stiffness of `{name}`"), force);
+            }
+            let lengths =
+                [(trail.as_ref(), "trail"), (relaxation.as_ref().map(|(length, _)| length), "relaxation length")];
+            for (length, what) in lengths {
+                if let Some(length) = length {
+                    check.length(length, &format!("the {what} of the tyre of `{name}`"));
+                }
+            }
+        }
     }
     for joint in &mechanism.joints {
         let name = &joint.name;
@@ -76,6 +91,9 @@ pub fn check_mechanism(
 
 /// How a coordinate mirrors: along or about the axis of its joint, whose components have signs of their own.
 fn find_direction(coordinate: &Coordinate, mechanism: &Mechanism, analysis: &Analysis<'_>) -> Option<Direction> {
+    if mechanism.wheels.iter().any(|wheel| wheel.deflection() == Some(&coordinate.name)) {
+        return Some(Direction::Along([false, true, false]));
+    }
     let mut freedoms = mechanism.free.iter().flat_map(|free| &free.names);
     let (turns, axis, odd) = if let Some((freedom, _)) = freedoms.find(|(_, name)| *name == coordinate.name) {
         let (motion, axis) = axis_of(*freedom);

@@ -5,6 +5,7 @@ use syn::Token;
 use syn::parse::ParseStream;
 
 use super::expressions::parse_expression;
+use super::names::parse_name;
 use super::tokens::{expected, parse_colon, parse_semicolon};
 use super::vectors::{parse_inertia, parse_vector};
 use crate::nearest::{ask_for, find_nearest};
@@ -21,6 +22,8 @@ pub enum Shape {
     Vector,
     /// `[[…], […], […]]`, `[Ixx, Iyy, Izz]` or `0`.
     Inertia,
+    /// The name of a coordinate.
+    Name,
 }
 
 #[derive(Debug)]
@@ -29,6 +32,7 @@ enum Attribute {
     Formula(Expression),
     Vector(Box<Vector>),
     Inertia(Inertia),
+    Name(Ident),
 }
 
 /// The attributes that a part is given, until they are taken.
@@ -73,6 +77,7 @@ impl Attributes {
                 Shape::Formula => Attribute::Formula(parse_expression(input)?),
                 Shape::Vector => Attribute::Vector(Box::new(parse_vector(input, &word)?)),
                 Shape::Inertia => Attribute::Inertia(parse_inertia(input)?),
+                Shape::Name => Attribute::Name(parse_name(input, "the name of a coordinate")?),
             };
             given.push((word, attribute));
             if input.parse::<Option<Token![,]>>()?.is_none() {
@@ -105,6 +110,14 @@ impl Attributes {
         }
     }
 
+    /// A name that may be given.
+    pub fn name(&mut self, word: &str) -> Option<Ident> {
+        match self.take(word)? {
+            Attribute::Name(name) => Some(name),
+            _ => None,
+        }
+    }
+
     /// A vector that must be given.
     pub fn vector(&mut self, word: &str, what: &str) -> syn::Result<Vector> {
         match self.take(word) {
@@ -126,7 +139,7 @@ impl Attributes {
         Some(self.given.remove(position).1)
     }
 
-    fn missing(&self, word: &str, what: &str) -> syn::Error {
+    pub fn missing(&self, word: &str, what: &str) -> syn::Error {
         error(&self.owner, format!("`{}` has no `{word}`: expected {what}", self.owner))
     }
 }

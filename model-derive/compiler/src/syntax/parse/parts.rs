@@ -8,7 +8,7 @@ use super::attributes::{Attributes, Shape};
 use super::names::{parse_name, parse_used};
 use super::tokens::{expected, parse_colon, parse_semicolon, parse_text, parse_word};
 use crate::report::error;
-use crate::syntax::tree::{Body, Force, Free, Freedom, Joint, JointKind, Wheel};
+use crate::syntax::tree::{Body, Force, Free, Freedom, Joint, JointKind, Slip, Wheel};
 
 /// `body B "rear frame": mass mB, at (xB, 0, zB), inertia [[…], […], […]];`
 pub fn parse_body(input: ParseStream<'_>) -> syn::Result<Body> {
@@ -32,13 +32,18 @@ pub fn parse_body(input: ParseStream<'_>) -> syn::Result<Body> {
 
 /// `wheel R "rear wheel" on B: mass mR, at (0, 0, -rR), radius rR, axial IRyy, radial IRxx;`
 pub fn parse_wheel(input: ParseStream<'_>) -> syn::Result<Wheel> {
-    const KNOWN: [(&str, Shape); 6] = [
+    const KNOWN: [(&str, Shape); 11] = [
         ("mass", Shape::Formula),
         ("at", Shape::Vector),
         ("radius", Shape::Formula),
         ("tyre", Shape::Formula),
         ("axial", Shape::Formula),
         ("radial", Shape::Formula),
+        ("cornering", Shape::Formula),
+        ("camber", Shape::Formula),
+        ("trail", Shape::Formula),
+        ("relaxation", Shape::Formula),
+        ("deflection", Shape::Name),
     ];
     let name = parse_name(input, "the name of a wheel")?;
     let label = parse_text(input)?;
@@ -57,10 +62,39 @@ pub fn parse_wheel(input: ParseStream<'_>) -> syn::Result<Wheel> {
         axial: found.formula("axial", "`axial` and its moment of inertia about the axle")?,
         radial: found.formula("radial", "`radial` and its moment of inertia about a diameter")?,
         tyre: found.optional("tyre"),
+        slip: parse_slip(&mut found)?,
         name,
         label,
         carrier,
     })
+}
+
+/// What of a tyre's side force is given, if it slips.
+fn parse_slip(found: &mut Attributes) -> syn::Result<Option<Slip>> {
+    let cornering = found.optional("cornering");
+    let [camber, trail, length] = ["camber", "trail", "relaxation"].map(|word| found.optional(word));
+    let deflection = found.name("deflection");
+    let relaxation = match (length, deflection) {
+        (Some(length), Some(deflection)) => Some((length, deflection)),
+        (Some(_), None) => {
+            let what = "beside `relaxation` the name of the coordinate that is the tyre's deflection, `deflection e`, with \
+                        `e: m;` among the coordinates";
+            return Err(found.missing("deflection", what));
+        }
+        (None, Some(_)) => {
+            return Err(found.missing("relaxation", "it beside `deflection`: the length over which it follows"));
+        }
+        (None, None) => None,
+    };
+    match cornering {
+        Some(cornering) => Ok(Some(Slip { cornering, camber, trail, relaxation })),
+        None if camber.is_some() || trail.is_some() || relaxation.is_some() => {
+            let what = "its side force by slip angle, in N (by rad), beside `camber`, `trail` and `relaxation`: without it the \
+                        wheel does not slip";
+            Err(found.missing("cornering", what))
+        }
+        None => Ok(None),
+    }
 }
 
 /// `revolute delta: B to H, through (w + c, 0, 0), along (sin(lam), 0, cos(lam)), spring k, damper d;`

@@ -41,7 +41,8 @@ impl Mechanism {
         });
         let wheels = self.wheels.iter().flat_map(|wheel| {
             let moments = [&wheel.mass, &wheel.radius, &wheel.axial, &wheel.radial];
-            moments.into_iter().chain(&wheel.centre.components).chain(&wheel.tyre)
+            let slip = wheel.slip.iter().flat_map(Slip::formulas);
+            moments.into_iter().chain(&wheel.centre.components).chain(&wheel.tyre).chain(slip)
         });
         let joints = self.joints.iter().flat_map(|joint| {
             let point = joint.through.iter().flat_map(|through| &through.components);
@@ -89,6 +90,36 @@ pub struct Wheel {
     pub tyre: Option<Expression>,
     pub axial: Expression,
     pub radial: Expression,
+    /// Of a wheel that slips sideways.
+    pub slip: Option<Slip>,
+}
+
+/// `cornering C, camber G, trail t, relaxation s, deflection e`: the side force of a tyre that slips.
+#[derive(Debug)]
+pub struct Slip {
+    /// Side force by slip angle.
+    pub cornering: Expression,
+    /// Side force by camber angle.
+    pub camber: Option<Expression>,
+    /// How far behind the contact point the side force acts.
+    pub trail: Option<Expression>,
+    /// Over what length the force follows, and the coordinate of first order that is the deflection of the tyre.
+    pub relaxation: Option<(Expression, Ident)>,
+}
+
+impl Slip {
+    /// The formulas in it.
+    pub fn formulas(&self) -> impl Iterator<Item = &Expression> {
+        let relaxation = self.relaxation.iter().map(|(length, _)| length);
+        [&self.cornering].into_iter().chain(&self.camber).chain(&self.trail).chain(relaxation)
+    }
+}
+
+impl Wheel {
+    /// The coordinate that is the deflection of its tyre, if its side force relaxes.
+    pub fn deflection(&self) -> Option<&Ident> {
+        self.slip.as_ref()?.relaxation.as_ref().map(|(_, deflection)| deflection)
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
