@@ -56,8 +56,8 @@ impl Analysis {
     pub fn new(design: Design) -> Result<Self, Failure> {
         let gravity = design.gravity().unwrap_or(0.0);
         let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
+        let stability = design.equations.stability(gravity).map_err(fail)?;
         let two = design.equations.of_two();
-        let stability = two.map(|coefficients| Stability::new(coefficients, gravity)).transpose().map_err(fail)?;
         let is_bicycle = design.info().coordinates.iter().map(|coordinate| coordinate.label).eq(BICYCLE);
         let modes = two.filter(|_| is_bicycle).map(|coefficients| Modes::new(coefficients, gravity));
         let modes = modes.transpose().map_err(fail)?;
@@ -84,16 +84,23 @@ impl Analysis {
         self.modes.as_ref().map(Modes::all).unwrap_or_default()
     }
 
-    /// The eigenvalues at each of the speeds.
+    /// The eigenvalues at each of the speeds; none at rest, where there are no equations of motion with a C-1.
     ///
     /// # Errors
     /// If they cannot be computed at one of them.
     pub fn rows(&self, speeds: &[f64]) -> Result<Rows, Failure> {
+        let speeds: Vec<f64> = speeds.iter().copied().filter(|speed| self.has_equations_at(*speed)).collect();
+        let speeds = speeds.as_slice();
         Ok(match &self.modes {
             Some(modes) => Rows::Modes(self.each(speeds, |speed| modes.at(speed))?),
             None if self.design.model.depends_on_speed() => Rows::Sorted(self.each(speeds, |v| self.eigenvalues(v))?),
             None => Rows::Sorted(self.each(&[0.0], |v| self.eigenvalues(v))?),
         })
+    }
+
+    /// Whether there are equations of motion at a speed: at rest not with a C-1.
+    pub fn has_equations_at(&self, speed: f64) -> bool {
+        speed != 0.0 || !self.design.equations.is_divided_by_speed()
     }
 
     fn each<V>(&self, speeds: &[f64], values: impl Fn(f64) -> Result<V, SystemError>) -> Result<Vec<Row<V>>, Failure> {

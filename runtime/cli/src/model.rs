@@ -2,9 +2,14 @@
 //! by its name.
 
 use std::any::Any;
+use std::fmt;
 use std::fmt::Debug;
+use std::marker::PhantomData;
 
-use carvallo::{Coefficients, Complex, Matrix, MatrixName, Model, ModelInfo, Sensitivity, SystemError};
+use carvallo::{
+    Coefficients, Complex, CoordinateInfo, Matrix, MatrixName, Model, ModelInfo, Sensitivity, Stability, States,
+    SystemError,
+};
 use carvallo_models::Whipple;
 
 use crate::number::with_unit;
@@ -14,43 +19,39 @@ use crate::number::with_unit;
 pub struct Shipped {
     /// What the model tells about itself.
     pub info: &'static ModelInfo,
-    equations: Construct,
-    visit: Visit,
-    differentiate: Differentiate,
+    derivation: &'static dyn Derivation,
 }
 
 /// All of them.
 pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 
 /// The model that is meant unless another one is named: that of the shipped bicycles.
-pub static WHIPPLE: Shipped = Shipped::of::<_, Whipple>();
+pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
 
-/// Makes the equations of motion from parameters in declared order, or says which of them cannot be.
-pub(crate) type Construct = fn(&[f64]) -> Result<Box<dyn Equations>, String>;
+/// What makes equations of motion from parameters, which are in declared order.
+pub(crate) trait Derivation: Debug + Sync {
+    /// The equations of motion, or which of the parameters cannot be.
+    fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String>;
 
-/// Hands the equations of motion to a visitor, where they need no place of their own in memory.
-pub(crate) type Visit = fn(&[f64], Visitor) -> Result<(), String>;
+    /// Hands the equations of motion to a visitor, where they need no place of their own in memory.
+    fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String>;
+
+    /// How the equations of motion change with the parameters; `None` for other than two coordinates.
+    fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, String>;
+}
 
 /// What looks at equations of motion, and may say what is wrong with them.
 pub(crate) type Visitor<'a> = &'a mut dyn FnMut(&dyn Equations) -> Result<(), String>;
 
-/// Differentiates the equations of motion; `None` for other than two coordinates.
-pub(crate) type Differentiate = fn(&[f64]) -> Result<Option<Sensitivity<2>>, String>;
-
 impl Shipped {
     /// A model by its type.
-    pub const fn of<const N: usize, M: Model<N, Scalar = f64>>() -> Self {
-        Self::new(M::INFO, equations::<N, M>, visit::<N, M>, differentiate::<N, M>)
+    pub const fn of<const N: usize, M: Model<N, Scalar = f64> + 'static>() -> Self {
+        Self { info: M::INFO, derivation: &Compiled::<N, M>(PhantomData) }
     }
 
-    /// A model by what it tells about itself and what can be done with it.
-    pub(crate) const fn new(
-        info: &'static ModelInfo,
-        equations: Construct,
-        visit: Visit,
-        differentiate: Differentiate,
-    ) -> Self {
-        Self { info, equations, visit, differentiate }
+    /// A model by what it tells about itself and what makes its equations of motion.
+    pub(crate) const fn new(info: &'static ModelInfo, derivation: &'static dyn Derivation) -> Self {
+        Self { info, derivation }
     }
 
     /// The model called so, in letters of either case.
@@ -82,7 +83,7 @@ impl Shipped {
     /// # Errors
     /// The first of them, or of the model's requirements, that does not hold.
     pub fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
-        (self.equations)(parameters)
+        self.derivation.equations(parameters)
     }
 
     /// Hands the equations of motion for parameters in declared order to a visitor: the way for many designs, since it
@@ -91,7 +92,7 @@ impl Shipped {
     /// # Errors
     /// The first of them, or of the model's requirements, that does not hold; or what the visitor says.
     pub fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String> {
-        (self.visit)(parameters, visitor)
+        self.derivation.visit(parameters, visitor)
     }
 
     /// How the equations of motion of two coordinates change with parameters in declared order; `None` for any other
@@ -101,7 +102,22 @@ impl Shipped {
     /// The first of them, or of the model's requirements, that does not hold; that the model was compiled without
     /// derivatives; or that one is not finite.
     pub fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, String> {
-        (self.differentiate)(parameters)
+        self.derivation.sensitivity(parameters)
+    }
+
+    /// How many eigenvalues there are: one for each state.
+    pub fn eigenvalues(&self) -> usize {
+        let states = |coordinate: &CoordinateInfo| if coordinate.states == States::Both { 2 } else { 1 };
+        self.info.coordinates.iter().map(states).sum()
+    }
+
+    /// Whether critical speeds are found: of two coordinates, with their positions and rates for states, and without C-1 and
+    /// K1.
+    pub fn has_critical_speeds(&self) -> bool {
+        let odd = [MatrixName::Cm1, MatrixName::K1];
+        self.eigenvalues() == 4
+            && self.info.coordinates.len() == 2
+            && !odd.iter().any(|matrix| self.info.matrices.contains(matrix))
     }
 
     /// Whether the equations of motion depend on the speed.
@@ -110,19 +126,28 @@ impl Shipped {
     }
 }
 
-fn equations<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
-    Ok(Box::new(valid::<N, M>(parameters)?.coefficients()))
+/// The functions that a declaration was compiled to.
+struct Compiled<const N: usize, M>(PhantomData<fn() -> M>);
+
+impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
+    fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
+        Ok(Box::new(valid::<N, M>(parameters)?.coefficients()))
+    }
+
+    fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String> {
+        visitor(&valid::<N, M>(parameters)?.coefficients())
+    }
+
+    fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, String> {
+        let sensitivity = Sensitivity::<N>::of_any(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
+        Ok(as_of_two(&sensitivity).cloned())
+    }
 }
 
-fn visit<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64], visitor: Visitor) -> Result<(), String> {
-    visitor(&valid::<N, M>(parameters)?.coefficients())
-}
-
-fn differentiate<const N: usize, M: Model<N, Scalar = f64>>(
-    parameters: &[f64],
-) -> Result<Option<Sensitivity<2>>, String> {
-    let sensitivity = Sensitivity::<N>::of_any(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
-    Ok(as_of_two(&sensitivity).cloned())
+impl<const N: usize, M> Debug for Compiled<N, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(std::any::type_name::<M>())
+    }
 }
 
 /// The model with parameters in declared order.
@@ -154,8 +179,18 @@ pub trait Equations: Debug {
     /// If there are none, as for a singular mass matrix.
     fn eigenvalues(&self, speed: f64, gravity: f64) -> Result<Vec<Complex<f64>>, SystemError>;
 
-    /// The coefficients of exactly two coordinates, for which there is more to be had.
+    /// Critical speeds and stable ranges; none for what they are not computed for.
+    ///
+    /// # Errors
+    /// If there are none, as for a singular mass matrix.
+    fn stability(&self, gravity: f64) -> Result<Option<Stability>, SystemError>;
+
+    /// The coefficients of exactly two coordinates, for which there is more to be had: without C-1 and K1, and with
+    /// positions and rates for states.
     fn of_two(&self) -> Option<&Coefficients<f64, 2>>;
+
+    /// Whether there is a C-1, with which there are no equations of motion at rest.
+    fn is_divided_by_speed(&self) -> bool;
 }
 
 impl<const N: usize> Equations for Coefficients<f64, N> {
@@ -168,7 +203,17 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
         self.at(speed, gravity)?.eigenvalues()
     }
 
+    fn stability(&self, gravity: f64) -> Result<Option<Stability>, SystemError> {
+        self.of_two().map(|two| Stability::new(two, gravity)).transpose()
+    }
+
     fn of_two(&self) -> Option<&Coefficients<f64, 2>> {
-        as_of_two(self)
+        let is_zero = |matrix: &Matrix<f64, N>| matrix.iter().all(|&entry| entry == 0.0);
+        let has_both = self.states.iter().all(|states| *states == States::Both);
+        as_of_two(self).filter(|_| has_both && is_zero(&self.cm1) && is_zero(&self.k1))
+    }
+
+    fn is_divided_by_speed(&self) -> bool {
+        self.cm1.iter().any(|&entry| entry != 0.0)
     }
 }

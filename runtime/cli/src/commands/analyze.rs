@@ -90,7 +90,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     let given = options.speeds.as_ref();
     let speeds_or = |default: fn() -> Vec<f64>| given.map_or_else(default, |Speeds(speeds)| speeds.clone());
-    let rows = analysis.rows(&speeds_or(if options.format == Format::Table { coarse_speeds } else { fine_speeds }))?;
+    let speeds = speeds_or(if options.format == Format::Table { coarse_speeds } else { fine_speeds });
+    tell_of_rest(&analysis, &speeds)?;
+    let rows = analysis.rows(&speeds)?;
     if let Some(picture) = &options.plot {
         let x = options.xlim.map_or_else(|| extremes(&speeds_or(fine_speeds)), |SpeedLimits(low, high)| (low, high));
         let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
@@ -101,6 +103,23 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Format::Json => write(|output| output::write_json(&analysis, &rows, output)),
         Format::Csv => write(|output| output::write_csv(&analysis, &rows, output)),
     }
+}
+
+/// With a C-1 there is nothing at rest, which is told; where nothing else is asked for, it is a failure.
+fn tell_of_rest(analysis: &Analysis, speeds: &[f64]) -> Result<(), Failure> {
+    let mut left_out = speeds.iter().filter(|speed| !analysis.has_equations_at(**speed)).peekable();
+    if left_out.peek().is_none() {
+        return Ok(());
+    }
+    let nothing = format!(
+        "{}: at 0 m/s there are no equations of motion, since C-1 is divided by the speed",
+        analysis.design.title()
+    );
+    if left_out.count() == speeds.len() {
+        return Err(Failure::Run(nothing));
+    }
+    note(WARNING, "note", &format!("{nothing}: left out"));
+    Ok(())
 }
 
 /// The speeds of tables, in m/s.

@@ -1,6 +1,8 @@
 //! What every file format is read into, before any name or value is judged.
 
+use super::tables::Named;
 use crate::failure::{Place, Problem};
+use crate::matrices::Form;
 
 /// A parameter file, with its values still as they were written.
 #[derive(Debug, Default)]
@@ -13,6 +15,12 @@ pub struct Document {
     pub entries: Vec<Entry>,
     /// What describes the file where its parameters stand in a group of their own.
     pub outside: Vec<Entry>,
+    /// Matrices in the place of parameters, and what goes with them, until all of the file is read.
+    pub parts: Vec<Named>,
+    /// What matrices there are, if there are any: their entries are among the others then.
+    pub form: Option<Form>,
+    /// What was taken for something else than it is called.
+    pub notes: Vec<String>,
     /// What was wrong with the format itself.
     pub problems: Vec<Problem>,
 }

@@ -9,6 +9,7 @@ use super::names::{self, Expected, Known};
 use super::scope::Scope;
 use super::value;
 use crate::failure::{Place, Problem};
+use crate::matrices;
 use crate::nearest::nearest;
 use crate::number::{shortest, with_unit};
 
@@ -109,7 +110,10 @@ impl<'a> Entries<'a> {
         let mut unused: Vec<&Entry> = Vec::new();
         for &entry in self.unknown.iter().filter(|entry| !scope.is_used(entry)) {
             let hint = nearest(&entry.name, missing.names.iter().copied());
-            if missing.is_serious || hint.is_some() {
+            if info.name == matrices::NAME {
+                let message = super::matrices::unknown(&entry.name);
+                remarks.problems.push(Problem { place: entry.place.clone(), message });
+            } else if missing.is_serious || hint.is_some() {
                 remarks.problems.push(unknown(entry, info, hint));
             } else {
                 unused.push(entry);

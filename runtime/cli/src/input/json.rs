@@ -1,14 +1,14 @@
 //! Parameter files in JSON: an object of values, alone or under `parameters`, as `--format json` writes it.
 
-use jsonc_parser::ast::{Array, ObjectProp, Value};
+use jsonc_parser::ast::{self, ObjectProp};
+use jsonc_parser::common::Ranged as _;
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
-use super::document::{Document, Entry, File, Written};
-use super::matrices;
+use super::document::{Document, File};
+use super::tables::{Named, Node, Value, Words};
 
-/// What the output of an analysis, or of the sensitivity, holds besides the parameters.
-const RESULTS: [&str; 5] =
-    ["matrices", "matrix_standard_deviations", "critical_speeds", "stable_ranges", "eigenvalues"];
+const WORDS: Words =
+    Words { parameters: "`parameters`", table: "an object", table_without_value: "an object without `value`" };
 
 /// Reads an object that holds an object `parameters`, or the parameters themselves.
 pub fn read(file: File) -> Document {
@@ -28,7 +28,7 @@ pub fn read(file: File) -> Document {
         allow_extended_string_escapes: false,
     };
     let object = match parse_to_ast(file.text, &CollectOptions::default(), &options).map(|parsed| parsed.value) {
-        Ok(Some(Value::Object(object))) => object,
+        Ok(Some(ast::Value::Object(object))) => object,
         // An empty file has no parameters, whatever its format.
         Ok(None) => return document,
         Ok(_) => {
@@ -40,68 +40,29 @@ pub fn read(file: File) -> Document {
             return document;
         }
     };
-    let nested = object.get_object("parameters");
-    let matrices = object.get_object("matrices").filter(|_| nested.is_none());
-    for property in matrices.unwrap_or(&object).properties.iter().filter(|_| nested.is_none()) {
-        if let (Some(matrix), Value::Array(rows)) = (matrices::name(property.name.as_str()), &property.value) {
-            document.take_matrix(matrix, &file.line_at(property.range.start), rows_of(rows));
-        } else if matrices.is_some() {
-            take(&mut document, file, property);
-        }
-    }
-    for property in &object.properties {
-        let name = property.name.as_str();
-        match &property.value {
-            Value::StringLit(text) if document.take_heading(name, &text.value) => {}
-            Value::Array(_) if nested.is_none() && matrices::name(name).is_some() => {}
-            Value::Object(_) if matrices.is_some() && name == "matrices" => {}
-            _ if nested.is_some() && (name == "parameters" || RESULTS.contains(&name)) => {}
-            _ if nested.is_some() => {
-                document
-                    .problem(file.line_at(property.range.start), format!("`{name}` stands outside of `parameters`"));
-            }
-            _ => take(&mut document, file, property),
-        }
-    }
-    let properties = nested.map(|object| object.properties.as_slice()).unwrap_or_default();
-    properties.iter().for_each(|property| take(&mut document, file, property));
-    document.finish_matrices();
+    let members = object.properties.iter().map(|property| named(file, property)).collect();
+    document.take_all(members, &WORDS);
     document
 }
 
-/// The rows of a matrix.
-fn rows_of(rows: &Array) -> Option<Vec<Vec<Written>>> {
-    let row = |row: &Value| match row {
-        Value::Array(row) => Some(row.elements.iter().map(written).collect()),
-        _ => None,
-    };
-    rows.elements.iter().map(row).collect()
+fn named(file: File, property: &ObjectProp) -> Named {
+    let node = Node { place: file.line_at(property.range.start), value: value(file, &property.value) };
+    Named { name: property.name.as_str().to_owned(), node }
 }
 
-/// `"name": value`, or `"name": { "value": …, "std": …, "unit": … }`.
-fn take(document: &mut Document, file: File, property: &ObjectProp) {
-    let name = property.name.as_str();
-    let place = file.line_at(property.range.start);
-    match &property.value {
-        Value::StringLit(text) => document.entries.push(Entry::from_text(name, place, &text.value)),
-        Value::Object(object) => {
-            let members = object.properties.iter().map(|member| (member.name.as_str(), written(&member.value)));
-            document.take_members(name, place, members, "an object without `value`");
-        }
-        value => {
-            let value = written(value);
-            document.entries.push(Entry { name: name.to_owned(), place, value, deviation: None });
-        }
-    }
-}
-
-fn written(value: &Value) -> Written {
+fn value(file: File, value: &ast::Value) -> Value {
     match value {
-        Value::StringLit(text) => Written::Text(text.value.to_string()),
-        Value::NumberLit(number) => Written::Text(number.value.to_owned()),
-        Value::BooleanLit(_) => Written::Other("a boolean"),
-        Value::Object(_) => Written::Other("an object"),
-        Value::Array(_) => Written::Other("an array"),
-        Value::NullKeyword(_) => Written::Other("null"),
+        ast::Value::StringLit(text) => Value::Text(text.value.to_string()),
+        ast::Value::NumberLit(number) => Value::Number(number.value.to_owned()),
+        ast::Value::Array(array) => {
+            let node =
+                |inner: &ast::Value| Node { place: file.line_at(inner.range().start), value: self::value(file, inner) };
+            Value::List(array.elements.iter().map(node).collect())
+        }
+        ast::Value::Object(object) => {
+            Value::Table(object.properties.iter().map(|property| named(file, property)).collect())
+        }
+        ast::Value::BooleanLit(_) => Value::Other("a boolean"),
+        ast::Value::NullKeyword(_) => Value::Other("null"),
     }
 }

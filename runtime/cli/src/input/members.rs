@@ -8,14 +8,14 @@ use crate::quantity::{has_deviation, is_unit_alone};
 const MEMBERS: [&str; 3] = ["value", "std", "unit"];
 
 impl Document {
-    /// Takes a parameter by its members; `without` says what it is that has no value: `a table without `value``.
-    pub fn take_members<'a>(
+    /// A parameter by its members; `without` says what it is that has no value: `a table without `value``.
+    pub fn entry_of_members(
         &mut self,
-        name: &str,
+        name: String,
         place: Place,
-        members: impl IntoIterator<Item = (&'a str, Written)>,
+        members: impl IntoIterator<Item = (String, Written)>,
         without: &'static str,
-    ) {
+    ) -> Entry {
         let mut known = [const { None }; MEMBERS.len()];
         let mut problems = Vec::new();
         for (member, written) in members {
@@ -24,7 +24,7 @@ impl Document {
                 Some(at) => known[at] = Some(written),
                 // Among the results of a sensitivity, which are read as parameters.
                 None if member == "one_percent" => {}
-                None => problems.push(unknown(member, name)),
+                None => problems.push(unknown(&member, &name)),
             }
         }
         let [value, deviation, unit] = known;
@@ -47,7 +47,7 @@ impl Document {
         if !matches!(value, Written::Other(found) if found == without) {
             problems.into_iter().for_each(|message| self.problem(place.clone(), message));
         }
-        self.entries.push(Entry { name: name.to_owned(), place, value, deviation });
+        Entry { name, place, value, deviation }
     }
 }
 

@@ -13,6 +13,7 @@ mod parameters;
 mod plausible;
 mod scope;
 mod shipped;
+mod tables;
 mod texts;
 mod toml;
 mod value;
@@ -23,7 +24,6 @@ use std::path::Path;
 use self::document::{Document, Entry, File};
 use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
-use crate::matrices::MATRICES;
 use crate::model::{Shipped, WHIPPLE};
 
 pub use self::names::position;
@@ -64,18 +64,19 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
         overrides.map(|(option, name, value)| Entry::from_text(name, Place::Option(option.clone()), value)).collect();
     let asked = request.model.as_ref().map(|name| {
         let place = Place::Option(format!("--model {name}"));
-        called(name).map_err(|message| Failure::Input(vec![Problem { place, message }]))
+        Kind::called(name).map_err(|message| Failure::Input(vec![Problem { place, message }]))
     });
     let asked = asked.transpose()?;
-    let expected = asked.unwrap_or(&WHIPPLE);
-    let name = request.parameters.as_deref().or_else(|| shipped::default_name(expected));
+    let expected = asked.unwrap_or(Kind::Shipped(&WHIPPLE));
+    let shipped = expected.shipped();
+    let name = request.parameters.as_deref().or_else(|| shipped.and_then(shipped::default_name));
     let Some(name) = name else {
         return Err(Failure::usage(format!(
             "no parameter set ships for the model {}: expected a file",
-            expected.info.name
+            expected.name()
         )));
     };
-    let (label, document) = if let Some(document) = shipped::find(expected, name) {
+    let (label, document) = if let Some(document) = shipped.and_then(|shipped| shipped::find(shipped, name)) {
         (name, document)
     } else if name == "-" {
         let mut bytes = Vec::new();
@@ -86,7 +87,10 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
         let bytes = std::fs::read(name).map_err(|error| Failure::Run(format!("cannot read {name}: {error}")))?;
         (name, parse(name, bytes)?)
     } else {
-        return Err(Failure::usage(shipped::unknown(expected, name)));
+        return Err(Failure::usage(match shipped {
+            Some(shipped) => shipped::unknown(shipped, name),
+            None => format!("there is no file {name}"),
+        }));
     };
     resolve(document, label, asked, overrides)
 }
@@ -100,22 +104,29 @@ pub fn read(label: &str, bytes: Vec<u8>) -> Result<Design, Failure> {
 }
 
 /// Judges the parameters by the model that was asked for, or else the one that they name themselves.
-fn resolve(
-    mut document: Document,
-    label: &str,
-    asked: Option<&'static Shipped>,
-    overrides: Vec<Entry>,
-) -> Result<Design, Failure> {
-    let model = match (asked, &document.model) {
-        (None, None) => Ok(&WHIPPLE),
-        (None, Some(name)) => called(name),
+fn resolve(mut document: Document, label: &str, asked: Option<Kind>, overrides: Vec<Entry>) -> Result<Design, Failure> {
+    let kind = match (asked, &document.model) {
+        (None, None) => Ok(Kind::Shipped(&WHIPPLE)),
+        (None, Some(name)) => Kind::called(name),
         (Some(asked), Some(name)) if !asked.is_called(name) => {
-            Err(format!("the parameters are for the model `{name}`, but --model is {}", asked.info.name))
+            Err(format!("the parameters are for the model `{name}`, but --model is {}", asked.name()))
         }
         (Some(asked), _) => Ok(asked),
     };
+    let model = kind.and_then(|kind| match (kind, &document.form) {
+        (Kind::Shipped(model), None) => Ok(Some(model)),
+        (Kind::Shipped(model), Some(_)) => {
+            Err(format!("there are matrices in the place of parameters of the model `{}`", model.info.name))
+        }
+        (Kind::Matrices, Some(form)) => Ok(Some(crate::matrices::model(form))),
+        (Kind::Matrices, None) if document.problems.is_empty() => {
+            Err("there are no matrices; expected `M` and others, in JSON or TOML".to_owned())
+        }
+        (Kind::Matrices, None) => Ok(None),
+    });
     match model {
-        Ok(model) => parameters::resolve(document, label, model, overrides).map_err(Failure::Input),
+        Ok(Some(model)) => parameters::resolve(document, label, model, overrides).map_err(Failure::Input),
+        Ok(None) => Err(Failure::Input(document.problems)),
         Err(message) => {
             document.problem(Place::File(label.to_owned()), message);
             Err(Failure::Input(document.problems))
@@ -123,11 +134,35 @@ fn resolve(
     }
 }
 
-/// The model called so: one that ships, or that of given matrices.
-fn called(name: &str) -> Result<&'static Shipped, String> {
-    match MATRICES.into_iter().find(|model| model.is_called(name)) {
-        Some(model) => Ok(model),
-        None => Shipped::called(name),
+/// What a model can be.
+#[derive(Clone, Copy)]
+enum Kind {
+    Shipped(&'static Shipped),
+    /// That of given matrices.
+    Matrices,
+}
+
+impl Kind {
+    fn called(name: &str) -> Result<Self, String> {
+        if crate::matrices::is_called(name) { Ok(Self::Matrices) } else { Shipped::called(name).map(Self::Shipped) }
+    }
+
+    fn is_called(self, name: &str) -> bool {
+        match self {
+            Self::Shipped(model) => model.is_called(name),
+            Self::Matrices => crate::matrices::is_called(name),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        self.shipped().map_or(crate::matrices::NAME, |model| model.info.name)
+    }
+
+    fn shipped(self) -> Option<&'static Shipped> {
+        match self {
+            Self::Shipped(model) => Some(model),
+            Self::Matrices => None,
+        }
     }
 }
 

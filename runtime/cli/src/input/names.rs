@@ -17,6 +17,11 @@ pub fn position(name: &str, info: &ModelInfo) -> Option<usize> {
     [name, &short, &usual].into_iter().find_map(|name| info.position(name))
 }
 
+/// Whether a name is that of the gravitational field strength.
+pub fn is_gravity(name: &str) -> bool {
+    matches!(without_owner(name), "g" | "gravity")
+}
+
 /// `r_R` of `self.r_R`.
 pub fn without_owner(name: &str) -> &str {
     name.rsplit_once('.').map_or(name, |(_, own)| own)

@@ -24,7 +24,9 @@ pub fn default(position: usize, info: &ModelInfo) -> Option<f64> {
 
 /// What is said of parameters that got a default value.
 pub fn note(label: &str, positions: &[usize], info: &ModelInfo) -> Vec<String> {
-    let (gravity, unused): (Vec<usize>, Vec<usize>) = positions.iter().partition(|at| info.gravity == Some(**at));
+    let (mut gravity, unused): (Vec<usize>, Vec<usize>) = positions.iter().partition(|at| info.gravity == Some(**at));
+    // Of given matrices, none may depend on it.
+    gravity.retain(|at| info.parameters[*at].used);
     let mut notes = Vec::new();
     if !unused.is_empty() {
         let (are, them) = if unused.len() == 1 { ("is", "it") } else { ("are", "them") };

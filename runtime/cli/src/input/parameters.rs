@@ -12,7 +12,8 @@ use super::value::{self, validate};
 use super::{magnitude, names, neutral, plausible};
 use crate::design::{Design, Given};
 use crate::failure::{Place, Problem};
-use crate::model::{Shipped, WHIPPLE};
+use crate::matrices::{NAME, free};
+use crate::model::{Equations, Shipped, WHIPPLE};
 use crate::nearest::nearest;
 use crate::number::shortest;
 
@@ -33,6 +34,7 @@ pub fn resolve(
     let file = || Place::File(label.to_owned());
     let is_unreadable = !document.problems.is_empty();
     let mut remarks = Remarks::new(document.problems);
+    remarks.notes.extend(document.notes);
     let entries = Entries::new(&document.entries, info, &mut remarks.problems);
     let scope = Scope::new(&document.entries, HashMap::new(), info);
     entries.check(&scope, info, &mut remarks);
@@ -103,6 +105,9 @@ pub fn resolve(
     remarks.notes.extend(neutral::replace_radii(label, model, &mut parameters, zero_radii)?);
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
     let equations = model.equations(&values).map_err(|message: String| vec![Problem { place: file(), message }])?;
+    if info.name == NAME {
+        remarks.notes.extend(note_on_free(label, &*equations, info));
+    }
     let name = document.name.unwrap_or_else(|| label.to_owned());
     let notes = remarks.all_notes();
     let mut warnings = remarks.warnings;
@@ -130,6 +135,16 @@ fn check_outside(outside: &[Entry], info: &ModelInfo, remarks: &mut Remarks) {
 fn values_of(entries: &[Entry], info: &'static ModelInfo) -> HashMap<String, f64> {
     let scope = Scope::new(entries, HashMap::new(), info);
     entries.iter().filter_map(|entry| Some((scope.key(&entry.name), scope.value(&entry.name)?.ok()?))).collect()
+}
+
+/// That positions on which no force depends make eigenvalues of zero, if there are any.
+fn note_on_free(label: &str, equations: &dyn Equations, info: &ModelInfo) -> Option<String> {
+    let names: Vec<String> = free(equations, info).iter().map(|name| format!("`{name}`")).collect();
+    let names = Some(names.join(", ")).filter(|names| !names.is_empty())?;
+    let zero = "so that 0 is an eigenvalue at every speed";
+    Some(format!(
+        "{label}: no force depends on the position of {names}, {zero}; `only = \"rate\"` in `coordinates` leaves it out"
+    ))
 }
 
 fn constant(value: f64) -> Given {

@@ -51,8 +51,7 @@ fn document(model: &Shipped, set: &SetInfo) -> Document {
         source: text(set.source),
         model: text(model.info.name),
         entries: entries.map(|(info, value)| Entry::from_text(info.name, place.clone(), &shortest(*value))).collect(),
-        outside: Vec::new(),
-        problems: Vec::new(),
+        ..Document::default()
     }
 }
 

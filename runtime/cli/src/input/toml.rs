@@ -3,8 +3,11 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::document::{Document, Entry, File, Written};
-use super::matrices;
+use super::document::{Document, File};
+use super::tables::{Named, Node, Value, Words};
+
+const WORDS: Words =
+    Words { parameters: "[parameters]", table: "a table", table_without_value: "a table without `value`" };
 
 /// Reads a file that holds a table `parameters`, or the parameters at its top.
 pub fn read(file: File) -> Document {
@@ -14,61 +17,36 @@ pub fn read(file: File) -> Document {
         let place = file.line_at(error.span().map_or(0, |span| span.start));
         document.problem(place, format!("this is not TOML: {}", error.message()));
     }
-    let table = table.into_inner();
-    let nested = table.get("parameters").map(Spanned::get_ref).and_then(DeValue::as_table);
-    for (key, value) in &table {
-        let name = key.get_ref().as_ref();
-        match value.get_ref() {
-            DeValue::String(text) if document.take_heading(name, text) => {}
-            _ if name == "parameters" && nested.is_some() => {}
-            DeValue::Array(rows) if nested.is_none() && matrices::name(name).is_some() => {
-                let rows = rows.iter().map(|row| {
-                    let row = row.get_ref().as_array()?;
-                    Some(row.iter().map(|value| written(file, value)).collect())
-                });
-                if let Some(matrix) = matrices::name(name) {
-                    document.take_matrix(matrix, &file.line_at(key.span().start), rows.collect());
-                }
-            }
-            _ if nested.is_some() => {
-                document.problem(file.line_at(key.span().start), format!("`{name}` stands outside of [parameters]"));
-            }
-            _ => take(&mut document, file, key.span().start, name, value),
-        }
-    }
-    document.finish_matrices();
-    for (key, value) in nested.into_iter().flatten() {
-        take(&mut document, file, key.span().start, key.get_ref(), value);
-    }
+    document.take_all(members(file, table.get_ref()), &WORDS);
     document
 }
 
-/// `value`, or `{ value = …, std = …, unit = … }`.
-fn take(document: &mut Document, file: File, offset: usize, name: &str, value: &Spanned<DeValue>) {
-    let place = file.line_at(offset);
-    match value.get_ref() {
-        DeValue::String(text) => document.entries.push(Entry::from_text(name, place, text)),
-        DeValue::Table(table) => {
-            let members = table.iter().map(|(key, value)| (key.get_ref().as_ref(), written(file, value)));
-            document.take_members(name, place, members, "a table without `value`");
-        }
-        _ => {
-            let value = written(file, value);
-            document.entries.push(Entry { name: name.to_owned(), place, value, deviation: None });
-        }
-    }
+fn members(file: File, table: &DeTable) -> Vec<Named> {
+    let named = |(key, inner): (&Spanned<_>, &Spanned<DeValue>)| {
+        let node = Node { place: file.line_at(key.span().start), value: value(file, inner) };
+        Named { name: AsRef::<str>::as_ref(key.get_ref()).to_owned(), node }
+    };
+    let mut members: Vec<_> = table.iter().collect();
+    members.sort_by_key(|(key, _)| key.span().start);
+    members.into_iter().map(named).collect()
 }
 
-/// The digits of the file itself: none is lost on the way.
-fn written(file: File, value: &Spanned<DeValue>) -> Written {
+fn value(file: File, value: &Spanned<DeValue>) -> Value {
     match value.get_ref() {
-        DeValue::String(text) => Written::Text(text.to_string()),
+        DeValue::String(text) => Value::Text(text.to_string()),
+        // The digits of the file itself: none is lost on the way.
         DeValue::Integer(_) | DeValue::Float(_) => {
-            Written::Text(file.text.get(value.span()).unwrap_or_default().replace('_', ""))
+            Value::Number(file.text.get(value.span()).unwrap_or_default().replace('_', ""))
         }
-        DeValue::Boolean(_) => Written::Other("a boolean"),
-        DeValue::Datetime(_) => Written::Other("a date"),
-        DeValue::Array(_) => Written::Other("an array"),
-        DeValue::Table(_) => Written::Other("a table"),
+        DeValue::Array(array) => {
+            let node = |inner: &Spanned<DeValue>| Node {
+                place: file.line_at(inner.span().start),
+                value: self::value(file, inner),
+            };
+            Value::List(array.iter().map(node).collect())
+        }
+        DeValue::Table(table) => Value::Table(members(file, table)),
+        DeValue::Boolean(_) => Value::Other("a boolean"),
+        DeValue::Datetime(_) => Value::Other("a date"),
     }
 }

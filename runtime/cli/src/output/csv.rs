@@ -30,7 +30,7 @@ pub fn write_csv(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> Re
         Rows::Sorted(rows) => {
             // Where nothing depends on the speed there is no column for it.
             let speed = |text: String| if analysis.design.model.depends_on_speed() { vec![text] } else { Vec::new() };
-            let names = (1..=2 * analysis.design.info().coordinates.len()).map(|index| format!("eigenvalue {index}"));
+            let names = (1..=analysis.design.model.eigenvalues()).map(|index| format!("eigenvalue {index}"));
             lines.push([speed("speed (m/s)".to_owned()), header(names), vec!["verdict".to_owned()]].concat());
             for row in rows {
                 let verdict = vec![row.values.verdict.to_string()];

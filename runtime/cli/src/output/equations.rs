@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{CoordinateInfo, MatrixName, ModelInfo};
+use carvallo::{CoordinateInfo, MatrixName, ModelInfo, States};
 
 use super::HEADING;
 use super::columns::{LINE, width};
@@ -28,9 +28,17 @@ pub fn matrices(design: &Design) -> Vec<Matrix> {
 pub fn write_equations(design: &Design, text: &mut String) {
     let info = design.info();
     let coordinates: Vec<String> = info.coordinates.iter().map(coordinate).collect();
-    let gravity = design.gravity().map(|gravity| format!(" and g = {} N/kg", shortest(gravity))).unwrap_or_default();
+    let gravity = design.gravity().filter(|_| info.matrices.contains(&MatrixName::K0));
+    let gravity = gravity.map(|gravity| format!(" and g = {} N/kg", shortest(gravity))).unwrap_or_default();
     let _ = writeln!(text, "\n{HEADING}Equations of motion{HEADING:#}  {}", equation(info));
     let _ = writeln!(text, "  with q = ({}){gravity}", coordinates.join(", "));
+    for (states, what) in [(States::Rate, "rate"), (States::Position, "position")] {
+        let only = info.coordinates.iter().filter(|coordinate| coordinate.states == states);
+        let names: Vec<&str> = only.map(|coordinate| coordinate.label).collect();
+        if !names.is_empty() {
+            let _ = writeln!(text, "  of {} only the {what} is a state", names.join(", "));
+        }
+    }
     // Adding zero turns -0 into 0.
     let exact = |value: f64| shortest(value + 0.0);
     let rounded = |value: f64| if value == 0.0 { exact(value) } else { fixed(value, 6) };
@@ -49,12 +57,13 @@ fn matrix_lines(matrices: &[Matrix], number: impl Fn(f64) -> String) -> Vec<Stri
     // The fewer columns there are, the wider they may be.
     let least = matrices.first().map_or(0, |matrix| 44 / matrix.rows.len().max(2));
     let width = width(rows.iter().flatten().flatten(), least);
+    let names = matrices.iter().map(|matrix| matrix.name.len() + 1).fold(3, usize::max);
     let mut lines = Vec::new();
     for (Matrix { name, unit, .. }, rows) in matrices.iter().zip(&rows) {
         for (index, row) in rows.iter().enumerate() {
             let (name, unit) = if index == 0 { (*name, *unit) } else { ("", "") };
             let row: String = row.iter().map(|value| format!("{value:>width$}")).collect();
-            lines.push(format!("  {name:<3}{unit:<7}{row}"));
+            lines.push(format!("  {name:<names$}{unit:<7}{row}"));
         }
     }
     lines

@@ -1,7 +1,10 @@
 //! A design as a file: what `show` prints can be edited and analyzed.
 
+use carvallo::{CoordinateInfo, States};
+
 use super::FAINT;
-use crate::design::Design;
+use crate::design::{Design, Given};
+use crate::matrices::NAME;
 use crate::number::unit;
 
 pub fn render_parameters(design: &Design) -> String {
@@ -18,17 +21,18 @@ pub fn render_parameters(design: &Design) -> String {
     for warning in &design.warnings {
         line(format!("{FAINT}# warning: {warning}{FAINT:#}"));
     }
+    if info.name == NAME {
+        text.push('\n');
+        write_matrices(design, &mut text);
+        return text;
+    }
     line("\n[parameters]".to_owned());
     let entries: Vec<(String, String, &str)> = info
         .parameters
         .iter()
         .zip(&design.parameters)
         .map(|(info, given)| {
-            let value = number(&given.written);
-            let entry = match &given.deviation {
-                Some(deviation) => format!("{{ value = {value}, std = {} }}", number(&deviation.written)),
-                None => value,
-            };
+            let entry = entry(given);
             let unit = unit(info.unit);
             // What follows explains; the first clause says what it is.
             let docs = info.docs.trim().split([':', ';', '.', '\n']).next().unwrap_or_default();
@@ -41,6 +45,40 @@ pub fn render_parameters(design: &Design) -> String {
         line(format!("{entry:width$}  {FAINT}# {unit:units$} {docs}{FAINT:#}"));
     }
     text
+}
+
+fn entry(given: &Given) -> String {
+    let value = number(&given.written);
+    match &given.deviation {
+        Some(deviation) => format!("{{ value = {value}, std = {} }}", number(&deviation.written)),
+        None => value,
+    }
+}
+
+/// Given matrices, with what their coordinates are.
+fn write_matrices(design: &Design, text: &mut String) {
+    let info = design.info();
+    let coordinates = info.coordinates.iter().map(|CoordinateInfo { name, states, .. }| {
+        let name = quoted(name);
+        match states {
+            States::Both => name,
+            States::Position => format!("{{ name = {name}, only = \"position\" }}"),
+            States::Rate => format!("{{ name = {name}, only = \"rate\" }}"),
+        }
+    });
+    text.push_str(&format!("coordinates = [{}]\n", coordinates.collect::<Vec<_>>().join(", ")));
+    let count = info.coordinates.len();
+    let (entries, gravity) = design.parameters.split_at(info.matrices.len() * count * count);
+    for (matrix, entries) in info.matrices.iter().zip(entries.chunks(count * count)) {
+        let entries: Vec<String> = entries.iter().map(entry).collect();
+        let width = entries.iter().map(|entry| entry.chars().count()).max().unwrap_or(0);
+        let row = |row: &[String]| row.iter().map(|entry| format!("{entry:>width$}")).collect::<Vec<_>>().join(", ");
+        let rows: Vec<String> = entries.chunks(count).map(|entries| format!("    [{}],\n", row(entries))).collect();
+        text.push_str(&format!("{matrix} = [\n{}]\n", rows.concat()));
+    }
+    for g in gravity {
+        text.push_str(&format!("g = {}  {FAINT}# N/kg{FAINT:#}\n", entry(g)));
+    }
 }
 
 /// Digits stay as they were written; an expression, or a number that TOML writes otherwise, goes in quotes.

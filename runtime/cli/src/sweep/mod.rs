@@ -97,7 +97,7 @@ fn with_options(failure: Failure, options: &Options) -> Failure {
     let Failure::Input(mut problems) = failure else { return failure };
     let base = input::Request { overrides: Vec::new(), ..options.base.request() };
     if let Ok(design) = input::load(&base)
-        && let Err(Failure::Input(others)) = validate(options, design.info())
+        && let Err(Failure::Input(others)) = validate(options, design.model)
     {
         problems.extend(others);
     }

@@ -5,6 +5,7 @@ mod equations;
 mod extremes;
 mod formats;
 mod hints;
+mod matrices;
 mod mistakes;
 mod mistakes_of_models;
 mod models;

@@ -58,16 +58,16 @@ fn near_misses_of_matrices_are_refused() {
     let matrices = r#""M": [[1, 0], [0, 1]], "K0": [[1, 0], [0, 1]], "K2": [[0, 1], [0, 1]], "g": 9.81"#;
     let expected = "expected `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`";
     for (other, message) in [
-        (r#""C": [[0, 1], [1, 0]]"#, format!("`C` is no matrix; {expected}")),
+        (r#""G": [[0, 1], [1, 0]]"#, format!("`G` is no matrix; {expected}")),
         (r#""c1": [[0, 1], [1, 0]]"#, format!("`c1` is no matrix; {expected}; did you mean `C1`?")),
-        (r#""C1": 3"#, "`C1` must have two rows of two numbers".to_owned()),
+        (r#""C1": 3"#, "`C1` has 1 row; expected 2 rows of 2 numbers, as `M` has".to_owned()),
     ] {
         check_file("a.json", format!("{{{matrices}, {other}}}"), &format!("a.json:1: {message}"));
         let nested = format!("{{\"matrices\": {{{matrices}, {other}}}}}");
         check_file("a.json", nested, &format!("a.json:1: {message}"));
     }
-    let toml = "M = [[1, 0], [0, 1]]\nK0 = [[1, 0], [0, 1]]\ng = 9.81\nC = [[0, 1], [1, 0]]\n";
-    check_file("a.toml", toml, &format!("a.toml:4: `C` is no matrix; {expected}"));
+    let toml = "M = [[1, 0], [0, 1]]\nK0 = [[1, 0], [0, 1]]\ng = 9.81\nG = [[0, 1], [1, 0]]\n";
+    check_file("a.toml", toml, &format!("a.toml:4: `G` is no matrix; {expected}"));
 }
 
 #[test]

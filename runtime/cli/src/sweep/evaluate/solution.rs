@@ -31,7 +31,7 @@ impl Solution {
         self.verdicts.clear();
         self.eigenvalues.clear();
         let two = equations.of_two();
-        let stability = two.map(|two| Stability::new(two, gravity)).transpose().map_err(|error| error.to_string())?;
+        let stability = equations.stability(gravity).map_err(|error| error.to_string())?;
         if let (Some(stability), Some(capacity)) = (&stability, &layout.critical) {
             capacity.require_room(stability)?;
         }

@@ -40,7 +40,7 @@ impl Plan {
     /// Everything that is wrong with the options.
     pub fn new(design: &Design, options: &Options) -> Result<Self, Failure> {
         let info = design.info();
-        let Validated { vary, random, speeds, format, file } = validate(options, info)?;
+        let Validated { vary, random, speeds, format, file } = validate(options, design.model)?;
         let source = match file {
             Some((path, format)) => {
                 let file = File::open(&path, format, info)?;
@@ -65,7 +65,7 @@ impl Plan {
             },
         };
         let (mut headings, positions) = source.headings(design);
-        let layout = Layout::new(info, speeds);
+        let layout = Layout::new(design.model, speeds);
         let task = Task { model: design.model, base: design.values(), positions, layout };
         headings.extend(task.layout.headings());
         headings.push(Heading::text("error"));

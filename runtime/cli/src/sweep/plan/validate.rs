@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use carvallo::ModelInfo;
+use carvallo::{MatrixName, ModelInfo};
 
 use crate::failure::{Failure, Place, Problem};
 use crate::input::{is_same_file, position};
+use crate::model::Shipped;
 use crate::number::shortest;
 use crate::speeds;
 use crate::sweep::generate::{Axis, Random};
@@ -29,7 +30,8 @@ pub struct Validated {
 
 /// # Errors
 /// Everything that is wrong with the request for a model.
-pub fn validate(options: &Options, info: &ModelInfo) -> Result<Validated, Failure> {
+pub fn validate(options: &Options, model: &Shipped) -> Result<Validated, Failure> {
+    let info = model.info;
     let mut problems = Problems::default();
     let (vary, random) = problems.parameters(options, info);
     let format = options.output.as_deref().map_or(Format::Csv, |path| problems.table("--output", path));
@@ -39,7 +41,13 @@ pub fn validate(options: &Options, info: &ModelInfo) -> Result<Validated, Failur
     });
     problems.paths(options);
     let speeds = options.eigenvalues.as_ref().map(|text| problems.speeds(text)).unwrap_or_default();
-    if info.coordinates.len() != 2 && options.eigenvalues.is_none() {
+    if let (true, Some(text)) = (info.matrices.contains(&MatrixName::Cm1), &options.eigenvalues)
+        && speeds.contains(&0.0)
+    {
+        let message = format!("at 0 m/s {} has no eigenvalues, since C-1 is divided by the speed", info.name);
+        problems.option("--eigenvalues", text, message);
+    }
+    if !model.has_critical_speeds() && options.eigenvalues.is_none() {
         let (name, count) = (info.name, info.coordinates.len());
         problems.add(
             Place::Nowhere,
@@ -47,7 +55,7 @@ pub fn validate(options: &Options, info: &ModelInfo) -> Result<Validated, Failur
         );
     }
     if let Some(path) = &options.map {
-        problems.map(path, options, info, &vary);
+        problems.map(path, options, model, &vary);
     }
     if problems.all.is_empty() {
         Ok(Validated { vary, random, speeds, format, file })
@@ -156,13 +164,14 @@ impl Problems {
     }
 
     /// Whether there is a map to draw.
-    fn map(&mut self, path: &Path, options: &Options, info: &ModelInfo, vary: &[Axis]) {
+    fn map(&mut self, path: &Path, options: &Options, model: &Shipped, vary: &[Axis]) {
         let path = path.display().to_string();
         if ![".svg", ".png"].iter().any(|ending| path.to_lowercase().ends_with(ending)) {
             self.option("--map", &path, "the name must end in .svg or .png");
         }
-        if info.coordinates.len() != 2 {
-            self.option("--map", &path, format!("{} has no stable ranges: they are for two coordinates", info.name));
+        if !model.has_critical_speeds() {
+            let name = model.info.name;
+            self.option("--map", &path, format!("{name} has no stable ranges: they are for two coordinates"));
         } else if options.vary.len() != 2 || !options.random.is_empty() {
             self.option("--map", &path, "a map needs two parameters that vary by --vary, and no others");
         } else if let [x, y] = vary {

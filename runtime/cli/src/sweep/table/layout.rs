@@ -3,6 +3,7 @@
 use carvallo::{CriticalKind, MatrixName, ModelInfo, Stability};
 
 use super::columns::Heading;
+use crate::model::Shipped;
 use crate::number::shortest;
 
 const SPEED: &str = "m/s";
@@ -11,7 +12,7 @@ const RATE: &str = "1/s";
 /// How many columns there are of each kind, beside those of the designs and of the errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
-    /// For models with two coordinates.
+    /// For models that have critical speeds.
     pub critical: Option<Capacity>,
     /// The speeds of the eigenvalues.
     pub speeds: Vec<f64>,
@@ -60,9 +61,9 @@ impl Capacity {
 }
 
 impl Layout {
-    pub fn new(info: &ModelInfo, speeds: Vec<f64>) -> Self {
-        let coordinates = info.coordinates.len();
-        Self { critical: (coordinates == 2).then(|| Capacity::of(info)), speeds, eigenvalues: 2 * coordinates }
+    pub fn new(model: &Shipped, speeds: Vec<f64>) -> Self {
+        let critical = model.has_critical_speeds().then(|| Capacity::of(model.info));
+        Self { critical, speeds, eigenvalues: model.eigenvalues() }
     }
 
     pub fn headings(&self) -> Vec<Heading> {

@@ -1,0 +1,124 @@
+//! Files that give matrices in the place of parameters: `"M": [[…, …], […, …]]`.
+
+mod coordinates;
+mod names;
+mod shape;
+
+use carvallo::MatrixName;
+
+use self::names::{COORDINATES, entry, is_plain, matrix, no_matrix};
+use self::shape::{Given, Row, shape};
+use super::document::{Document, Entry, Written};
+use super::names::is_gravity;
+use super::tables::{Named, Node, Value, Words};
+use crate::failure::Place;
+use crate::matrices::{Form, MOST, NAME, is_called};
+
+pub use self::names::unknown;
+
+/// Whether a name of a file is for matrices: a matrix by its rows, unless parameters are in a group of their own, or what the
+/// coordinates are.
+pub fn is_part(name: &str, value: &Value, has_parameters: bool) -> bool {
+    name == COORDINATES || !has_parameters && matches!(value, Value::List(_)) && matrix(name).is_some()
+}
+
+impl Document {
+    /// Takes the matrices, if there are any, for parameters of a model of their own.
+    pub fn finish_matrices(&mut self, words: &Words) {
+        let parts = std::mem::take(&mut self.parts);
+        let is_named = self.model.as_deref().is_some_and(is_called);
+        let (coordinates, lists): (Vec<Named>, Vec<Named>) =
+            parts.into_iter().partition(|part| part.name == COORDINATES);
+        if lists.is_empty() && !is_named && !self.has_only_numbers_for_matrices() {
+            for Named { name, node } in coordinates {
+                self.entries.push(Entry { name, place: node.place, value: node.value.written(words), deviation: None });
+            }
+            return;
+        }
+        self.model.get_or_insert_with(|| NAME.to_owned());
+        let mut given = Vec::new();
+        for Named { name, node: Node { place, value } } in lists {
+            if let Value::List(rows) = value
+                && let Some(matrix) = self.new_matrix(&name, &place, &given)
+            {
+                let rows = self.rows_of(matrix, rows, words);
+                given.push(Given { matrix, place, rows });
+            }
+        }
+        // Of one coordinate a number will do; among others it has no rows.
+        let is_matrix = |entry: &mut Entry| matrix(&entry.name).is_some();
+        for entry in self.entries.extract_if(.., is_matrix).collect::<Vec<_>>() {
+            let place = entry.place.clone();
+            if let Some(matrix) = self.new_matrix(&entry.name, &place, &given) {
+                let rows = Ok(vec![Row { place: place.clone(), entries: vec![entry] }]);
+                given.push(Given { matrix, place, rows });
+            }
+        }
+        self.refuse_other_lists();
+        let written: Vec<_> = self.entries.iter().filter_map(|own| entry(&own.name)).filter(|_| is_named).collect();
+        let Some(count) = self.count(&given, &written) else { return };
+        let has = |name: MatrixName| {
+            given.iter().any(|given| given.matrix == name) || written.iter().any(|(matrix, ..)| *matrix == name)
+        };
+        let matrices = MatrixName::ALL.into_iter().filter(|name| *name == MatrixName::M || has(*name)).collect();
+        self.form = Some(Form { matrices, coordinates: coordinates::of(self, coordinates, count) });
+        for given in given {
+            self.take_entries(given, count);
+        }
+    }
+
+    /// Whether these can be matrices of one coordinate, each a number.
+    fn has_only_numbers_for_matrices(&self) -> bool {
+        let is_m = |entry: &Entry| matrix(&entry.name) == Some(MatrixName::M);
+        let is_one = |entry: &Entry| matrix(&entry.name).is_some() || is_gravity(&entry.name);
+        self.model.is_none() && self.entries.iter().any(is_m) && self.entries.iter().all(is_one)
+    }
+
+    /// The matrix of a name, unless it is given already.
+    fn new_matrix(&mut self, name: &str, place: &Place, given: &[Given]) -> Option<MatrixName> {
+        let matrix = matrix(name)?;
+        if let Some(Given { place: first, .. }) = given.iter().find(|given| given.matrix == matrix) {
+            self.problem(place.clone(), format!("`{name}` is `{matrix}`, which is given twice; first at {first}"));
+            return None;
+        }
+        if is_plain(name) {
+            let why = "which depends on neither gravity nor speed";
+            self.notes.push(format!("{place}: `{name}` is taken for `{matrix}`, {why}"));
+        }
+        Some(matrix)
+    }
+
+    /// An array that is no matrix under any name would be lost.
+    fn refuse_other_lists(&mut self) {
+        let is_list = |entry: &mut Entry| matches!(entry.value, Written::Other("an array"));
+        for Entry { name, place, .. } in self.entries.extract_if(.., is_list).collect::<Vec<_>>() {
+            self.problem(place, no_matrix(&name));
+        }
+    }
+
+    /// How many coordinates there are: M has a row for each. Without rows of M that is a problem, and another matrix tells.
+    fn count(&mut self, given: &[Given], written: &[(MatrixName, usize, usize)]) -> Option<usize> {
+        let by_entries = written.iter().map(|(_, row, column)| *row.max(column)).max();
+        let rows = |given: &Given| given.rows.as_ref().ok().map(Vec::len).filter(|rows| *rows > 0);
+        let mass = given.iter().find(|given| given.matrix == MatrixName::M);
+        let count = mass.and_then(rows).or(by_entries).or_else(|| given.iter().find_map(rows));
+        let Some(first) = given.first() else { return by_entries };
+        let place = mass.unwrap_or(first).place.clone();
+        match count {
+            Some(count) if count > MOST => {
+                self.problem(place, format!("there are {count} coordinates; there may be at most {MOST}"));
+                None
+            }
+            None => {
+                given.iter().for_each(|given| self.check_rows(given, None));
+                None
+            }
+            Some(count) => {
+                if mass.is_none() && by_entries.is_none() {
+                    self.problem(place, format!("`M` is not given; expected {}", shape(count)));
+                }
+                Some(count)
+            }
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! What JSON and TOML have in common: names with values, lists and tables, and what they mean in a file of parameters.
+
+use super::document::{Document, Entry, Written};
+use super::matrices;
+use crate::failure::Place;
+
+/// What the output of an analysis, or of the sensitivity, holds besides the parameters.
+const RESULTS: [&str; 5] =
+    ["matrices", "matrix_standard_deviations", "critical_speeds", "stable_ranges", "eigenvalues"];
+
+/// A name with its value and what is in that.
+#[derive(Debug)]
+pub struct Named {
+    pub name: String,
+    pub node: Node,
+}
+
+/// A value with what is in it, as it was written.
+#[derive(Debug)]
+pub struct Node {
+    pub place: Place,
+    pub value: Value,
+}
+
+/// What a node is.
+#[derive(Debug)]
+pub enum Value {
+    /// In quotes.
+    Text(String),
+    /// By its digits.
+    Number(String),
+    List(Vec<Node>),
+    /// In the order of the file.
+    Table(Vec<Named>),
+    /// What has no place in a file of parameters, in words: `a boolean`.
+    Other(&'static str),
+}
+
+/// What a format calls its parts.
+pub struct Words {
+    /// The group of the parameters.
+    pub parameters: &'static str,
+    pub table: &'static str,
+    pub table_without_value: &'static str,
+}
+
+impl Document {
+    /// Takes everything in a file, with the parameters in a group of their own, or matrices in one, or all at its top.
+    pub fn take_all(&mut self, members: Vec<Named>, words: &Words) {
+        let is_table = |name: &str| {
+            members.iter().any(|member| member.name == name && matches!(member.node.value, Value::Table(_)))
+        };
+        let has_parameters = is_table("parameters");
+        let has_matrices = !has_parameters && is_table("matrices");
+        let mut group = Vec::new();
+        for Named { name, node: Node { place, value } } in members {
+            match value {
+                Value::Text(text) if self.take_heading(&name, &text) => {}
+                Value::Table(inner) if has_parameters && name == "parameters" || has_matrices && name == "matrices" => {
+                    group.extend(inner);
+                }
+                value if matrices::is_part(&name, &value, has_parameters) => {
+                    self.parts.push(Named { name, node: Node { place, value } });
+                }
+                _ if has_parameters && RESULTS.contains(&name.as_str()) => {}
+                _ if has_parameters => {
+                    self.problem(place, format!("`{name}` stands outside of {}", words.parameters));
+                }
+                value => self.take(name, place, value, words),
+            }
+        }
+        for Named { name, node } in group {
+            if has_matrices && matrices::is_part(&name, &node.value, false) {
+                self.parts.push(Named { name, node });
+            } else {
+                self.take(name, node.place, node.value, words);
+            }
+        }
+        self.finish_matrices(words);
+    }
+
+    /// A parameter by its value, or by a table with that and others: `{ value = …, std = …, unit = … }`.
+    fn take(&mut self, name: String, place: Place, value: Value, words: &Words) {
+        let entry = self.entry_of(name, place, value, words);
+        self.entries.push(entry);
+    }
+
+    /// The same, without taking it.
+    pub fn entry_of(&mut self, name: String, place: Place, value: Value, words: &Words) -> Entry {
+        match value {
+            Value::Text(text) => Entry::from_text(&name, place, &text),
+            Value::Table(members) => {
+                let members = members.into_iter().map(|member| (member.name, member.node.value.written(words)));
+                self.entry_of_members(name, place, members, words.table_without_value)
+            }
+            value => Entry { name, place, value: value.written(words), deviation: None },
+        }
+    }
+}
+
+impl Value {
+    /// As the value of a parameter.
+    pub fn written(self, words: &Words) -> Written {
+        match self {
+            Self::Text(text) | Self::Number(text) => Written::Text(text),
+            Self::List(_) => Written::Other("an array"),
+            Self::Table(_) => Written::Other(words.table),
+            Self::Other(what) => Written::Other(what),
+        }
+    }
+}
