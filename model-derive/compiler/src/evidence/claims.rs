@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
-use super::counterexample::{Counterexample, Space};
+use super::counterexample::{Counterexample, FEW, MANY, Space};
 use crate::derivation::Derived;
 use crate::equations::Equations;
 use crate::formula::{Formula, Names};
@@ -71,7 +71,7 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
     };
     let mut undefined = HashSet::new();
     for ((claim, pair), proof) in claims.iter().zip(pairs).zip(proofs) {
-        let mut refuse_undefined = |proof| match proof {
+        let mut refuse_undefined = |proof, report: &mut Report| match proof {
             Proof::Undefined(Place::Output(side), why) => report.error(claim.sides[side].1, why),
             Proof::Undefined(Place::Definition(index), why) if undefined.insert(index) => {
                 report.error(&names[index], why);
@@ -79,19 +79,24 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
             _ => {}
         };
         if !matches!(proof, Proof::NotFound | Proof::TooLong) {
-            refuse_undefined(proof);
+            refuse_undefined(proof, report);
             continue;
         }
         let [(left, _), (right, _)] = &claim.sides;
-        let tried = match space.counterexample(definitions, &pair, left, right) {
-            Ok(counterexample) => {
-                report.error(claim.region(), describe_refuted(claim, &counterexample, parameters));
-                continue;
-            }
-            Err(tried) => tried,
+        let refute = |most, report: &mut Report| {
+            let found = space.counterexample(most, definitions, &pair, left, right);
+            found.map(|found| report.error(claim.region(), describe_refuted(claim, &found, parameters)))
         };
-        match symbolic::prove_equal(vec![pair], Depth::Formulas).as_deref() {
-            Ok([proof @ (Proof::Found | Proof::Undefined(..))]) => refuse_undefined(*proof),
+        if refute(FEW, report).is_ok() {
+            continue;
+        }
+        let proof = symbolic::prove_equal(vec![pair.clone()], Depth::Formulas);
+        if let Ok([Proof::Found]) = proof.as_deref() {
+            continue;
+        }
+        let Err(tried) = refute(MANY, report) else { continue };
+        match proof.as_deref() {
+            Ok([proof @ Proof::Undefined(..)]) => refuse_undefined(*proof, report),
             Ok(proof) => {
                 let why = match proof {
                     [Proof::TooLong] => "the formulas grow too long when they are expanded; expected a shorter claim",

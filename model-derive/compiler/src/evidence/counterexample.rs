@@ -20,10 +20,13 @@ pub struct Counterexample {
     pub right: f64,
 }
 
-/// Values inside the domains that are tried, at most.
-const MAX_TRIED: usize = 1_000;
-/// Values inside the domains of each parameter that are looked at, at most; some requirement may refuse them.
-const MAX_DRAWN: usize = 5_000;
+/// Values inside the domains that are tried before a proof is looked for: they refute nearly all that is wrong, and what they
+/// do not is right, as a rule.
+pub const FEW: usize = 50;
+/// Values inside the domains that are tried where no proof was found.
+pub const MANY: usize = 1_000;
+/// How many times as many are looked at, at most; some requirement may refuse them.
+const DRAWN: usize = 5;
 
 /// What values may be tried.
 #[derive(Debug)]
@@ -34,12 +37,14 @@ pub struct Space<'a> {
 }
 
 impl Space<'_> {
-    /// Looks for a counterexample to the equality of two formulas.
+    /// Looks for a counterexample to the equality of two formulas, among so many values at most, which are the same ones
+    /// each time.
     ///
     /// # Errors
     /// If none is found, the number of values that were tried.
     pub fn counterexample(
         &self,
+        most: usize,
         definitions: &[Formula],
         pair: &Equations,
         left: &Formula,
@@ -62,7 +67,7 @@ impl Space<'_> {
         }
         let candidates: Vec<Vec<f64>> = self.domains.iter().map(candidates).collect();
         let mut random = Random(1);
-        for drawn in 0..MAX_DRAWN {
+        for drawn in 0..DRAWN * most {
             // Simple values first.
             let simple = 3 + drawn / 16;
             let values: Option<Vec<f64>> =
@@ -72,7 +77,7 @@ impl Space<'_> {
                 Ok(counterexample) => return Ok(counterexample),
                 Err(inside) => tried += usize::from(inside),
             }
-            if tried == MAX_TRIED {
+            if tried >= most {
                 break;
             }
         }

@@ -53,7 +53,9 @@ impl Angles {
         if summands.len() > MAX_SUMMANDS {
             return (argument.sin(), argument.cos());
         }
-        summands.iter().map(|summand| self.multiple(summand)).fold((Atom::num(0), Atom::num(1)), add)
+        let parts = summands.iter().map(|summand| self.multiple(summand));
+        // Not from zero on: nearly all sums have one part, and each step takes the engine a while.
+        parts.reduce(add).unwrap_or_else(|| (Atom::num(0), Atom::num(1)))
     }
 
     fn multiple(&self, summand: &Atom) -> (Atom, Atom) {
@@ -68,8 +70,8 @@ impl Angles {
         let Some(whole) = whole else { return (summand.sin(), summand.cos()) };
         let part = angle / Atom::num(parts);
         let one = (part.sin(), part.cos());
-        let (sine, cosine) = (0..whole.abs()).map(|_| one.clone()).fold((Atom::num(0), Atom::num(1)), add);
-        (sine * Atom::num(whole.signum()), cosine)
+        let (sine, cosine) = (1..whole.abs()).fold(one.clone(), |sum, _| add(sum, one.clone()));
+        if whole < 0 { (-sine, cosine) } else { (sine, cosine) }
     }
 }
 

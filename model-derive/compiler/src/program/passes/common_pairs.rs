@@ -4,7 +4,9 @@
 //! Kastner 2006): time and again the pair that occurs most often becomes an operation of its own.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
+
+use rustc_hash::FxHashMap;
 
 use super::nary::{NaryProgram, Node, Operation};
 use crate::program::Program;
@@ -97,7 +99,7 @@ fn positions(operands: &[Operand], (first, (second, opposite)): Pair) -> Option<
 #[derive(Default)]
 struct Pairs {
     /// For each pair the nodes that have it, each with how often.
-    users: HashMap<Pair, Vec<(usize, usize)>>,
+    users: FxHashMap<Pair, Vec<(usize, usize)>>,
     /// By how often they occur, those that occur more than once.
     often: BTreeSet<(usize, Reverse<Pair>)>,
 }

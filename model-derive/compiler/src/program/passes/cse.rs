@@ -1,15 +1,16 @@
 //! Common subexpressions are computed once, and what no output needs goes: value numbering over the instructions of a
 //! straight-line program, and elimination of dead code.
 
-use std::collections::HashMap;
 use std::mem::{Discriminant, discriminant};
+
+use rustc_hash::FxHashMap;
 
 use crate::program::{Instruction, Program, Value};
 
 /// Appends instructions to a program; one that is there already is not repeated.
 pub struct Builder {
     program: Program,
-    known: HashMap<Key, Value>,
+    known: FxHashMap<Key, Value>,
 }
 
 /// An instruction as a key: constants by their bits, operands that commute in order.
@@ -39,7 +40,7 @@ fn key(instruction: Instruction) -> Key {
 
 impl Builder {
     pub fn new(parameters: usize) -> Self {
-        Self { program: Program::new(parameters), known: HashMap::new() }
+        Self { program: Program::new(parameters), known: FxHashMap::default() }
     }
 
     /// The value of an instruction, computed once.

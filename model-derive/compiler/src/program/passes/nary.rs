@@ -1,7 +1,7 @@
 //! Programs with n-ary sums and products: associative chains of them are flattened, so that their parts can be chosen
 //! anew.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::cse;
 use crate::program::{Instruction, Program, Value};
@@ -44,7 +44,7 @@ impl NaryProgram {
             labels: Vec::new(),
             parameters: program.parameters,
         };
-        let (mut known, mut reciprocals) = (HashMap::new(), HashMap::new());
+        let (mut known, mut reciprocals) = (FxHashMap::default(), FxHashMap::default());
         let mut new: Vec<Node> = Vec::with_capacity(program.instructions.len());
         for instruction in &program.instructions {
             let whole = |value: Value| uses[value] > 1;
@@ -74,7 +74,7 @@ impl NaryProgram {
         nary
     }
 
-    fn push(&mut self, operation: Operation, known: &mut HashMap<Operation, Node>) -> Node {
+    fn push(&mut self, operation: Operation, known: &mut FxHashMap<Operation, Node>) -> Node {
         *known.entry(operation).or_insert_with_key(|operation| {
             self.nodes.push(operation.clone());
             self.nodes.len() - 1
@@ -82,7 +82,7 @@ impl NaryProgram {
     }
 
     /// Of each divisor there is one reciprocal, whatever it divides.
-    fn reciprocal(&mut self, divisor: Node, known: &mut HashMap<Node, Node>) -> Node {
+    fn reciprocal(&mut self, divisor: Node, known: &mut FxHashMap<Node, Node>) -> Node {
         *known.entry(divisor).or_insert_with(|| {
             let operation = self.other(Instruction::Reciprocal(divisor));
             self.nodes.push(operation);

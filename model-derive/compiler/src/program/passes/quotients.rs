@@ -1,6 +1,6 @@
 //! A reciprocal that one product uses becomes a division; values that divide several times become one reciprocal.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::cse::{self, Builder};
 use crate::program::{Instruction, Program, Value};
@@ -8,7 +8,7 @@ use crate::program::{Instruction, Program, Value};
 /// Afterwards a reciprocal serves several products, or is an output, and no value divides more than once.
 pub fn divide(program: Program) -> Program {
     let uses = program.uses();
-    let mut divisions: HashMap<Value, usize> = HashMap::new();
+    let mut divisions: FxHashMap<Value, usize> = FxHashMap::default();
     for instruction in &program.instructions {
         if let Instruction::Div(_, divisor) | Instruction::Reciprocal(divisor) = instruction {
             *divisions.entry(*divisor).or_default() += 1;

@@ -1,6 +1,6 @@
 //! Minus signs move outward through sums, products and functions, where they cost nothing.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::cse::{self, Builder};
 use crate::program::{Instruction, Program, Value};
@@ -20,7 +20,7 @@ pub fn collect(program: Program) -> Program {
         let signed = signed(&mut builder, *instruction, &new);
         new.push(signed);
     }
-    let plain: HashMap<Value, Value> =
+    let plain: FxHashMap<Value, Value> =
         program.outputs.iter().map(|value| (*value, plain(&mut builder, new[*value]))).collect();
     let label = |value: Value| (!new[value].negative).then(|| new[value].value);
     cse::eliminate(builder.finish(&program, |value| plain[&value], label))
