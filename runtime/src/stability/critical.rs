@@ -10,6 +10,7 @@ use nalgebra::Complex;
 /// damping that does not depend on the speed (C0 = 0) the eigenvalues there are symmetric about the imaginary axis, so
 /// that conditions for critical speeds hold there for every model.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct CriticalSpeed {
     /// What happens there.
     pub kind: CriticalKind,
@@ -20,6 +21,7 @@ pub struct CriticalSpeed {
     pub error: f64,
     /// The eigenvalue in 1/s: zero at capsize speeds, i omega with omega > 0 at weave speeds, the double eigenvalue at
     /// double-root speeds (of a conjugate pair of double eigenvalues the one with a positive imaginary part).
+    #[cfg_attr(feature = "serde", serde(with = "super::complex::Parts"))]
     pub eigenvalue: Complex<f64>,
     /// What changes as the speed grows.
     pub change: Change,
@@ -30,6 +32,7 @@ pub struct CriticalSpeed {
 /// [`Modes`](crate::Modes) name the eigenvalue by it: at a weave speed the pair is the mode weave, at a capsize speed the
 /// eigenvalue that is zero is the mode capsize.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum CriticalKind {
     /// A conjugate pair of eigenvalues is on the imaginary axis. A real pair +-s, at which the Hurwitz determinant is zero
     /// too, is none.
@@ -54,6 +57,7 @@ impl fmt::Display for CriticalKind {
 /// What changes at a critical speed as the speed grows: of the eigenvalue or pair, not of the motion, which may be unstable
 /// before and after by another one ([`Stability::verdicts_around`](crate::Stability::verdicts_around)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Change {
     /// The eigenvalue or pair leaves the right half-plane.
     Stabilizes,

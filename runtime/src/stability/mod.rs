@@ -2,6 +2,8 @@
 
 mod along_speed;
 mod careful;
+#[cfg(feature = "serde")]
+mod complex;
 mod critical;
 mod fast;
 mod general;

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A mode of the uncontrolled bicycle, or what an eigenvalue is where that has none of the names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Mode {
     /// The front frame swings into line: one eigenvalue.
     Castering,

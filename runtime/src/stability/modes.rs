@@ -14,10 +14,12 @@ use crate::system::{Coefficients, States, SystemError, require_speed};
 
 /// One eigenvalue and the mode it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct ModeValue {
     /// The mode.
     pub mode: Mode,
     /// The eigenvalue in 1/s.
+    #[cfg_attr(feature = "serde", serde(with = "super::complex::Parts"))]
     pub value: Complex<f64>,
 }
 

@@ -7,6 +7,7 @@ use super::verdict::Verdict;
 /// The ends do not belong to it, with one exception: a range from zero contains zero if the motion is stable at rest,
 /// which [`Stability::verdict`](crate::Stability::verdict) tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct StableRange {
     /// The lower end in m/s.
     pub from: f64,
@@ -19,6 +20,7 @@ pub struct StableRange {
 ///
 /// [`Stability::verdict`](crate::Stability::verdict) tells what holds at its ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct MarginalRange {
     /// The lower end in m/s.
     pub from: f64,
@@ -29,6 +31,7 @@ pub struct MarginalRange {
 /// An open range of speeds in which something is missing: as many eigenvalues are unstable at its ends as the critical
 /// speeds in it do not explain, and what they do between them is within rounding of the imaginary axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct UndecidedRange {
     /// The lower end in m/s.
     pub from: f64,

@@ -10,6 +10,7 @@ use crate::numeric::Tracked;
 
 /// Whether the motion is stable at one speed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Verdict {
     /// Every eigenvalue has a negative real part.
     Stable,

@@ -1,9 +1,10 @@
-//! The models that ship as JSON and TOML, which have the values as people write them.
+//! The models that ship, and what is found of their stability, as JSON and TOML.
 
 use std::fmt::Debug;
 
-use carvallo::Model;
+use carvallo::{CriticalSpeed, Mode, Model, Stability, StableRange, Verdict};
 use carvallo_models::{RollingDisc, Whipple, each_model};
+use carvallo_tests::published::CRITICAL_SPEEDS_2007;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -62,6 +63,25 @@ fn every_set_of_every_model_is_read_back() {
     }
     assert!(each_model!(check).iter().sum::<usize>() > 10);
     assert_eq!(serde_json::to_value(Whipple::BENCHMARK).unwrap()["mB"], 85.0);
+}
+
+/// The words and members of `runtime/cli/docs/json.md`.
+#[test]
+fn stability_has_the_words_of_the_command_line() {
+    let stability = Stability::new(&Whipple::BENCHMARK.coefficients(), 9.81).unwrap();
+    let [_, weave_speed, capsize_speed] = CRITICAL_SPEEDS_2007;
+    let json = serde_json::to_value(&stability.critical_speeds).unwrap();
+    let weave = json.as_array().unwrap().iter().find(|speed| speed["kind"] == "weave").unwrap();
+    assert!((weave["speed"].as_f64().unwrap() - weave_speed).abs() < 1e-12, "{weave}");
+    assert_eq!((&weave["change"], &weave["eigenvalue"]["re"]), (&"stabilizes".into(), &0.0.into()));
+    assert!(weave["eigenvalue"]["im"].as_f64().unwrap() > 0.0);
+    let again: Vec<CriticalSpeed> = serde_json::from_value(json).unwrap();
+    assert_eq!(again, stability.critical_speeds);
+    let ranges = serde_json::to_value(&stability.stable_ranges).unwrap();
+    assert!((ranges[0]["to"].as_f64().unwrap() - capsize_speed).abs() < 1e-12, "{ranges}");
+    assert_eq!(serde_json::from_value::<Vec<StableRange>>(ranges).unwrap(), stability.stable_ranges);
+    let words = |verdict: Verdict, mode: Mode| serde_json::to_string(&(verdict, mode)).unwrap();
+    assert_eq!(words(Verdict::Marginal, Mode::Castering), r#"["marginal","castering"]"#);
 }
 
 /// JSON with its names outside of quotes is TOML.
