@@ -7,7 +7,7 @@
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
     FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+    ParameterInfo, Partial, Rate, RequirementInfo, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -24,6 +24,11 @@ use carvallo::{
 /// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
 /// The fields are the parameters. The coordinates are `phi` (lean) in `rad`, `delta` (steer) in `rad`.
+///
+/// Beside what is said of each field, `validate` requires of them:
+///
+/// - `rR - rhoR` in `m`: `>= 0`, as the radius of `R` without that of its tyre;
+/// - `rF - rhoF` in `m`: `>= 0`, as the radius of `F` without that of its tyre.
 ///
 /// <details><summary>The formulas of its matrices</summary>
 ///
@@ -971,7 +976,10 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
                 values: &WhippleTyres::to_array(&WhippleTyres::<f64>::BENCHMARK_2005),
             },
         ],
-        requirements: &[],
+        requirements: &[
+            RequirementInfo::new("rR - rhoR", "m", Domain::NONNEGATIVE),
+            RequirementInfo::new("rF - rhoF", "m", Domain::NONNEGATIVE),
+        ],
         formulas: &[
             FormulaInfo::definition("yaw_by_delta", "1", "c*cos(lam)/w"),
             FormulaInfo::definition("yaw_per_v_delta", "1/m", "cos(lam)/w"),
@@ -1062,6 +1070,9 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
     fn validate(&self) -> Result<(), ParameterError> {
         let info = const { &<Self as Model<2>>::INFO.without_formulas() };
         info.validate(&self.to_array().map(Scalar::to_f64))?;
+        let t2 = self.rR - self.rhoR;
+        let t5 = self.rF - self.rhoF;
+        info.validate_requirements(&[Scalar::to_f64(t2), Scalar::to_f64(t5)])?;
         Ok(())
     }
 

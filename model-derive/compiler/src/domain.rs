@@ -27,8 +27,15 @@ pub enum Bound {
 impl Domain {
     /// Any finite value but zero.
     pub const NONZERO: Self = Self { lower: Bound::Unbounded, upper: Bound::Unbounded, nonzero: true };
-    /// What a square root takes.
+    /// What radii are.
+    pub const POSITIVE: Self = Self { lower: Bound::Open(0.0), upper: Bound::Unbounded, nonzero: false };
+    /// What a square root takes, and masses are.
     pub const NONNEGATIVE: Self = Self { lower: Bound::Closed(0.0), upper: Bound::Unbounded, nonzero: false };
+
+    /// Whether zero is not inside.
+    pub fn excludes_zero(&self) -> bool {
+        !self.contains(0.0)
+    }
 
     /// Whether `value` is finite and inside.
     pub fn contains(&self, value: f64) -> bool {

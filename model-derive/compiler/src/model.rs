@@ -165,7 +165,7 @@ pub struct Requirement {
 }
 
 /// Who asks for a requirement.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// The declaration.
     Declared,
@@ -173,4 +173,6 @@ pub enum Origin {
     Matrices,
     /// A requirement of the declaration, which has no value without it.
     Requirements,
+    /// The mechanism, of which it is this: "the mass of `B`".
+    Mechanism(String),
 }

@@ -130,6 +130,10 @@
 /// Where formulas for a matrix are known, `assert M == [[…]];` has them compared: every entry that was derived is proved
 /// to be the one that is written.
 ///
+/// What nobody has said of the bodies becomes a requirement of its own, which `validate` checks: masses and moments of
+/// inertia are not negative, radii of wheels are positive, and a tyre's is at most that of its wheel. Domains that say it
+/// (`m: kg, >= 0`) are enough.
+///
 /// Refused are a loop of joints and a body that hangs on nothing; a wheel off the ground, or without a parameter that is
 /// the `gravity`; an axis of no length;
 /// freedoms that nothing determines, and constraints that block or repeat each other, as with three wheels in line; a

@@ -1,15 +1,15 @@
 carvallo::model! {
     pub model Pendulum {
         parameters {
-            I: kg*m^2;
-            m: kg, > 0;
-            l: m, > 0, along z;
+            I: kg*m^2, > 0;
+            P: kg*m^2, along x*z;
+            lam: rad, about y;
             g: N/kg, >= 0, gravity;
         }
 
         mechanism {
-            body B "bob": mass m, at (0, 0, l), inertia [I, 0, 0];
-            revolute theta: ground to B, through (0, 0, 0), along (1, 0, 0);
+            body B "bob": mass 0, at (0, 0, 0), inertia [[I, 0, P], [0, I, 0], [P, 0, I]];
+            revolute theta: ground to B, through (0, 0, 0), along (cos(lam), 0, sin(lam)), spring 1 [N*m];
         }
 
         coordinates {
@@ -17,9 +17,9 @@ carvallo::model! {
         }
 
         set example {
-            I = -5;
-            m = 1;
-            l = 2;
+            I = 2;
+            P = 2.5;
+            lam = -0.7853981633974483;
             g = 9.81;
         }
     }

@@ -77,6 +77,7 @@ fn requirement_docs(Requirement { text, unit, domain, origin, .. }: &Requirement
         (Origin::Matrices, false) => ", since the matrices take its root",
         (Origin::Requirements, true) => ", since a requirement divides by it",
         (Origin::Requirements, false) => ", since a requirement takes its root",
+        (Origin::Mechanism(what), _) => &format!(", as {what}"),
     };
     format!("- `{text}`{unit}: {}{why}", bounds(domain))
 }

@@ -8,6 +8,7 @@ mod intervals;
 mod physical;
 mod published;
 mod ranges;
+mod requirements;
 mod samples;
 mod sets;
 mod sourced;
@@ -16,7 +17,7 @@ mod unused;
 
 use self::claims::Claim;
 use self::counterexample::Space;
-use self::divisors::SourcedFormulas;
+use self::requirements::SourcedFormulas;
 use self::sourced::{Source, Sourced};
 use crate::check::{Checked, CheckedSet, Units};
 use crate::derivation::Derived;
@@ -103,11 +104,8 @@ fn prove(checked: &Checked<'_>, derived: &Derived, units: &Units, report: &mut R
     let declaration = checked.declaration;
     // Whatever is needed for a requirement to have a value comes before it.
     let formulas = gather(checked, derived);
-    let mut requirements = divisors::find_requirements(checked, derived, &formulas, report);
+    let mut requirements = requirements::find_requirements(checked, derived, &formulas, report);
     requirements.iter_mut().for_each(|requirement| requirement.unit = units.of(&requirement.value));
-    if let Some(mechanism) = &declaration.mechanism {
-        physical::check_physical(mechanism, &formulas.attributes, checked, derived, report);
-    }
     requirements.extend(checked.requirements.iter().cloned());
     states::check_states(declaration, derived, report);
     let formulas_have_values = report.is_empty();

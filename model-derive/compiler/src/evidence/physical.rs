@@ -1,84 +1,92 @@
-//! Masses, moments of inertia and radii that no body has: refused where that is proved for all parameters.
+//! What masses, moments of inertia, radii and tyres have to be: those of bodies and wheels that there can be.
 
-use super::intervals::Interval;
-use super::ranges::{Ranges, Reading};
-use super::sourced::Sourced;
-use crate::check::Checked;
-use crate::derivation::Derived;
-use crate::equations::Equations;
-use crate::formula::{Formula, Term};
-use crate::report::Report;
-use crate::symbolic::{self, Sign};
-use crate::syntax::{Inertia, Mechanism};
+use super::requirements::SourcedFormulas;
+use super::sourced::{Source, Sourced};
+use crate::domain::Domain;
+use crate::formula::{Formula, Names, Term};
+use crate::report::Region;
+use crate::syntax::{Expression, Inertia, Mechanism};
 
-/// Reports what is negative and cannot be, and tyres that are rounder than their wheel; `attributes` are the formulas in
-/// the mechanism, in their order.
-pub fn check_physical(
-    mechanism: &Mechanism,
-    attributes: &[Sourced<'_>],
-    checked: &Checked<'_>,
-    derived: &Derived,
-    report: &mut Report,
-) {
-    let mut ranges = Ranges::new(Reading::Nearest, checked.domains.iter().copied().map(Interval::from).collect());
-    derived.definitions.iter().for_each(|definition| ranges.push_definition(definition));
-    let mut refuse_negative = |what: &str, name: &dyn std::fmt::Display, attribute: Sourced<'_>| {
-        if ranges.of(attribute.formula).is_negative() {
-            let text = attribute.text(&derived.names);
-            let message = format!("{what} of `{name}`, `{text}`, is negative for all parameters: expected >= 0");
-            report.error(attribute.region(), message);
+/// What a formula has to be for what it is.
+#[derive(Debug)]
+pub struct Demand {
+    /// What it is, such as "the mass of `B`".
+    pub what: String,
+    pub value: Formula,
+    /// As people read it.
+    pub text: String,
+    pub region: Region,
+    pub domain: Domain,
+    /// What it is a part of.
+    pub whole: Option<Formula>,
+    /// What is said if it is negative for all parameters.
+    pub refusal: String,
+}
+
+/// Finds what the formulas of a mechanism have to be, each radius before the tyre that it holds.
+pub fn find_demands(mechanism: &Mechanism, formulas: &SourcedFormulas<'_>, names: &Names) -> Vec<Demand> {
+    let find = |written: &Expression| {
+        let is_it = |known: &&Sourced<'_>| matches!(known.source, Source::Written(own) if std::ptr::eq(own, written));
+        *formulas.attributes.iter().find(is_it).unwrap_or_else(|| unreachable!("each formula of it is an attribute"))
+    };
+    let demand = |what: String, written: &Expression, domain: Domain| {
+        let attribute = find(written);
+        // What a user of the model sees are the parameters.
+        let mut opened = attribute;
+        while let Formula::Definition(index) = opened.formula {
+            opened = formulas.definitions[*index];
+        }
+        Demand {
+            refusal: format!("{what}, `{written}`, is negative for all parameters: expected {domain}"),
+            what,
+            value: attribute.formula.clone(),
+            text: opened.text(names),
+            region: attribute.region(),
+            domain,
+            whole: None,
         }
     };
-    let mut attributes = attributes.iter().copied();
-    let mut tyres = Vec::new();
+    let mut demands = Vec::new();
     for body in &mechanism.bodies {
-        let Some((_, _, inertia)) = &body.mass else { continue };
-        let Some(mass) = attributes.next() else { return };
-        refuse_negative("the mass", &body.name, mass);
-        attributes.by_ref().take(3).for_each(drop);
-        let (count, step) = match inertia {
-            Inertia::None => (0, 1),
-            Inertia::Principal(_) => (3, 1),
-            Inertia::Full(_) => (9, 4),
+        let Some((mass, _, inertia)) = &body.mass else { continue };
+        demands.push(demand(format!("the mass of `{}`", body.name), mass, Domain::NONNEGATIVE));
+        let moments: Vec<&Expression> = match inertia {
+            Inertia::None => Vec::new(),
+            Inertia::Principal(moments) => moments.iter().collect(),
+            Inertia::Full(rows) => rows.iter().enumerate().map(|(axis, row)| &row[axis]).collect(),
         };
-        for moment in attributes.by_ref().take(count).step_by(step) {
-            refuse_negative("the moment of inertia", &body.name, moment);
+        for moment in moments {
+            let what = format!("the moment of inertia of `{}`", body.name);
+            demands.push(demand(what, moment, Domain::NONNEGATIVE));
         }
     }
     for wheel in &mechanism.wheels {
-        let taken: Vec<Sourced<'_>> = attributes.by_ref().take(4).collect();
-        let [mass, radius, axial, radial] = taken[..] else { return };
-        for (what, attribute) in [
-            ("the mass", mass),
-            ("the radius", radius),
-            ("the axial moment of inertia", axial),
-            ("the radial moment of inertia", radial),
+        let name = &wheel.name;
+        for (what, written, domain) in [
+            ("the mass", &wheel.mass, Domain::NONNEGATIVE),
+            ("the radius", &wheel.radius, Domain::POSITIVE),
+            ("the axial moment of inertia", &wheel.axial, Domain::NONNEGATIVE),
+            ("the radial moment of inertia", &wheel.radial, Domain::NONNEGATIVE),
         ] {
-            refuse_negative(what, &wheel.name, attribute);
+            demands.push(demand(format!("{what} of `{name}`"), written, domain));
         }
-        attributes.by_ref().take(3).for_each(drop);
-        if let Some(tyre) = wheel.tyre.as_ref().and_then(|_| attributes.next()) {
-            refuse_negative("the tyre", &wheel.name, tyre);
-            tyres.push((wheel, radius, tyre));
-        }
+        let Some(tyre) = &wheel.tyre else { continue };
+        demands.push(demand(format!("the tyre of `{name}`"), tyre, Domain::NONNEGATIVE));
+        let [radius, section] = [&wheel.radius, tyre].map(|written| find(written).formula.clone());
+        let value = Formula::Sum(vec![Term::plus(radius.clone()), Term::minus(section)]);
+        demands.push(Demand {
+            what: format!("the radius of `{name}` without that of its tyre"),
+            text: names.text(&value).to_string(),
+            value,
+            region: tyre.region,
+            domain: Domain::NONNEGATIVE,
+            whole: Some(radius),
+            refusal: format!(
+                "the tyre of `{name}`, `{tyre}`, is larger than its radius, `{}`, for all parameters: expected the radius of \
+                 its cross-section, at most that of the wheel",
+                wheel.radius
+            ),
+        });
     }
-    for (wheel, radius, tyre) in tyres {
-        let rest = Formula::Sum(vec![Term::plus(radius.formula.clone()), Term::minus(tyre.formula.clone())]);
-        let is_positive = (-ranges.of(radius.formula)).is_negative();
-        let pair = vec![rest.clone(), radius.formula.clone()];
-        let is_opposite = || {
-            let equations = Equations::of_formulas(checked.domains.len(), &derived.definitions, pair);
-            // A failure of the engine is reported where it compiles the model.
-            symbolic::find_multiples(equations).is_ok_and(|signs| signs.contains(&Some(Sign::Negative)))
-        };
-        if ranges.of(&rest).is_negative() || is_positive && is_opposite() {
-            let [tyre_text, radius_text] = [tyre, radius].map(|attribute| attribute.text(&derived.names));
-            let message = format!(
-                "the tyre of `{}`, `{tyre_text}`, is larger than its radius, `{radius_text}`, for all parameters: expected \
-                 the radius of its cross-section, at most that of the wheel",
-                wheel.name
-            );
-            report.error(tyre.region(), message);
-        }
-    }
+    demands
 }

@@ -11,17 +11,25 @@ pub fn check_sets(sets: &[&ParameterSet], definitions: &[Formula], requirements:
         for definition in definitions {
             values.push(definition.evaluate(&set.values, &values));
         }
+        let mut holds = true;
         for requirement in requirements {
             let value = requirement.value.evaluate(&set.values, &values);
-            if !requirement.domain.contains(value) {
+            // Each has a value if those before it hold.
+            let is_known = holds || value.is_finite();
+            if is_known && !requirement.domain.contains(value) {
+                holds = false;
                 let Requirement { text, domain, origin, .. } = requirement;
+                let subject = match origin {
+                    Origin::Mechanism(what) => format!("{what}, `{text}`,"),
+                    _ => format!("`{text}`"),
+                };
                 let why = match (origin, domain.nonzero) {
-                    (Origin::Declared, _) => "",
+                    (Origin::Declared | Origin::Mechanism(_), _) => "",
                     (_, true) => ", and a formula divides by it",
                     (_, false) => ", and a formula takes its root",
                 };
-                let message =
-                    format!("`{text}` is {} in the set `{}`{why}: expected {domain}", number(value), set.name);
+                let (name, value) = (&set.name, number(value));
+                let message = format!("{subject} is {value} in the set `{name}`{why}: expected {domain}");
                 report.error(&set.name, message);
             }
         }
