@@ -79,6 +79,12 @@ fn parameters_of_another_model() {
 }
 
 #[test]
+fn wheels_that_there_cannot_be() {
+    let options = ["--model", "WhippleTyres", "--set", "rF=0.25", "--set", "rhoF=0.5"];
+    check_options(&options, "benchmark: `rF - rhoF` is -0.25 m; it must be >= 0");
+}
+
+#[test]
 fn pictures_that_there_cannot_be() {
     let message = "--plot x.svg: nothing in the model Pendulum depends on the speed, so there is no graph against it";
     check_options(&["--model", "Pendulum", "--plot", "x.svg"], message);

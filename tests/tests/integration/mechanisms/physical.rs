@@ -86,10 +86,10 @@ fn what_is_known_is_not_required_again() {
     assert_eq!(requirements("m: kg, in [0, 5];", "mass m + 1 [kg], at (0, 0, l), inertia [0, 0, 0]"), []);
     let needed = |what: &str, text: &str| (what.to_string(), text.to_string(), ">= 0".to_string());
     assert_eq!(requirements("m: kg;", "mass m, at (0, 0, l), inertia 0"), [needed("the mass of `B`", "m")]);
-    let moment = needed("the moment of inertia of `B`", "I - m*l^2");
-    let about_its_hinge = "mass m, at (0, 0, l), inertia [I - m*l^2, m*l^2, 2*(I - m*l^2)]";
-    assert_eq!(requirements("m: kg, > 0; I: kg*m^2, > 0;", about_its_hinge), [moment.clone()]);
-    let full = "mass m, at (0, 0, l), inertia [[I - m*l^2, -I, 0], [-I, m*l^2, -I], [0, -I, m*l^2]]";
+    let moment = needed("the moment of inertia of `B`", "I - m*l^2/3");
+    let about_its_end = "mass m, at (0, 0, l), inertia [I - m*l^2/3, m*l^2, 2*(I - m*l^2/3)]";
+    assert_eq!(requirements("m: kg, > 0; I: kg*m^2, > 0;", about_its_end), [moment.clone()]);
+    let full = "mass m, at (0, 0, l), inertia [[I - m*l^2/3, -I, 0], [-I, m*l^2, -I], [0, -I, m*l^2]]";
     assert_eq!(requirements("m: kg, > 0; I: kg*m^2, > 0;", full), [moment]);
 }
 
