@@ -3,7 +3,10 @@
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-use carvallo::{Complex, CriticalSpeed, Mode, ModeValue, Modes, Stability, StableRange, SystemError, Verdict};
+use carvallo::{
+    Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, ModelInfo, Modes, Stability, StableRange, SystemError,
+    Verdict,
+};
 
 use crate::design::Design;
 use crate::failure::Failure;
@@ -15,14 +18,26 @@ const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
 /// Real parts that differ by less than this, relative to the largest eigenvalue, differ by rounding.
 pub const ROUNDING: f64 = 1e-12;
 
-/// The coordinates of a bicycle; only for them the modes have names.
+/// The coordinates of a bicycle; only for them alone the modes have names.
 const BICYCLE: [&str; 2] = ["lean", "steer"];
+
+/// What happens at a critical speed, in the words of the field: capsize and weave of machines that lean and steer, divergence
+/// and flutter of any other.
+pub fn kind(kind: CriticalKind, info: &ModelInfo) -> &'static str {
+    let has = |label: &&str| info.coordinates.iter().any(|coordinate| coordinate.label == *label);
+    match (kind, BICYCLE.iter().all(has)) {
+        (CriticalKind::Weave, true) => "weave",
+        (CriticalKind::Weave, false) => "flutter",
+        (CriticalKind::Capsize, true) => "capsize",
+        (CriticalKind::Capsize, false) => "divergence",
+        (CriticalKind::DoubleRoot, _) => "double_root",
+    }
+}
 
 /// A design with everything about it along speed.
 pub struct Analysis {
     pub design: Design,
-    /// For models with two coordinates.
-    pub stability: Option<Stability>,
+    pub stability: Stability,
     /// For bicycles.
     modes: Option<Modes>,
 }
@@ -57,26 +72,23 @@ impl Analysis {
         let gravity = design.gravity().unwrap_or(0.0);
         let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
         let stability = design.equations.stability(gravity).map_err(fail)?;
-        let two = design.equations.of_two();
         let is_bicycle = design.info().coordinates.iter().map(|coordinate| coordinate.label).eq(BICYCLE);
-        let modes = two.filter(|_| is_bicycle).map(|coefficients| Modes::new(coefficients, gravity));
+        let modes = design.equations.of_two().filter(|_| is_bicycle).map(|two| Modes::new(two, gravity));
         let modes = modes.transpose().map_err(fail)?;
         Ok(Self { design, stability, modes })
     }
 
-    /// The critical speeds; none for other than two coordinates, for which they are not computed.
     pub fn critical_speeds(&self) -> &[CriticalSpeed] {
-        self.stability.as_ref().map_or(&[], |stability| &stability.critical_speeds)
+        &self.stability.critical_speeds
     }
 
-    /// The stable ranges; none for other than two coordinates, for which they are not computed.
     pub fn stable_ranges(&self) -> &[StableRange] {
-        self.stability.as_ref().map_or(&[], |stability| &stability.stable_ranges)
+        &self.stability.stable_ranges
     }
 
-    /// Whether every motion dies away at a speed; not known for other than two coordinates.
+    /// Whether every motion dies away at a speed.
     pub fn is_stable(&self, speed: f64) -> bool {
-        self.stability.as_ref().is_some_and(|stability| stability.verdict(speed) == Ok(Verdict::Stable))
+        self.stability.verdict(speed) == Ok(Verdict::Stable)
     }
 
     /// The modes that columns are for, each as often as it has eigenvalues at some speed; none without names of modes.
@@ -121,11 +133,7 @@ impl Analysis {
         let unit = (ROUNDING * largest(&values)).max(f64::MIN_POSITIVE);
         let key = |value: &Complex<f64>| [(value.re / unit).round(), value.im.abs(), value.im];
         values.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
-        let verdict = match &self.stability {
-            Some(stability) => stability.verdict(speed)?,
-            None => Verdict::of(&values),
-        };
-        Ok(Eigenvalues { values, verdict })
+        Ok(Eigenvalues { values, verdict: self.stability.verdict(speed)? })
     }
 }
 

@@ -179,11 +179,11 @@ pub trait Equations: Debug {
     /// If there are none, as for a singular mass matrix.
     fn eigenvalues(&self, speed: f64, gravity: f64) -> Result<Vec<Complex<f64>>, SystemError>;
 
-    /// Critical speeds and stable ranges; none for what they are not computed for.
+    /// The critical speeds and stable ranges at a gravitational field strength in N/kg.
     ///
     /// # Errors
     /// If there are none, as for a singular mass matrix.
-    fn stability(&self, gravity: f64) -> Result<Option<Stability>, SystemError>;
+    fn stability(&self, gravity: f64) -> Result<Stability, SystemError>;
 
     /// The coefficients of exactly two coordinates, for which there is more to be had: without C-1 and K1, and with
     /// positions and rates for states.
@@ -203,8 +203,8 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
         self.at(speed, gravity)?.eigenvalues()
     }
 
-    fn stability(&self, gravity: f64) -> Result<Option<Stability>, SystemError> {
-        self.of_two().map(|two| Stability::new(two, gravity)).transpose()
+    fn stability(&self, gravity: f64) -> Result<Stability, SystemError> {
+        Stability::new(self, gravity)
     }
 
     fn of_two(&self) -> Option<&Coefficients<f64, 2>> {

@@ -35,8 +35,8 @@ JSON for the Whipple model, in SI units, every number reading back to the same d
    \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\": \"castering\"|\"capsize\"|\"weave\"
      |\"real\"|\"oscillatory\"}]}]}
 Other models have \"name\" in the place of \"bicycle\", and those of \"M\", \"C-1\", \"C0\", \"C1\", \"Kc\", \"K0\", \"K1\", \"K2\" that they have.
-Critical speeds and stable ranges are null for other than two coordinates. Unless the coordinates are lean and steer,
-eigenvalues have no \"mode\" and are sorted, and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\"; where
+Unless lean and steer are among the coordinates, kinds are \"flutter\", \"divergence\" and \"double_root\"; unless they are
+all, eigenvalues have no \"mode\" and are sorted, and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\"; where
 nothing depends on the speed there is one row, with the speed null.
 
 Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";

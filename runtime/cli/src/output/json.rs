@@ -2,13 +2,13 @@
 
 use std::io::{Result, Write};
 
-use carvallo::{Complex, CoordinateInfo, CriticalSpeed, ModeValue, Stability, StableRange, States};
+use carvallo::{Complex, CoordinateInfo, CriticalSpeed, ModeValue, ModelInfo, Stability, StableRange, States};
 use serde::Serialize;
 
 use super::equations::{Matrix, matrices};
 use super::head::Head;
 use super::layout::{Line, Members, Parts, write_document};
-use crate::analysis::{Analysis, Eigenvalues, Row, Rows};
+use crate::analysis::{Analysis, Eigenvalues, Row, Rows, kind};
 use crate::matrices::NAME;
 
 #[derive(Serialize)]
@@ -20,8 +20,8 @@ struct Document<'a> {
     coordinates: Option<Vec<Line<Coordinate>>>,
     parameters: Members<Line<f64>>,
     matrices: Members<Line<Vec<Vec<f64>>>>,
-    critical_speeds: Option<Vec<Line<Event>>>,
-    stable_ranges: Option<Vec<Line<Range>>>,
+    critical_speeds: Vec<Line<Event>>,
+    stable_ranges: Vec<Line<Range>>,
     eigenvalues: Vec<Line<AtSpeed>>,
 }
 
@@ -39,7 +39,7 @@ type Range = (f64, Option<f64>);
 /// A critical speed.
 #[derive(Serialize)]
 struct Event {
-    kind: String,
+    kind: &'static str,
     speed: f64,
     eigenvalue: Parts,
     change: String,
@@ -75,8 +75,8 @@ pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> R
         coordinates: (info.name == NAME).then(|| info.coordinates.iter().map(coordinate).map(Line).collect()),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         matrices: Members(matrices.map(|Matrix { name, rows, .. }| (name, Line(rows))).collect()),
-        critical_speeds: stability.as_ref().map(events),
-        stable_ranges: stability.as_ref().map(ranges),
+        critical_speeds: events(stability, info),
+        stable_ranges: ranges(stability),
         eigenvalues: match rows {
             Rows::Modes(rows) => rows.iter().map(modes).map(Line).collect(),
             Rows::Sorted(rows) => {
@@ -97,9 +97,9 @@ fn coordinate(CoordinateInfo { name, states, .. }: &CoordinateInfo) -> Coordinat
     Coordinate { name, only }
 }
 
-fn events(stability: &Stability) -> Vec<Line<Event>> {
+fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {
     let event = |critical: &CriticalSpeed| Event {
-        kind: critical.kind.to_string(),
+        kind: kind(critical.kind, info),
         speed: critical.speed,
         eigenvalue: critical.eigenvalue.into(),
         change: critical.change.to_string(),

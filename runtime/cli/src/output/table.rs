@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, Verdict};
+use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, UndecidedRange, Verdict};
 
 use super::columns::{speeds, width};
 use super::ranges::write_ranges;
 use super::{FAINT, GOOD, HEADING, equations, sorted};
-use crate::analysis::{Analysis, ModeRow, ROUNDING, Rows};
+use crate::analysis::{self, Analysis, ModeRow, ROUNDING, Rows};
 use crate::design::Design;
 use crate::number::{fixed, shortest};
 
@@ -36,29 +36,27 @@ pub fn write_heading(design: &Design, text: &mut String) {
 }
 
 fn write_critical_speeds(analysis: &Analysis, text: &mut String) {
-    let Some(stability) = &analysis.stability else {
-        let n = analysis.design.info().coordinates.len();
-        let _ = writeln!(
-            text,
-            "\n{HEADING}Critical speeds{HEADING:#} are computed for two coordinates only; this model has {n}"
-        );
-        return;
-    };
+    let stability = &analysis.stability;
     let _ = writeln!(text, "\n{HEADING}Critical speeds{HEADING:#} (m/s)");
     let speeds: Vec<String> = stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
     let width = width(&speeds, 20);
     for critical in &stability.critical_speeds {
         let CriticalSpeed { kind, speed, eigenvalue, .. } = critical;
-        let (name, at) = match kind {
-            CriticalKind::Weave => ("weave", format!("±{} i", fixed(eigenvalue.im.abs(), 4))),
-            CriticalKind::Capsize => ("capsize", "0".to_owned()),
-            CriticalKind::DoubleRoot => ("double root", double_root(*eigenvalue)),
+        let name = analysis::kind(*kind, analysis.design.info()).replace('_', " ");
+        let at = match kind {
+            CriticalKind::Weave => format!("±{} i", fixed(eigenvalue.im.abs(), 4)),
+            CriticalKind::Capsize => "0".to_owned(),
+            CriticalKind::DoubleRoot => double_root(*eigenvalue),
         };
         let change = describe_effect(stability, critical);
         let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
     }
     if stability.critical_speeds.is_empty() {
         let _ = writeln!(text, "  none");
+    }
+    for UndecidedRange { from, to } in &stability.undecided {
+        let (from, to) = (shortest(*from), shortest(*to));
+        let _ = writeln!(text, "  from {from} to {to} m/s one may be missing: rounding decides there");
     }
     write_ranges(stability, text);
 }

@@ -7,7 +7,7 @@ use super::colors::color;
 use super::font;
 use super::labels::{Labels, THIN};
 use super::scene::{Anchor, Color, Paint, Scene, dashed};
-use crate::analysis::Analysis;
+use crate::analysis::{self, Analysis};
 use crate::number::fixed;
 
 const SIZE: f32 = 13.0;
@@ -34,10 +34,11 @@ pub fn critical(analysis: &Analysis, axes: &Axes) -> Vec<Critical> {
         if !(axes.x.0..=axes.x.1).contains(&speed) {
             continue;
         }
-        let (name, color) = match critical.kind {
-            CriticalKind::Weave => ("weave", color(Mode::Weave)),
-            CriticalKind::Capsize => ("capsize", color(Mode::Capsize)),
-            CriticalKind::DoubleRoot => ("double root", INK.lighter(0.3)),
+        let name = analysis::kind(critical.kind, analysis.design.info()).replace('_', " ");
+        let color = match critical.kind {
+            CriticalKind::Weave => color(Mode::Weave),
+            CriticalKind::Capsize => color(Mode::Capsize),
+            CriticalKind::DoubleRoot => INK.lighter(0.3),
         };
         let text = format!("{name} {}", fixed(speed, 4));
         let width = font::width(&text, SIZE);

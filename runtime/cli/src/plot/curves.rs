@@ -6,14 +6,15 @@ use crate::analysis::{Analysis, ModeRow};
 
 /// Speeds of the curves, enough for lines that look smooth; more where it is not known at which of them curves turn.
 const SAMPLES: u32 = 250;
-const SAMPLES_WITHOUT_CRITICAL: u32 = 1000;
+const SAMPLES_WITHOUT_DOUBLE_ROOTS: u32 = 1000;
 
 /// Speeds and values.
 pub type Curve = Vec<(f64, f64)>;
 
 /// Evenly spaced speeds, and close ones around critical speeds, where curves turn sharply.
 pub fn samples(analysis: &Analysis, low: f64, high: f64) -> Vec<f64> {
-    let samples = if analysis.stability.is_some() { SAMPLES } else { SAMPLES_WITHOUT_CRITICAL };
+    let has_double_roots = analysis.design.equations.of_two().is_some();
+    let samples = if has_double_roots { SAMPLES } else { SAMPLES_WITHOUT_DOUBLE_ROOTS };
     let step = (high - low) / f64::from(samples);
     let mut speeds: Vec<f64> = (0..=samples).map(|index| low + f64::from(index) * step).collect();
     for critical in analysis.critical_speeds() {

@@ -6,6 +6,7 @@ use super::axes::{INK, across};
 use super::colors::color;
 use super::font;
 use super::scene::{Anchor, Color, Paint, Scene, line};
+use crate::analysis::kind;
 use crate::number::{fixed, shortest, unit};
 use crate::sensitivity::{Changes, Step};
 
@@ -104,9 +105,10 @@ fn rows(changes: &Changes) -> Vec<Row> {
 fn series(changes: &Changes) -> Vec<(String, Color)> {
     let ranked = changes.ranked();
     let entry = |(index, (critical, _)): (usize, &(&carvallo::CriticalSpeed, _))| {
-        let (name, color) = match critical.kind {
-            CriticalKind::Weave => ("weave", color(Mode::Weave)),
-            _ => ("capsize", CAPSIZE),
+        let name = kind(critical.kind, changes.design.info());
+        let color = match critical.kind {
+            CriticalKind::Weave => color(Mode::Weave),
+            _ => CAPSIZE,
         };
         let before = ranked[..index].iter().filter(|(other, _)| other.kind == critical.kind).count();
         let color = color.lighter((0.4 * before as f32).min(0.8));

@@ -46,7 +46,13 @@ fn three_coordinates_have_their_eigenvalues_and_verdicts() {
     let fast = fast.into_iter().chain([8.50118992375718, 10.756468925856252]);
     assert_eigenvalues(&json["eigenvalues"][1], "unstable", &fast.map(|re| (re, 0.0)).collect::<Vec<_>>());
     assert_eq!((&json["model"], &json["name"]), (&"ThreePipes".into(), &"hose".into()));
-    assert_eq!((&json["critical_speeds"], &json["stable_ranges"]), (&Value::Null, &Value::Null));
+    // By bisection of the rightmost eigenvalue at 40 digits, with mpmath.
+    let [flutter] = &json["critical_speeds"].as_array().unwrap()[..] else { panic!("{json}") };
+    assert_eq!((&flutter["kind"], &flutter["change"]), (&"flutter".into(), &"destabilizes".into()));
+    assert_near(&flutter["speed"], 5.639_495_351_347_755, 1e-14);
+    assert_near(&flutter["eigenvalue"]["im"], 3.393_701_772_102_35, 1e-13);
+    assert_eq!(json["stable_ranges"].as_array().unwrap().len(), 1);
+    assert_eq!(json["stable_ranges"][0][1], flutter["speed"]);
     let matrices: Vec<&String> = json["matrices"].as_object().unwrap().keys().collect();
     assert_eq!(matrices, ["C0", "C1", "K0", "K2", "Kc", "M"]);
     // m + f = 0.5 kg/m and l = 0.5 m.
@@ -61,8 +67,9 @@ fn two_coordinates_have_critical_speeds_whatever_they_are() {
     let json = Directory::new("two").run(&arguments).json();
     let (l, f, k, weight) = (0.5_f64, 0.3, 0.5, 0.5 * 0.25 * 9.81);
     let critical = (((2.0 * k + 1.5 * weight) * (k + 0.5 * weight) - k * k) / (f * l * 0.5 * weight)).sqrt();
-    let capsize = json["critical_speeds"].as_array().unwrap().iter().find(|found| found["kind"] == "capsize").unwrap();
-    assert_near(&capsize["speed"], critical, 1e-14);
+    let buckling =
+        json["critical_speeds"].as_array().unwrap().iter().find(|found| found["kind"] == "divergence").unwrap();
+    assert_near(&buckling["speed"], critical, 1e-14);
     assert_eq!(json["stable_ranges"][0][0], 0.0);
     assert_near(&json["stable_ranges"][0][1], critical, 1e-14);
     let rest = [(-1.2069705992475517, 14.919380358063888), (-0.027315115038162554, 4.13556767528038)];
@@ -126,14 +133,20 @@ fn tables_say_what_there_is() {
     let text = directory.run(&["analyze", "--model", "ThreePipes"]).ok();
     assert!(text.starts_with("ThreePipes hose\n"), "{text}");
     assert!(text.contains("M q'' + (C0 + v C1) q' + (Kc + g K0 + v² K2) q = f\n"), "{text}");
-    assert!(text.contains("\nCritical speeds are computed for two coordinates only; this model has 3\n"), "{text}");
+    assert!(text.contains("\n  flutter      5.6394953513477"), "{text}");
+    assert!(text.contains("\n  self-stable from 0 to 5.6394953513477"), "{text}");
+    // Kinds are those of bicycles where there are lean and steer: to 40 digits, as above.
+    let leaning = directory.run(&["analyze", "--model", "WhippleLeaning"]).ok();
+    for expected in ["\n  weave        4.1176982482860", "\n  capsize      6.018303669117"] {
+        assert!(leaning.contains(expected), "{expected} is not in {leaning}");
+    }
     let row = "        3  stable     -3.498710 ± 17.291833 i   -3.048812 ±  7.384452 i   -2.101709 ±  2.317984 i\n";
     assert!(text.contains(row), "{text}");
     for unit in ["M  kg m² ", "C0 N m s ", "C1 kg m ", "Kc N m ", "K0 kg m ", "K2 kg "] {
         assert!(text.contains(&format!("\n  {unit}")), "{unit} is not in {text}");
     }
     let text = directory.run(&["analyze", "--model", "TwoPipes"]).ok();
-    assert!(text.contains("\n  capsize      5.62560941690647"), "{text}");
+    assert!(text.contains("\n  divergence   5.62560941690647"), "{text}");
     assert!(text.contains("  unstable  "), "{text}");
     assert!(!text.contains("weave     "), "{text}");
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::analysis::kind;
 use crate::model::Equations;
 use crate::number::shortest;
 use crate::output::columns::width;
@@ -27,7 +28,7 @@ pub fn write_deviations(changes: &Changes, text: &mut String) {
         .collect();
     let column = width(&speeds, 20);
     for ((critical, derivatives), speed) in ranked.iter().zip(&speeds) {
-        let kind = critical.kind.to_string();
+        let kind = kind(critical.kind, changes.design.info());
         let parts = contributions(changes, derivatives);
         let _ = writeln!(text, "  {kind:<10}{speed:<column$}m/s   {FAINT}{parts}{FAINT:#}");
     }

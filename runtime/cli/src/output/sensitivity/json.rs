@@ -5,6 +5,7 @@ use std::io::{Result, Write};
 use carvallo::Complex;
 use serde::Serialize;
 
+use crate::analysis::kind;
 use crate::model::Equations;
 use crate::output::equations::{Matrix, matrices};
 use crate::output::head::Head;
@@ -31,7 +32,7 @@ struct Parameter {
 /// Without derivatives all from them on are null, and the last one says why.
 #[derive(Serialize)]
 struct CriticalSpeed {
-    kind: String,
+    kind: &'static str,
     speed: Line<f64>,
     eigenvalue: Line<Parts>,
     change: String,
@@ -74,7 +75,7 @@ fn critical_speed(changes: &Changes, Critical { speed, derivatives }: &Critical)
     let numbers = |values: &[f64]| by_parameter(changes, values.iter().copied().map(positive_zero));
     let parts = |values: &[Complex<f64>]| by_parameter(changes, values.iter().copied().map(positive_zeros));
     CriticalSpeed {
-        kind: speed.kind.to_string(),
+        kind: kind(speed.kind, changes.design.info()),
         speed: Line(speed.speed),
         eigenvalue: Line(positive_zeros(speed.eigenvalue)),
         change: speed.change.to_string(),

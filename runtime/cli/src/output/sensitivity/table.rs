@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use carvallo::CriticalKind;
 
 use super::deviations::write_deviations;
+use crate::analysis::kind;
 use crate::number::{fixed, shortest, unit};
 use crate::output::columns::width;
 use crate::output::ranges::write_ranges;
@@ -28,7 +29,10 @@ pub fn render_table(changes: &Changes) -> String {
 
 /// The weave and capsize speeds, and that there is none, or none that can be ranked by.
 fn write_critical_speeds(changes: &Changes, text: &mut String) {
-    let _ = writeln!(text, "\n{HEADING}Weave and capsize speeds{HEADING:#} (m/s)");
+    let info = changes.design.info();
+    let [weave, capsize] = [CriticalKind::Weave, CriticalKind::Capsize].map(|of| kind(of, info));
+    let first = weave[..1].to_uppercase() + &weave[1..];
+    let _ = writeln!(text, "\n{HEADING}{first} and {capsize} speeds{HEADING:#} (m/s)");
     let none = |kind: CriticalKind| !changes.critical_speeds.iter().any(|critical| critical.speed.kind == kind);
     let all = changes.critical_speeds.iter().filter(|critical| critical.speed.kind != CriticalKind::DoubleRoot);
     let values: Vec<String> = all.clone().map(|critical| shortest(critical.speed.speed)).collect();
@@ -36,10 +40,11 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
     for (critical, value) in all.zip(&values) {
         let reason = critical.derivatives.as_ref().err();
         let reason = reason.map(|reason| format!("; not ranked: {reason}")).unwrap_or_default();
-        let (kind, effect) = (critical.speed.kind.to_string(), describe_effect(&changes.stability, &critical.speed));
+        let kind = kind(critical.speed.kind, info);
+        let effect = describe_effect(&changes.stability, &critical.speed);
         let _ = writeln!(text, "  {kind:<13}{value:<column$}{FAINT}{effect}{reason}{FAINT:#}");
     }
-    for (kind, meaning) in [(CriticalKind::Weave, "weave"), (CriticalKind::Capsize, "capsize")] {
+    for (kind, meaning) in [(CriticalKind::Weave, weave), (CriticalKind::Capsize, capsize)] {
         if none(kind) {
             let _ = writeln!(text, "  {meaning:<13}{:<column$}{FAINT}there is no such speed{FAINT:#}", "-");
         }
@@ -78,7 +83,7 @@ fn write_ranking(changes: &Changes, text: &mut String) {
         ("unit".to_owned(), lines(&|i| unit(info.parameters[i].unit))),
     ];
     for (critical, derivatives) in &ranked {
-        let name = format!("{} {}", critical.kind, fixed(critical.speed, 4));
+        let name = format!("{} {}", kind(critical.kind, changes.design.info()), fixed(critical.speed, 4));
         let effect = |i| changes.effect(derivatives, i).map_or("-".to_owned(), |effect| signed(effect, 6));
         columns.push((name, lines(&effect)));
         columns.push(("per unit".to_owned(), lines(&|i| signed(derivatives.speed[i], 6))));
