@@ -3,8 +3,16 @@
 //!
 //! The YAML that is read is this flat list, alone or indented under `values:`, with comments, quotes and block texts.
 
+use std::borrow::Cow;
+
 use super::document::{Document, Entry, File};
-use super::texts::{Folded, fold_python, fold_yaml, without_prefix};
+use super::matrices;
+use super::names::without_owner;
+use super::tables::Words;
+use super::texts::{Folded, fold_python, fold_yaml, unquoted, without_prefix};
+
+const WORDS: Words =
+    Words { parameters: "`values:`", table: "a table", table_without_value: "a table without `value`" };
 
 /// What lines of scripts begin with that parameters do not depend on.
 const STATEMENTS: [&str; 8] = ["import", "from", "class", "def", "clear", "clc", "close", "format"];
@@ -24,16 +32,19 @@ pub fn read(file: File, separator: char) -> Document {
         return document;
     }
     let file = File { text: &folded.text, ..file };
-    let without_comment = |line| without_comment(line, is_matlab);
-    let is_table = |line| separator == ':' && matches!(without_comment(line).trim_end(), "values:" | "parameters:");
+    let is_table = |line: &str| {
+        separator == ':' && matches!(without_comment(line, is_matlab).trim_end(), "values:" | "parameters:")
+    };
     // With a heading such as `values:`, what is not indented under it describes the file.
     let nested = file.text.lines().any(is_table);
     let mut inside = !nested;
     let mut block_indent = None;
     let mut comments = 0;
-    let lines_behind =
-        |index: usize| file.text.lines().skip(index + 1).filter(|line| !without_comment(line).trim().is_empty());
-    for (index, line) in file.text.lines().enumerate() {
+    let lines_behind = |index: usize| {
+        file.text.lines().skip(index + 1).filter(|line| !without_comment(line, is_matlab).trim().is_empty())
+    };
+    for (index, line) in whole_lines(file.text, separator, is_matlab) {
+        let line = line.as_ref();
         let place = file.line(index + 1);
         let indent = indent_of(line);
         if block_indent.is_some_and(|block| indent > block || line.trim().is_empty()) {
@@ -43,7 +54,7 @@ pub fn read(file: File, separator: char) -> Document {
         if is_matlab && is_in_block(line.trim(), &mut comments) {
             continue;
         }
-        let content = without_comment(line).trim();
+        let content = without_comment(line, is_matlab).trim();
         if content.is_empty() || content == "---" {
             continue;
         }
@@ -69,7 +80,10 @@ pub fn read(file: File, separator: char) -> Document {
                 continue;
             }
             let is_group = || lines_behind(index).next().is_some_and(|next| indent_of(next) > indent);
-            if value.starts_with(['|', '>']) {
+            if matrices::is_text(without_owner(name), value) {
+                // Statements before it in its line end no line.
+                document.take_matrix_text(without_owner(name), value, &|lines| file.line(index + 1 + lines));
+            } else if value.starts_with(['|', '>']) {
                 block_indent = Some(indent);
             } else if name == "parameterization" {
                 if value != "benchmark" {
@@ -92,7 +106,32 @@ pub fn read(file: File, separator: char) -> Document {
     if comments > 0 {
         document.problem(file.line(file.text.lines().count()), "a comment that begins with `%{` has no end `%}`");
     }
+    document.finish_matrices(&WORDS);
     document
+}
+
+/// The lines with their numbers from zero; those that a list in brackets goes on over are one, without comments.
+fn whole_lines(text: &str, separator: char, is_matlab: bool) -> Vec<(usize, Cow<'_, str>)> {
+    let is_open = |line: &str| line.split_once(separator).is_some_and(|(_, value)| matrices::is_open(value));
+    let mut whole: Vec<(usize, Cow<str>)> = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        match whole.last_mut() {
+            Some((_, last)) if is_open(last) => {
+                let (line, last) = (without_comment(line, is_matlab), last.to_mut());
+                // In MATLAB, three dots go on without a new row.
+                match last.trim_end().strip_suffix("...").map(str::len) {
+                    Some(end) => last.replace_range(end.., " "),
+                    None => last.push('\n'),
+                }
+                last.push_str(line);
+            }
+            _ if is_open(without_comment(line, is_matlab)) => {
+                whole.push((index, without_comment(line, is_matlab).into()))
+            }
+            _ => whole.push((index, line.into())),
+        }
+    }
+    whole
 }
 
 /// Whether a text is a script of MATLAB, in which `%` begins a comment.
@@ -137,7 +176,17 @@ fn statements(content: &str, separator: char) -> Vec<&str> {
     if separator == ':' || is_text(content) {
         return vec![content];
     }
-    content.split(';').map(str::trim).filter(|statement| !statement.is_empty()).collect()
+    // Within brackets a semicolon ends a row of a matrix.
+    let mut depth = 0;
+    let ends = |sign: char| {
+        depth += match sign {
+            '[' => 1,
+            ']' => -1,
+            _ => 0,
+        };
+        sign == ';' && depth <= 0
+    };
+    content.split(ends).map(str::trim).filter(|statement| !statement.is_empty()).collect()
 }
 
 /// Whether a line of a script is none of those that give parameters.
@@ -150,8 +199,4 @@ fn is_text(content: &str) -> bool {
     let text = without_prefix(content);
     let inner = unquoted(text);
     inner != text && !inner.contains(['"', '\''])
-}
-
-fn unquoted(text: &str) -> &str {
-    ['"', '\''].iter().find_map(|&quote| text.strip_prefix(quote)?.strip_suffix(quote)).unwrap_or(text)
 }

@@ -186,6 +186,16 @@ fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
     })
 }
 
+/// Whether a line, alone, tells that a file is in TOML.
+fn is_of_toml(line: &str) -> bool {
+    line.starts_with("[parameters]")
+        || line.starts_with("[matrices]")
+        || line == "[[coordinates]]"
+        || line.starts_with('{')
+        || line.contains("= {")
+        || line.contains("[{")
+}
+
 /// Other endings tell nothing: the first line that is neither empty nor a comment does, nor in a script the head of a class.
 fn by_content(file: File) -> Document {
     let is_comment = |line: &&str| line.is_empty() || line.starts_with(['#', '%']) || lines::is_statement(line);
@@ -196,7 +206,7 @@ fn by_content(file: File) -> Document {
     let first = lines.next().unwrap_or_default();
     if first.starts_with('{') {
         json::read(file)
-    } else if first.starts_with('[') || lines.any(|line| line == "[parameters]" || line.contains("= {")) {
+    } else if first.starts_with('[') || lines.any(|line| is_of_toml(line)) {
         toml::read(file)
     } else if first.split_once(':').is_some_and(|(name, _)| !name.contains('=')) {
         lines::read(file, ':')

@@ -56,6 +56,9 @@ impl Document {
         for Named { name, node: Node { place, value } } in members {
             match value {
                 Value::Text(text) if self.take_heading(&name, &text) => {}
+                Value::Text(text) if !has_parameters && matrices::is_text(&name, &text) => {
+                    self.take_matrix_text(&name, &text, &|_| place.clone());
+                }
                 Value::Table(inner) if has_parameters && name == "parameters" || has_matrices && name == "matrices" => {
                     group.extend(inner);
                 }
@@ -70,7 +73,13 @@ impl Document {
             }
         }
         for Named { name, node } in group {
-            if has_matrices && matrices::is_part(&name, &node.value, false) {
+            let text = match &node.value {
+                Value::Text(text) if has_matrices && matrices::is_text(&name, text) => Some(text),
+                _ => None,
+            };
+            if let Some(text) = text {
+                self.take_matrix_text(&name, text, &|_| node.place.clone());
+            } else if has_matrices && matrices::is_part(&name, &node.value, false) {
                 self.parts.push(Named { name, node });
             } else {
                 self.take(name, node.place, node.value, words);

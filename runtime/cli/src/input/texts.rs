@@ -83,6 +83,11 @@ pub fn without_prefix(text: &str) -> &str {
     text.trim_start_matches(['r', 'R', 'u', 'U', 'b', 'B', 'f', 'F'])
 }
 
+/// What stands between quotes, or a text that stands in none.
+pub fn unquoted(text: &str) -> &str {
+    ['"', '\''].iter().find_map(|&quote| text.strip_prefix(quote)?.strip_suffix(quote)).unwrap_or(text)
+}
+
 /// The length of a text up to the quotes that end it.
 fn length(text: &str, quotes: &str) -> Option<usize> {
     let mut at = 0;

@@ -3,6 +3,7 @@
 mod coordinates;
 mod names;
 mod shape;
+mod text;
 
 use carvallo::MatrixName;
 
@@ -15,6 +16,7 @@ use crate::failure::Place;
 use crate::matrices::{Form, MOST, NAME, is_called};
 
 pub use self::names::unknown;
+pub use self::text::is_open;
 
 /// Whether a name of a file is for matrices: a matrix by its rows, unless parameters are in a group of their own, or what the
 /// coordinates are.
@@ -22,7 +24,27 @@ pub fn is_part(name: &str, value: &Value, has_parameters: bool) -> bool {
     name == COORDINATES || !has_parameters && matches!(value, Value::List(_)) && matrix(name).is_some()
 }
 
+/// Whether a text under a name is a matrix, as scripts have it, or the names of the coordinates.
+pub fn is_text(name: &str, text: &str) -> bool {
+    (name == COORDINATES || matrix(name).is_some()) && text::is_list(text)
+}
+
 impl Document {
+    /// Takes a matrix from the text of its rows, each at the place that belongs to the number of lines before it.
+    pub fn take_matrix_text(&mut self, name: &str, text: &str, place: &dyn Fn(usize) -> Place) {
+        let Some(mut value) = text::list(text, place) else {
+            let message =
+                format!("`{name}` cannot be read; expected a list of rows, such as [[1, 0], [0, 1]] or [1 0; 0 1]");
+            return self.problem(place(0), message);
+        };
+        if let (COORDINATES, Value::List(rows)) = (name, &mut value)
+            && rows.len() == 1
+        {
+            value = rows.remove(0).value;
+        }
+        self.parts.push(Named { name: name.to_owned(), node: Node { place: place(0), value } });
+    }
+
     /// Takes the matrices, if there are any, for parameters of a model of their own.
     pub fn finish_matrices(&mut self, words: &Words) {
         let parts = std::mem::take(&mut self.parts);

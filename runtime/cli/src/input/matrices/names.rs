@@ -2,6 +2,7 @@
 
 use carvallo::MatrixName;
 
+use crate::input::names::without_owner;
 use crate::matrices::MOST;
 use crate::nearest::nearest;
 
@@ -19,7 +20,7 @@ pub fn matrix(name: &str) -> Option<MatrixName> {
         '₋' | '−' | '⁻' => '-',
         other => other,
     };
-    let short: String = name.chars().filter(|sign| !"_^{}() ".contains(*sign)).map(digit).collect();
+    let short: String = without_owner(name).chars().filter(|sign| !"_^{}() ".contains(*sign)).map(digit).collect();
     let usual = match short.as_str() {
         "Cm1" | "Cminus1" => "C-1",
         "C" | "D" => "C0",
@@ -31,7 +32,7 @@ pub fn matrix(name: &str) -> Option<MatrixName> {
 
 /// Whether a name is that of damping or of stiffness without a word on the speed and gravity.
 pub fn is_plain(name: &str) -> bool {
-    ["C", "D", "K"].contains(&name)
+    ["C", "D", "K"].contains(&without_owner(name))
 }
 
 /// The entry of a matrix that a parameter is: `M_12`, or `M_1_12`; its row and its column, from one.
