@@ -75,7 +75,8 @@ pub fn declare(input: TokenStream) -> TokenStream {
         Ok(compiled) => emit::emit(&compiled, &driver),
         Err(Refusal { error, model }) => {
             let outline = model.map(|model| emit::outline(*model, &driver));
-            error.into_compile_error().into_iter().chain(outline.into_iter().flatten()).collect()
+            // Editors take the first of what stands at a place, and mistakes stand where names are completed.
+            outline.into_iter().flatten().chain(error.into_compile_error()).collect()
         }
     }
 }

@@ -65,6 +65,9 @@ pub struct References {
     pub named: Vec<Named>,
     /// Every use of a name.
     pub uses: Vec<(Target, Ident)>,
+    /// Names that stand for nothing, each with what it should stand for: beside a definition that may be a parameter. One
+    /// of them is what is just being written in an editor.
+    pub unknown: Vec<(Target, Ident)>,
     /// The names of the declared matrices, where they are declared.
     pub matrices: Vec<(MatrixName, Span)>,
 }

@@ -23,13 +23,13 @@ pub fn find_references(declaration: &Declaration, scope: &Scope, dimensions: &[O
     // A second one of a name is a mistake, and reported.
     let mut known = HashSet::new();
     let named = named.filter(|item| known.insert((item.target, item.name.to_string()))).collect();
-    // What is not known is reported, too.
-    uses.retain(|(target, name)| *target == Target::Parameter || known.contains(&(*target, name.to_string())));
+    known.extend(declaration.parameters.iter().map(|parameter| (Target::Parameter, parameter.name.to_string())));
+    let (uses, unknown) = uses.into_iter().partition(|(target, name)| known.contains(&(*target, name.to_string())));
 
     let Declaration { added, wholes, .. } = declaration;
     let own = own_matrices(declaration).iter().chain(added).map(|matrix| (matrix.name, matrix.span));
     let wholes = wholes.iter().flat_map(|(whole, matrix)| whole.parts().iter().map(|part| (*part, matrix.span)));
-    References { named, uses, matrices: own.chain(wholes).collect() }
+    References { named, uses, unknown, matrices: own.chain(wholes).collect() }
 }
 
 /// Matrices beside a mechanism are a mistake.
@@ -53,14 +53,13 @@ fn find_uses(declaration: &Declaration, formulas: &[&Expression], scope: &Scope)
     let mut note = |name: &Ident| match scope.get(name) {
         Some(Meaning::Parameter(_)) => uses.push((Target::Parameter, name.clone())),
         Some(Meaning::Definition(_) | Meaning::Speed(_)) => uses.push((Target::Definition, name.clone())),
-        Some(Meaning::Coordinate | Meaning::Refused) | None => {}
+        None => uses.push((Target::Definition, name.clone())),
+        Some(Meaning::Coordinate | Meaning::Refused) => {}
     };
     formulas.iter().for_each(|formula| formula.names(&mut note));
     for entry in declaration.sets.iter().flat_map(|set| &set.values) {
         // In a set a name is a parameter's.
-        if matches!(scope.get(&entry.name), Some(Meaning::Parameter(_))) {
-            note(&entry.name);
-        }
+        uses.push((Target::Parameter, entry.name.clone()));
     }
     let Some(mechanism) = &declaration.mechanism else { return uses };
     let moved = mechanism.joints.iter().map(|joint| &joint.name).chain(mechanism.forces.iter().map(|force| &force.on));
@@ -221,6 +220,8 @@ mod tests {
             let is_named = references.named.iter().any(|named| named.target == *target && named.name == *name);
             assert!(*target == Target::Parameter || is_named, "{target:?} {name}");
         }
-        assert!(!references.uses.is_empty());
+        let unknown = references.unknown.iter().map(|(target, name)| (*target, name.to_string()));
+        let expected = [(Target::Coordinate, "psi"), (Target::Part, "X"), (Target::Unit, "kilos")];
+        assert_eq!(unknown.collect::<Vec<_>>(), expected.map(|(target, name)| (target, name.to_string())));
     }
 }

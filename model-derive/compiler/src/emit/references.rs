@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::docs;
+use super::documentation::parameter_docs;
 use super::names::GeneratedNames;
 use crate::model::{Model, Named, Target};
 
@@ -29,14 +30,54 @@ pub fn emit(model: &Model, names: &GeneratedNames) -> TokenStream {
         let position = Literal::usize_unsuffixed(position);
         quote!(let _ = self.#position.#name;)
     });
+    let completions = (!model.references.unknown.is_empty()).then(|| emit_completions(model, names));
     quote! {
         #allow
         const _: () = {
+            #completions
             #(#structs)*
             struct #declaration(#name<::core::primitive::f64>, #(#kinds),*);
             impl #declaration {
                 fn uses(&self) { #(#uses)* }
             }
+        };
+    }
+}
+
+/// Names that are just being written, as reads of fields of what they may become: rust-analyzer offers those. Rustc, which
+/// would have a second message of each, does not see them.
+fn emit_completions(model: &Model, names: &GeneratedNames) -> TokenStream {
+    let name = &names.model;
+    let [offered, uses] = ["Offered", "Unknown"].map(|suffix| format_ident!("{name}{suffix}"));
+    let targets = [Target::Parameter].into_iter().chain(KINDS.map(|(target, _)| target));
+    let structs = targets.map(|target| {
+        let kind = format_ident!("{offered}{target:?}");
+        // Formulas may name both.
+        let parameters = matches!(target, Target::Parameter | Target::Definition).then_some(&model.parameters);
+        let parameters = parameters.into_iter().flatten().map(|parameter| {
+            let (docs, name) = (docs(&parameter_docs(parameter)), &parameter.name);
+            quote! { #docs #name: ::core::primitive::f64 }
+        });
+        let named = model.references.named.iter().filter(|named| named.target == target);
+        let named = named.map(|Named { name, docs: text, .. }| {
+            let docs = docs(text);
+            quote! { #docs #name: ::core::primitive::f64 }
+        });
+        let fields = parameters.chain(named);
+        quote! { struct #kind { #(#fields,)* } }
+    });
+    let reads = model.references.unknown.iter().map(|(target, unknown)| {
+        let kind = format_ident!("{offered}{target:?}");
+        quote!(fn #uses(offered: #kind) { let _ = offered.#unknown; })
+    });
+    quote! {
+        #[allow(unexpected_cfgs)]
+        const _: () = {
+            #[cfg(rust_analyzer)]
+            const _: () = {
+                #(#structs)*
+                #(const _: () = { #reads };)*
+            };
         };
     }
 }
