@@ -51,3 +51,185 @@ fn a_motorcycle_has_the_eigenvalues_that_sharp_prints() {
     }
     assert_eq!(checked, 24);
 }
+
+/// The matrices of a mechanism whose parameters have these values, with what of its coordinates are states.
+fn compiled<const N: usize>(parameters: &[(&str, &str, f64)], rest: &str) -> Coefficients<f64, N> {
+    let declared: Vec<String> = parameters.iter().map(|(name, unit, _)| format!("{name}: {unit};")).collect();
+    let text = format!("model Vehicle {{ parameters {{ {} }} {rest} }}", declared.join(" "));
+    let compiled = compile(text.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
+    let values: Vec<f64> = parameters.iter().map(|(.., value)| *value).collect();
+    let states =
+        compiled.model.coordinates.iter().map(|coordinate| match format!("{:?}", coordinate.states).as_str() {
+            "Both" => States::Both,
+            "Rate" => States::Rate,
+            _ => States::Position,
+        });
+    let states: Vec<States> = states.collect();
+    Coefficients { states: states.try_into().expect("one for each coordinate"), ..interpreted(&compiled, &values) }
+}
+
+fn eigenvalues<const N: usize>(matrices: &Coefficients<f64, N>, speed: f64, gravity: f64) -> Vec<Complex<f64>> {
+    matrices.at(speed, gravity).and_then(|system| system.eigenvalues()).expect("a regular system")
+}
+
+const CAR: [(&str, &str, f64); 9] = [
+    ("m", "kg, > 0", 1200.0),
+    ("I", "kg*m^2, > 0", 1500.0),
+    ("a", "m, > 0", 1.1),
+    ("b", "m, > 0", 1.5),
+    ("t", "m, > 0", 0.7),
+    ("r", "m, > 0", 0.3),
+    ("Cf", "N, > 0", 70e3),
+    ("Cr", "N, > 0", 45e3),
+    ("g", "N/kg, gravity", 9.81),
+];
+
+/// Three wheels, so that the car stands by itself. About its centre of mass the textbooks have
+/// `m (u' + v r) = -(Cf + Cr) u/v - (a Cf - b Cr) r/v` and `I r' = -(a Cf - b Cr) u/v - (a² Cf + b² Cr) r/v`, with the
+/// lateral velocity u along the axes of the car and the yaw rate r.
+#[test]
+fn a_car_is_that_of_the_textbooks() {
+    let car: Coefficients<f64, 2> = compiled(
+        &CAR,
+        "mechanism {
+            body B: mass m, at (0, 0, -r), inertia [I, I, I];
+            wheel F on B: mass 0, at (a, 0, -r), radius r, axial 0, radial 0, cornering Cf;
+            wheel L on B: mass 0, at (-b, -t, -r), radius r, axial 0, radial 0, cornering Cr;
+            wheel R on B: mass 0, at (-b, t, -r), radius r, axial 0, radial 0, cornering Cr;
+            free B: lateral y, yaw psi;
+        }
+        coordinates { y: m; psi: rad; }",
+    );
+    let [m, i, a, b, f] = [1200.0, 1500.0, 1.1, 1.5, 70e3];
+    // Of two wheels.
+    let r = 2.0 * 45e3;
+    let close = |found: nalgebra::Matrix2<f64>, expected: [[f64; 2]; 2]| {
+        let expected = nalgebra::Matrix2::from_fn(|row, column| expected[row][column]);
+        assert!((found - expected).norm() <= 1e-12 * expected.norm(), "{found} is not {expected}");
+    };
+    close(car.m, [[m, 0.0], [0.0, i]]);
+    close(car.cm1, [[f + r, a * f - b * r], [a * f - b * r, a * a * f + b * b * r]]);
+    close(car.c1, [[0.0, m], [0.0, 0.0]]);
+    assert_eq!([car.c0, car.kc, car.k0, car.k1, car.k2], [nalgebra::Matrix2::zeros(); 5]);
+    assert_eq!(car.states, [States::Rate; 2]);
+}
+
+/// The side force of the front wheel acts behind its contact point, and so at another arm than it is made.
+#[test]
+fn a_pneumatic_trail_shortens_the_arm_of_the_force() {
+    let parameters = [&CAR[..], &[("n", "m", 0.04)]].concat();
+    let car: Coefficients<f64, 2> = compiled(
+        &parameters,
+        "mechanism {
+            body B: mass m, at (0, 0, -r), inertia [I, I, I];
+            wheel F on B: mass 0, at (a, 0, -r), radius r, axial 0, radial 0, cornering Cf, trail n;
+            wheel L on B: mass 0, at (-b, -t, -r), radius r, axial 0, radial 0;
+            wheel R on B: mass 0, at (-b, t, -r), radius r, axial 0, radial 0, cornering 1 [N];
+            free B: lateral y, yaw psi;
+        }
+        coordinates { y: m; psi: rad; }"
+            .replace("axial 0, radial 0;", "axial 0, radial 0, cornering 1 [N];")
+            .as_str(),
+    );
+    let (arm, force, rear) = (1.1 - 0.04, 70e3, 2.0);
+    let expected =
+        [[force + rear, 1.1 * force - 1.5 * rear], [arm * force - 1.5 * rear, arm * 1.1 * force + 1.5 * 1.5 * rear]];
+    let expected = nalgebra::Matrix2::from_fn(|row, column| expected[row][column]);
+    assert!((car.cm1 - expected).norm() <= 1e-12 * expected.norm(), "{} is not {expected}", car.cm1);
+}
+
+/// The nearest of some numbers, and how far it is off, relative to the number.
+fn distance(found: &[Complex<f64>], expected: Complex<f64>) -> f64 {
+    let distances = found.iter().map(|found| (found - expected).norm() / expected.norm());
+    distances.fold(f64::INFINITY, f64::min)
+}
+
+/// Over a relaxation length that vanishes the side forces follow at once.
+#[test]
+fn without_relaxation_is_the_limit_of_short_lengths() {
+    let at_once =
+        MOTORCYCLE.replace("relaxation sigma, deflection er", "").replace("relaxation sigma, deflection ef", "");
+    let at_once = at_once.replace("camber Cr2, ;", "camber Cr2;").replace("camber Cf2, ;", "camber Cf2;");
+    let at_once = at_once.replace("sigma: m, > 0;", "").replace("sigma = 0.8;", "").replace("er: m; ef: m;", "");
+    let at_once = at_once.replace(", 0, 0],", "],").replace("[0, 0, 0, 0],\n        [0, 0, 0, 0],\n    ];", "];");
+    println!("{at_once}");
+    let compiled = compile(at_once.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
+    let matrices: Coefficients<f64, 4> = interpreted(&compiled, &compiled.model.sets[0].values);
+    let states = [States::Rate, States::Rate, States::Both, States::Both];
+    let at_once = Coefficients { states, ..matrices };
+    let short = MOTORCYCLE.replace("sigma = 0.8;", "sigma = 1e-7;");
+    let compiled = compile(short.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
+    let matrices: Coefficients<f64, 6> = interpreted(&compiled, &compiled.model.sets[0].values);
+    let states = [States::Rate, States::Rate, States::Both, States::Both, States::Position, States::Position];
+    let short = Coefficients { states, ..matrices };
+    for speed in [10.0, 50.0, 160.0] {
+        let (expected, found) = (eigenvalues(&at_once, speed, 32.2), eigenvalues(&short, speed, 32.2));
+        assert_eq!([expected.len(), found.len()], [6, 8]);
+        for eigenvalue in expected {
+            assert!(distance(&found, eigenvalue) < 1e-4, "{eigenvalue} is not among {found:?}");
+        }
+    }
+}
+
+const BICYCLE: &str = "mechanism {
+    body B: mass 85 [kg], at (0.3 [m], 0, -0.9 [m]), inertia [[9.2 [kg*m^2], 0, 2.4 [kg*m^2]], [0, 11 [kg*m^2], 0], [2.4 [kg*m^2], 0, 2.8 [kg*m^2]]];
+    body H: mass 4 [kg], at (0.9 [m], 0, -0.7 [m]), inertia [0.06 [kg*m^2], 0.06 [kg*m^2], 0.01 [kg*m^2]];
+    wheel R on B: mass 2 [kg], at (0, 0, -0.3 [m]), radius 0.3 [m], tyre 0.02 [m], axial 0.12 [kg*m^2], radial 0.06 [kg*m^2];
+    wheel F on H: mass 3 [kg], at (1.02 [m], 0, -0.35 [m]), radius 0.35 [m], tyre 0.03 [m], axial 0.28 [kg*m^2], radial 0.14 [kg*m^2];
+    free B: lean phi;
+    revolute delta: B to H, through (1.1 [m], 0, 0), along (sin(lam), 0, cos(lam));
+}";
+
+/// The stiffer the tyres, the less they slip: the eigenvalues of a bicycle whose wheels roll are the limit.
+#[test]
+fn rolling_is_the_limit_of_stiff_tyres() {
+    let parameters = [("lam", "rad", 0.314), ("C", "N, > 0", 0.0), ("g", "N/kg, gravity", 9.81)];
+    let rolling: Coefficients<f64, 2> =
+        compiled(&[parameters[0], parameters[2]], &format!("{BICYCLE} coordinates {{ phi: rad; delta: rad; }}"));
+    let slipping = BICYCLE.replace("radial 0.06 [kg*m^2];", "radial 0.06 [kg*m^2], cornering C;");
+    let slipping = slipping.replace("radial 0.14 [kg*m^2];", "radial 0.14 [kg*m^2], cornering C;");
+    let slipping = slipping.replace("free B: lean phi;", "free B: lateral y, yaw psi, lean phi;");
+    let coordinates = "coordinates { phi: rad; delta: rad; y: m; psi: rad; }";
+    for speed in [1.0, 4.0, 8.0] {
+        let expected = eigenvalues(&rolling, speed, 9.81);
+        let errors = [1e7, 1e8].map(|stiffness| {
+            let parameters = [parameters[0], ("C", "N, > 0", stiffness), parameters[2]];
+            let slipping: Coefficients<f64, 4> = compiled(&parameters, &format!("{slipping} {coordinates}"));
+            assert_eq!(slipping.states, [States::Both, States::Both, States::Rate, States::Rate]);
+            let found = eigenvalues(&slipping, speed, 9.81);
+            assert_eq!(found.len(), 6);
+            expected.iter().map(|eigenvalue| distance(&found, *eigenvalue)).fold(0.0, f64::max)
+        });
+        // The distance is of the first order in the compliance.
+        assert!(errors[1] < 1e-3 && (errors[0] / errors[1] - 10.0).abs() < 0.5, "{errors:?} at {speed} m/s");
+    }
+}
+
+/// A trailer goes on by its own angle: drawn straight, `l q' + v q = 0`. A damper at its hinge is no force then, as the tractor
+/// is held; and where the tractor steers by a massive fork, the angle follows.
+#[test]
+fn a_trailer_is_a_coordinate_of_first_order() {
+    let parameters = [("l", "m, > 0", 2.5), ("d", "N*m*s", 40.0), ("g", "N/kg, gravity", 9.81)];
+    let found: Coefficients<f64, 2> = compiled(
+        &parameters,
+        "mechanism {
+            body B: mass 900 [kg], at (0, 0, -0.5 [m]), inertia [300 [kg*m^2], 900 [kg*m^2], 1000 [kg*m^2]];
+            body H: mass 20 [kg], at (1.4 [m], 0, -0.3 [m]), inertia [1 [kg*m^2], 1 [kg*m^2], 1 [kg*m^2]];
+            body T: mass 500 [kg], at (-1.4 [m] - l, 0, -0.5 [m]), inertia [100 [kg*m^2], 500 [kg*m^2], 400 [kg*m^2]];
+            wheel F on H: mass 0, at (1.3 [m], 0, -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+            wheel L on B: mass 0, at (-1.2 [m], -0.7 [m], -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+            wheel R on B: mass 0, at (-1.2 [m], 0.7 [m], -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+            wheel U on T: mass 0, at (-1.4 [m] - l, 0, -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+            free B;
+            revolute delta: B to H, through (1.4 [m], 0, 0), along (0, 0, 1), spring 50 [N*m], damper 90 [N*m*s];
+            revolute pitch: B to P, through (-1.4 [m], 0, -0.3 [m]), along (0, 1, 0);
+            body P: massless;
+            revolute q: P to T, through (-1.4 [m], 0, 0), along (0, 0, 1), damper d;
+        }
+        coordinates { delta: rad; q: rad, only position; }",
+    );
+    let speed = 15.0;
+    let found = eigenvalues(&found, speed, 9.81);
+    assert_eq!(found.len(), 3);
+    assert!(distance(&found, Complex::from(-speed / 2.5)) < 1e-13, "{found:?}");
+}
