@@ -105,6 +105,11 @@
 ///   slip. `radius` is the distance from its centre to the ground; `axial` is its moment of inertia about the axle and
 ///   `radial` that about a diameter. It touches the ground with a knife edge, or with a `tyre` whose cross-section is a
 ///   circle of that radius. Two wheels on one axle are two wheels: neither slips sideways without the other.
+///   A wheel with `cornering` (N by rad) slips sideways, and its tyre makes a side force against the slip angle, to the side
+///   that the wheel leans to by `camber` (N by rad), `trail` (m) behind the contact point. With `relaxation` (m) the force
+///   follows over that length, and `deflection` names the coordinate of first order that is the deflection of the tyre. On
+///   such wheels lateral motion and yaw are coordinates, of which only the rates are states: `free B: lateral y, yaw psi`.
+///   The rate of the lateral one is the velocity to the right in the axes of the body, at the origin.
 /// - `revolute` and `prismatic`: a joint, called like its coordinate, from one body, or the `ground`, `to` the one that
 ///   it moves: right-handed about an axis `through` a point, or along it. The length of `along` is of no account.
 ///   `spring` (N*m or N/m) and `damper` (N*m*s or N*s/m) act on the coordinate. In the reference configuration a spring
@@ -120,7 +125,8 @@
 /// The coordinates are joints and named freedoms, and determine all others: by the wheels, which stay on the ground and
 /// do not slip. What follows beside the matrices is computed by `Name::kinematics`: the rates of all that is no
 /// coordinate, yaw and wheels among them, as [`Rate`](crate::Rate)s, and `forces`, which makes f out of applied forces.
-/// A joint that goes on by its own position, as a trailing caster does, has no rate that follows from the coordinates.
+/// A joint that goes on by its own position, as a trailing caster or a trailer does, has no rate that follows from the
+/// coordinates; where the motion depends on it, it is a coordinate of first order, `q: rad, only position;`.
 ///
 /// What acts on the coordinates and is no part of a mechanism, as a drag, a spinning rotor or the inertia of a geared
 /// motor, is added to its matrices: `add C0 = [[…]];`, and so any other, each once; `add symmetric C0 = [[…]];`

@@ -117,19 +117,18 @@ fn a_car_is_that_of_the_textbooks() {
 /// The side force of the front wheel acts behind its contact point, and so at another arm than it is made.
 #[test]
 fn a_pneumatic_trail_shortens_the_arm_of_the_force() {
-    let parameters = [&CAR[..], &[("n", "m", 0.04)]].concat();
+    let without = CAR.iter().filter(|(name, ..)| *name != "Cr").copied();
+    let parameters: Vec<_> = without.chain([("n", "m", 0.04)]).collect();
     let car: Coefficients<f64, 2> = compiled(
         &parameters,
         "mechanism {
             body B: mass m, at (0, 0, -r), inertia [I, I, I];
             wheel F on B: mass 0, at (a, 0, -r), radius r, axial 0, radial 0, cornering Cf, trail n;
-            wheel L on B: mass 0, at (-b, -t, -r), radius r, axial 0, radial 0;
+            wheel L on B: mass 0, at (-b, -t, -r), radius r, axial 0, radial 0, cornering 1 [N];
             wheel R on B: mass 0, at (-b, t, -r), radius r, axial 0, radial 0, cornering 1 [N];
             free B: lateral y, yaw psi;
         }
-        coordinates { y: m; psi: rad; }"
-            .replace("axial 0, radial 0;", "axial 0, radial 0, cornering 1 [N];")
-            .as_str(),
+        coordinates { y: m; psi: rad; }",
     );
     let (arm, force, rear) = (1.1 - 0.04, 70e3, 2.0);
     let expected =
@@ -147,12 +146,14 @@ fn distance(found: &[Complex<f64>], expected: Complex<f64>) -> f64 {
 /// Over a relaxation length that vanishes the side forces follow at once.
 #[test]
 fn without_relaxation_is_the_limit_of_short_lengths() {
-    let at_once =
-        MOTORCYCLE.replace("relaxation sigma, deflection er", "").replace("relaxation sigma, deflection ef", "");
-    let at_once = at_once.replace("camber Cr2, ;", "camber Cr2;").replace("camber Cf2, ;", "camber Cf2;");
+    // Without the coordinates of the tyres, and the rows and columns of theirs.
+    let relaxed = ["er", "ef"].map(|name| format!(", relaxation sigma, deflection {name}"));
+    let at_once = relaxed.iter().fold(MOTORCYCLE.to_owned(), |text, relaxed| text.replace(relaxed, ""));
     let at_once = at_once.replace("sigma: m, > 0;", "").replace("sigma = 0.8;", "").replace("er: m; ef: m;", "");
-    let at_once = at_once.replace(", 0, 0],", "],").replace("[0, 0, 0, 0],\n        [0, 0, 0, 0],\n    ];", "];");
-    println!("{at_once}");
+    let (before, added) = at_once.split_once("add symmetric K0 = [").expect("what is added");
+    let (_, behind) = added.split_once("];\n\n").expect("its end");
+    let added = "[[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, (load - Zf/g)*t], [0, 0, (load - Zf/g)*t, s*(load - Zf/g)*t]]";
+    let at_once = format!("{before} add symmetric K0 = {added}; {behind}");
     let compiled = compile(at_once.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
     let matrices: Coefficients<f64, 4> = interpreted(&compiled, &compiled.model.sets[0].values);
     let states = [States::Rate, States::Rate, States::Both, States::Both];
@@ -205,31 +206,56 @@ fn rolling_is_the_limit_of_stiff_tyres() {
     }
 }
 
-/// A trailer goes on by its own angle: drawn straight, `l q' + v q = 0`. A damper at its hinge is no force then, as the tractor
-/// is held; and where the tractor steers by a massive fork, the angle follows.
+/// A tractor with a fork whose axis is `c` before the contact of its wheel, and a trailer whose wheels roll `l` behind the hinge.
+const TRAILER: &str = "mechanism {
+    body B: mass 900 [kg], at (0, 0, -0.5 [m]), inertia [300 [kg*m^2], 900 [kg*m^2], 1000 [kg*m^2]];
+    body H: mass 20 [kg], at (1.3 [m] + c, 0, -0.3 [m]), inertia [1 [kg*m^2], 1 [kg*m^2], 1 [kg*m^2]];
+    body P: massless;
+    body T: mass 500 [kg], at (-1.4 [m] - l, 0, -0.5 [m]), inertia [100 [kg*m^2], 500 [kg*m^2], 400 [kg*m^2]];
+    wheel F on H: mass 0, at (1.3 [m], 0, -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+    wheel L on B: mass 0, at (-1.2 [m], -0.7 [m], -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+    wheel R on B: mass 0, at (-1.2 [m], 0.7 [m], -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+    wheel U on T: mass 0, at (-1.4 [m] - l, 0, -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+    free B;
+    revolute delta: B to H, through (1.3 [m] + c, 0, 0), along (0, 0, 1), spring 50 [N*m], damper 90 [N*m*s];
+    revolute pitch: B to P, through (-1.4 [m], 0, -0.3 [m]), along (0, 1, 0);
+    revolute q: P to T, through (-1.4 [m], 0, 0), along (0, 0, 1), damper d;
+}
+coordinates { delta: rad; q: rad, only position; }";
+
+fn trailer(trail: f64, damper: f64) -> Coefficients<f64, 2> {
+    let parameters = [("l", "m, > 0", 2.5), ("c", "m", trail), ("d", "N*m*s", damper), ("g", "N/kg, gravity", 9.81)];
+    compiled(&parameters, TRAILER)
+}
+
+/// Where steering itself turns nothing but the fork, the angle of the trailer is on its own: `l q' + v q = 0`.
 #[test]
-fn a_trailer_is_a_coordinate_of_first_order() {
-    let parameters = [("l", "m, > 0", 2.5), ("d", "N*m*s", 40.0), ("g", "N/kg, gravity", 9.81)];
-    let found: Coefficients<f64, 2> = compiled(
-        &parameters,
-        "mechanism {
-            body B: mass 900 [kg], at (0, 0, -0.5 [m]), inertia [300 [kg*m^2], 900 [kg*m^2], 1000 [kg*m^2]];
-            body H: mass 20 [kg], at (1.4 [m], 0, -0.3 [m]), inertia [1 [kg*m^2], 1 [kg*m^2], 1 [kg*m^2]];
-            body T: mass 500 [kg], at (-1.4 [m] - l, 0, -0.5 [m]), inertia [100 [kg*m^2], 500 [kg*m^2], 400 [kg*m^2]];
-            wheel F on H: mass 0, at (1.3 [m], 0, -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
-            wheel L on B: mass 0, at (-1.2 [m], -0.7 [m], -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
-            wheel R on B: mass 0, at (-1.2 [m], 0.7 [m], -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
-            wheel U on T: mass 0, at (-1.4 [m] - l, 0, -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
-            free B;
-            revolute delta: B to H, through (1.4 [m], 0, 0), along (0, 0, 1), spring 50 [N*m], damper 90 [N*m*s];
-            revolute pitch: B to P, through (-1.4 [m], 0, -0.3 [m]), along (0, 1, 0);
-            body P: massless;
-            revolute q: P to T, through (-1.4 [m], 0, 0), along (0, 0, 1), damper d;
-        }
-        coordinates { delta: rad; q: rad, only position; }",
-    );
-    let speed = 15.0;
-    let found = eigenvalues(&found, speed, 9.81);
-    assert_eq!(found.len(), 3);
-    assert!(distance(&found, Complex::from(-speed / 2.5)) < 1e-13, "{found:?}");
+fn a_trailer_goes_on_by_its_own_angle() {
+    let found = trailer(0.0, 40.0);
+    assert_eq!(found.states, [States::Both, States::Position]);
+    for speed in [3.0, 15.0] {
+        let found = eigenvalues(&found, speed, 9.81);
+        assert_eq!(found.len(), 3);
+        assert!(distance(&found, Complex::from(-speed / 2.5)) < 1e-13, "{found:?}");
+    }
+}
+
+/// With a trail c the yaw rate is `(v delta + c delta')/w`, and the hinge, b behind the rear axle, is drawn sideways by it:
+/// `q' = -(1 + b/l) (v delta + c delta')/w - v q/l`. So the damper at the hinge, which rolls, damps the steering and makes
+/// stiffness proportional to the speed.
+#[test]
+fn a_damper_at_a_joint_that_rolls_makes_stiffness_by_the_speed() {
+    let (w, b, l, c, d) = (2.5, 0.2, 2.5, 0.1, 40.0);
+    let [with, without] = [d, 0.0].map(|damper| trailer(c, damper));
+    let by_rate = -(1.0 + b / l) * c / w;
+    let by_position = [-(1.0 + b / l) / w, -1.0 / l];
+    let close = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-12, "{found} is not {expected}");
+    close(with.c0[(1, 0)], -by_rate);
+    close(with.c0[(1, 1)], 1.0);
+    let [damping, stiffness] = [with.c0 - without.c0, with.k1 - without.k1];
+    close(damping[(0, 0)], d * by_rate * by_rate);
+    for column in 0..2 {
+        close(with.k1[(1, column)], -by_position[column]);
+        close(stiffness[(0, column)], d * by_rate * by_position[column]);
+    }
 }
