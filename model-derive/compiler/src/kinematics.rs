@@ -46,6 +46,11 @@ impl<V> Kinematics<V> {
         Kinematics { parts: self.parts.clone(), rates, applied: self.applied.clone(), forces }
     }
 
+    /// Whether nothing moves or acts beside the coordinates.
+    pub fn is_empty(&self) -> bool {
+        self.rates.is_empty() && self.applied.is_empty()
+    }
+
     /// All formulas, in the order of [`Kinematics::map`].
     pub fn formulas(&self) -> impl Iterator<Item = &V> {
         let rates = self.rates.iter().flat_map(|rate| {

@@ -21,6 +21,7 @@ mod matrix_name;
 mod mechanics;
 pub mod model;
 mod nearest;
+mod neighbours;
 mod pipeline;
 pub mod program;
 mod report;
@@ -71,7 +72,18 @@ pub fn declare(input: TokenStream) -> TokenStream {
         return report::error(Span::call_site(), "expected a call by `carvallo::model!`").into_compile_error();
     };
     let driver = Driver::Macro { runtime: runtime.stream() };
-    match with_answers(Kept::of_this_build(), || pipeline::compile(tokens.collect())) {
+    let compiled = with_answers(Kept::of_this_build(), || pipeline::compile(tokens.collect()));
+    let model = match &compiled {
+        Ok(compiled) => Some(&compiled.model),
+        Err(refusal) => refusal.model.as_deref(),
+    };
+    // Of what is defined twice every implementation would be an error of its own.
+    if let Some((model, clash)) = model.and_then(|model| Some((model, neighbours::find_clash(model)?))) {
+        let mut error = report::error(&model.name, clash);
+        compiled.err().into_iter().for_each(|refusal| error.combine(refusal.error));
+        return error.into_compile_error();
+    }
+    match compiled {
         Ok(compiled) => emit::emit(&compiled, &driver),
         Err(Refusal { error, model }) => {
             let outline = model.map(|model| emit::outline(*model, &driver));

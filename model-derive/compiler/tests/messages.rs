@@ -8,13 +8,17 @@ use std::path::{Path, PathBuf};
 
 use proc_macro2::{TokenStream, TokenTree};
 
-/// What only rustc can show: a call as a whole, tokens from a macro of the user's, and lines that it cuts off.
-const BY_RUSTC_ALONE: [&str; 5] = [
+/// What only rustc can show: a call as a whole, tokens from a macro of the user's, lines that it cuts off, and what is said
+/// of other items in the file.
+const BY_RUSTC_ALONE: [&str; 8] = [
     "empty/nothing",
     "empty/visibility_alone",
     "together/from_a_macro",
     "formulas/nested_too_deeply",
     "numbers/too_many_digits",
+    "clashes/two_models_of_one_name",
+    "clashes/matrices_of_another_model",
+    "clashes/beside_a_struct",
 ];
 
 #[test]

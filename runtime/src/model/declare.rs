@@ -229,6 +229,9 @@
 ///   [`Differentiable<N>`](crate::Differentiable), with all of them as [`Coefficients`](crate::Coefficients).
 /// - For a mechanism a struct `NameKinematics<T>` and `Name::kinematics`, if anything moves or acts beside the coordinates.
 ///
+/// A model whose structs have the names of something else in their module is one error, at its name, where that stands
+/// in the same file under no `cfg` and in no other macro's call; else it is many, each of which rustc makes of it.
+///
 /// The code needs no `std`, allocates nothing and has no `unsafe`.
 ///
 /// # Errors

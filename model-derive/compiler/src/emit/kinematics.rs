@@ -17,7 +17,7 @@ use crate::program::{Counts, Program};
 /// Nothing for a model whose formulas are written, or whose mechanism has no motions and forces beside its coordinates.
 pub fn emit(model: &Model, names: &GeneratedNames, program: Option<&Program>) -> Option<TokenStream> {
     let kinematics = model.kinematics.as_ref()?;
-    if kinematics.rates.is_empty() && kinematics.applied.is_empty() {
+    if kinematics.is_empty() {
         return None;
     }
     let GeneratedNames { runtime, model: name, kinematics: output, scalar, .. } = names;

@@ -23,6 +23,7 @@ use quote::quote;
 use self::names::GeneratedNames;
 #[cfg(feature = "files")]
 pub use self::names::allowed;
+pub use self::names::{DERIVATIVES, MATRICES, find_defined_names};
 use crate::model::Model;
 use crate::pipeline::{Compiled, Programs};
 

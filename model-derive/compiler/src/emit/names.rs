@@ -11,6 +11,20 @@ use crate::free_name::take_free_name;
 use crate::model::Model;
 use crate::program::{Instruction, Program, Value};
 
+/// What the struct of the matrices has behind the name of the model.
+pub const MATRICES: &str = "Matrices";
+/// What the struct of their derivatives has behind it.
+pub const DERIVATIVES: &str = "Derivatives";
+const KINEMATICS: &str = "Kinematics";
+
+/// The names of what a model defines in its module.
+pub fn find_defined_names(model: &Model) -> Vec<String> {
+    let has_kinematics = model.kinematics.as_ref().is_some_and(|kinematics| !kinematics.is_empty());
+    let optional = [(has_kinematics, KINEMATICS), (model.derivatives.is_some(), DERIVATIVES)];
+    let optional = optional.into_iter().filter(|(is_there, _)| *is_there).map(|(_, suffix)| suffix);
+    ["", MATRICES].into_iter().chain(optional).map(|suffix| format!("{}{suffix}", model.name)).collect()
+}
+
 /// The names that the parts share.
 pub struct GeneratedNames {
     /// The path of the runtime.
@@ -39,9 +53,9 @@ impl GeneratedNames {
                 Driver::Macro { runtime } => runtime.clone(),
                 Driver::File => quote!(::carvallo),
             },
-            matrices: format_ident!("{name}Matrices", span = name.span()),
-            kinematics: format_ident!("{name}Kinematics", span = name.span()),
-            derivatives: format_ident!("{name}Derivatives", span = name.span()),
+            matrices: format_ident!("{name}{MATRICES}", span = name.span()),
+            kinematics: format_ident!("{name}{KINEMATICS}", span = name.span()),
+            derivatives: format_ident!("{name}{DERIVATIVES}", span = name.span()),
             derived: derived(model, derivatives),
             scalar: unless_taken("T", "S"),
             other: unless_taken("U", "S"),
