@@ -111,9 +111,9 @@ impl Shipped {
         self.info.coordinates.iter().map(states).sum()
     }
 
-    /// Whether critical speeds are found: of two coordinates, with their positions and rates for states, and without C-1 and
-    /// K1.
-    pub fn has_critical_speeds(&self) -> bool {
+    /// Whether critical speeds are the roots of polynomials with coefficients that are known: of two coordinates, with their
+    /// positions and rates for states, and without C-1 and K1.
+    pub fn has_known_polynomials(&self) -> bool {
         let odd = [MatrixName::Cm1, MatrixName::K1];
         self.eigenvalues() == 4
             && self.info.coordinates.len() == 2

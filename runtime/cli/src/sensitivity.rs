@@ -129,7 +129,12 @@ impl Changes {
 
 fn not_two(design: &Design) -> Failure {
     let (title, n) = (design.title(), design.info().coordinates.len());
-    Failure::Run(format!("{title}: critical speeds are computed for two coordinates only; this model has {n}"))
+    Failure::Run(match n {
+        2 => {
+            format!("{title}: critical speeds are not differentiated with C-1, K1 and coordinates that have one state")
+        }
+        n => format!("{title}: critical speeds are differentiated for two coordinates only; this model has {n}"),
+    })
 }
 
 /// What 1 % of each parameter is.

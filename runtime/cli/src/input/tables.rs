@@ -5,8 +5,8 @@ use super::matrices;
 use crate::failure::Place;
 
 /// What the output of an analysis, or of the sensitivity, holds besides the parameters.
-const RESULTS: [&str; 5] =
-    ["matrices", "matrix_standard_deviations", "critical_speeds", "stable_ranges", "eigenvalues"];
+const RESULTS: [&str; 6] =
+    ["matrices", "matrix_standard_deviations", "critical_speeds", "stable_ranges", "undecided_ranges", "eigenvalues"];
 
 /// A name with its value and what is in that.
 #[derive(Debug)]

@@ -2,7 +2,9 @@
 
 use std::io::{Result, Write};
 
-use carvallo::{Complex, CoordinateInfo, CriticalSpeed, ModeValue, ModelInfo, Stability, StableRange, States};
+use carvallo::{
+    Complex, CoordinateInfo, CriticalSpeed, ModeValue, ModelInfo, Stability, StableRange, States, UndecidedRange,
+};
 use serde::Serialize;
 
 use super::equations::{Matrix, matrices};
@@ -22,6 +24,7 @@ struct Document<'a> {
     matrices: Members<Line<Vec<Vec<f64>>>>,
     critical_speeds: Vec<Line<Event>>,
     stable_ranges: Vec<Line<Range>>,
+    undecided_ranges: Vec<Line<(f64, f64)>>,
     eigenvalues: Vec<Line<AtSpeed>>,
 }
 
@@ -77,6 +80,7 @@ pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> R
         matrices: Members(matrices.map(|Matrix { name, rows, .. }| (name, Line(rows))).collect()),
         critical_speeds: events(stability, info),
         stable_ranges: ranges(stability),
+        undecided_ranges: stability.undecided.iter().map(|UndecidedRange { from, to }| Line((*from, *to))).collect(),
         eigenvalues: match rows {
             Rows::Modes(rows) => rows.iter().map(modes).map(Line).collect(),
             Rows::Sorted(rows) => {

@@ -310,9 +310,6 @@ fn matrices_in_scripts_are_read() {
         let piped = directory.run_with_input(&["analyze", "-"], text).ok();
         assert!(piped.contains("self-stable from 4.292382536341129 to 6.024262015388421 m/s"), "{file}: {piped}");
     }
-    let coordinates = format!("{}coordinates = ['lean', 'steer']\n", SCRIPTS[1].1);
-    let text = directory.write("bike.py", coordinates).run(&["analyze", "bike.py"]).ok();
-    assert!(text.contains("castering") && text.contains("with q = (lean, steer)"), "{text}");
 }
 
 #[test]
@@ -330,4 +327,56 @@ fn mistakes_in_scripts_are_told_in_their_line() {
     ] {
         directory.write("a.m", text).run(&["analyze", "a.m"]).fails(2, &format!("error: a.m:{message}\n"));
     }
+}
+
+/// Three masses that are not coupled: s^2 + (v - 1) s + 4, s^2 + 3 s + 9 - v^2 and s^2 + 5 s + 6.
+const UNCOUPLED: &str = r#"{"M": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "C0": [[-1, 0, 0], [0, 3, 0], [0, 0, 5]],
+  "C1": [[1, 0, 0], [0, 0, 0], [0, 0, 0]], "Kc": [[4, 0, 0], [0, 9, 0], [0, 0, 6]],
+  "K2": [[0, 0, 0], [0, -1, 0], [0, 0, 0]]}"#;
+
+/// The first is stable from 1 m/s, where its eigenvalues are 2 i and -2 i, and the second up to 3 m/s.
+#[test]
+fn critical_speeds_of_three_coordinates_are_those_of_each() {
+    let directory = Directory::new("matrices-critical");
+    directory.write("three.json", UNCOUPLED);
+    let text = directory.run(&["analyze", "three.json", "--speeds", "2"]).ok();
+    let found: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("Critical")).take(4).collect();
+    let expected = [
+        "Critical speeds (m/s)",
+        "  flutter      1                   becomes stable, at λ = ±2.0000 i",
+        "  divergence   3                   becomes unstable, at λ = 0",
+        "  self-stable from 1 to 3 m/s",
+    ];
+    assert_eq!(found, expected);
+    let json = directory.run(&["analyze", "three.json", "--speeds", "2", "--format", "json"]).json();
+    let kinds = [0, 1].map(|index| json["critical_speeds"][index]["kind"].as_str().unwrap());
+    assert_eq!((kinds, &json["stable_ranges"]), (["flutter", "divergence"], &serde_json::json!([[1.0, 3.0]])));
+    assert_eq!(json["undecided_ranges"], serde_json::json!([]));
+    let sweep = ["sweep", "three.json", "--vary", "C0_11=-1,-2,1", "--eigenvalues", "2"];
+    let run = directory.run(&sweep);
+    let rows: Vec<Vec<&str>> = run.stdout.lines().map(|line| line.split(',').collect()).collect();
+    let cell = |row: usize, name: &str| rows[row][rows[0].iter().position(|found| *found == name).unwrap()];
+    let cells = |name: &str| [1, 2, 3].map(|row| cell(row, name));
+    assert_eq!(cells("flutter_count"), ["1", "1", "0"]);
+    assert_eq!(cells("flutter_1"), ["1.0", "2.0", ""]);
+    assert_eq!(cells("divergence_1"), ["3.0", "3.0", "3.0"]);
+    assert_eq!(cells("stable_from_1"), ["1.0", "2.0", "0.0"]);
+    assert_eq!(cells("stable_to_1"), ["3.0", "3.0", "3.0"]);
+    assert_eq!(cells("undecided_count"), ["0", "0", "0"]);
+    assert_eq!(cells("verdict_at_2"), ["stable", "marginal", "stable"]);
+    assert_eq!(cells("error"), ["", "", ""]);
+}
+
+/// With lean and steer for coordinates the modes have names; what is critical has those of the field.
+#[test]
+fn coordinates_of_a_bicycle_give_its_words() {
+    let directory = Directory::new("matrices-words");
+    let text = |coordinates: &str| {
+        let text = format!("{coordinates}{}", SCRIPTS[1].1);
+        directory.write("bike.py", text).run(&["analyze", "bike.py"]).ok()
+    };
+    let plain = text("");
+    assert!(plain.contains("flutter      4.292382536341129 ") && !plain.contains("castering"), "{plain}");
+    let named = text("coordinates = ['lean', 'steer']\n");
+    assert!(named.contains("weave        4.292382536341129 ") && named.contains("castering"), "{named}");
 }

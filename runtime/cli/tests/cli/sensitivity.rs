@@ -258,7 +258,8 @@ fn other_models_of_two_coordinates_have_theirs() {
         assert!((term("r") + 2.0 * inertias - 0.5 * speed).abs() <= 1e-13 * speed, "{critical}");
         assert!(inertias.abs() > 0.01 * speed, "{critical}");
     }
-    let message = "error: ThreePipes hose: critical speeds are computed for two coordinates only; this model has 3\n";
+    let message =
+        "error: ThreePipes hose: critical speeds are differentiated for two coordinates only; this model has 3\n";
     directory.run(&["sensitivity", "--model", "ThreePipes"]).fails(1, message);
     let text = directory.run(&["sensitivity", "--model", "DoublePendulum"]).ok();
     assert!(text.contains("there is no such speed"), "{text}");

@@ -42,6 +42,9 @@ impl<'a> Cells<'a> {
             self.number(range.map(|range| range.from));
             self.number(range.and_then(|range| range.to));
         }
+        if capacity.counts_undecided {
+            self.count(stability.undecided.len());
+        }
     }
 
     fn eigenvalues(&mut self, verdict: Verdict, eigenvalues: &[Complex<f64>]) {

@@ -8,7 +8,7 @@ use crate::sweep::table::Layout;
 /// The results of one design.
 #[derive(Default)]
 pub struct Solution {
-    /// For two coordinates.
+    /// None before the first design.
     pub stability: Option<Stability>,
     /// At each of the speeds.
     pub verdicts: Vec<Verdict>,
@@ -31,14 +31,10 @@ impl Solution {
         self.verdicts.clear();
         self.eigenvalues.clear();
         let two = equations.of_two();
-        let stability = layout.critical.is_some().then(|| equations.stability(gravity)).transpose();
-        let stability = stability.map_err(|error| error.to_string())?;
-        if let (Some(stability), Some(capacity)) = (&stability, &layout.critical) {
-            capacity.require_room(stability)?;
-        }
+        let stability = equations.stability(gravity).map_err(|error| error.to_string())?;
+        layout.critical.map_or(Ok(()), |capacity| capacity.require_room(&stability))?;
         for &speed in &layout.speeds {
             let fail = |error: SystemError| format!("at {speed} m/s: {error}");
-            let first = self.eigenvalues.len();
             match two {
                 // Without allocation.
                 Some(two) => {
@@ -47,12 +43,9 @@ impl Solution {
                 }
                 None => self.eigenvalues.extend(equations.eigenvalues(speed, gravity).map_err(fail)?),
             }
-            self.verdicts.push(match &stability {
-                Some(stability) => stability.verdict(speed).map_err(fail)?,
-                None => Verdict::of(&self.eigenvalues[first..]),
-            });
+            self.verdicts.push(stability.verdict(speed).map_err(fail)?);
         }
-        self.stability = stability;
+        self.stability = Some(stability);
         Ok(())
     }
 

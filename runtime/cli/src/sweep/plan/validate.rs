@@ -11,7 +11,7 @@ use crate::number::shortest;
 use crate::speeds;
 use crate::sweep::generate::{Axis, Random};
 use crate::sweep::options::Options;
-use crate::sweep::table::Format;
+use crate::sweep::table::{Capacity, Format};
 
 /// More speeds than this would make tables that nobody reads.
 const MAX_SPEEDS: usize = 100;
@@ -47,15 +47,12 @@ pub fn validate(options: &Options, model: &Shipped) -> Result<Validated, Failure
         let message = format!("at 0 m/s {} has no eigenvalues, since C-1 is divided by the speed", info.name);
         problems.option("--eigenvalues", text, message);
     }
-    if !model.has_critical_speeds() && options.eigenvalues.is_none() {
-        let (name, count) = (info.name, info.coordinates.len());
-        problems.add(
-            Place::Nowhere,
-            format!("critical speeds are for two coordinates, and {name} has {count}: give --eigenvalues SPEEDS"),
-        );
+    if Capacity::of(model).is_none() && options.eigenvalues.is_none() {
+        let nothing = format!("nothing in the model {} depends on the speed", info.name);
+        problems.add(Place::Nowhere, format!("{nothing}: give --eigenvalues SPEEDS"));
     }
     if let Some(path) = &options.map {
-        problems.map(path, options, model, &vary);
+        problems.map(path, options, &vary);
     }
     if problems.all.is_empty() {
         Ok(Validated { vary, random, speeds, format, file })
@@ -164,15 +161,12 @@ impl Problems {
     }
 
     /// Whether there is a map to draw.
-    fn map(&mut self, path: &Path, options: &Options, model: &Shipped, vary: &[Axis]) {
+    fn map(&mut self, path: &Path, options: &Options, vary: &[Axis]) {
         let path = path.display().to_string();
         if ![".svg", ".png"].iter().any(|ending| path.to_lowercase().ends_with(ending)) {
             self.option("--map", &path, "the name must end in .svg or .png");
         }
-        if !model.has_critical_speeds() {
-            let name = model.info.name;
-            self.option("--map", &path, format!("{name} has no stable ranges: they are for two coordinates"));
-        } else if options.vary.len() != 2 || !options.random.is_empty() {
+        if options.vary.len() != 2 || !options.random.is_empty() {
             self.option("--map", &path, "a map needs two parameters that vary by --vary, and no others");
         } else if let [x, y] = vary {
             if [x, y].iter().any(|axis| axis.values.iter().all(|value| *value == axis.values[0])) {

@@ -41,7 +41,7 @@ fn sweeps_that_make_no_sense() {
     check(&["--random", "w=1..2", "--samples", "0"], "--samples 0: expected at least 1");
     check(&["--vary", "w=1,2", "--vary", "w=3"], "--vary w=3: `w` is given twice; first at --vary w=1,2");
     check(&["--vary", "g=1,2", "--gravity", "3"], "--vary g=1,2: `g` is given twice; first at --gravity 3");
-    let message = "critical speeds are for two coordinates, and Pendulum has 1: give --eigenvalues SPEEDS";
+    let message = "nothing in the model Pendulum depends on the speed: give --eigenvalues SPEEDS";
     check(&["--model", "Pendulum", "--vary", "l=1,2"], message);
     let huge = ["--vary", "w=1:2:1000000 points", "--vary", "c=1:2:1000000 points", "--vary", "mB=1,2"];
     check(&huge, "--vary, --random and --samples make too many designs; there must be at most 1000000000000");
