@@ -100,7 +100,8 @@
 ///
 /// - `body`: `mass`, its centre `at`, and `inertia` about that centre in the axes of the model, as a matrix, as
 ///   `[Ixx, Iyy, Izz]`, or `0` for a point mass; or `massless`. Products of inertia are entries of the matrix: xz is the
-///   negative integral of x z dm.
+///   negative integral of x z dm. `momentum (hx, hy, hz)` (N*m*s) is that of rotors that spin in it at a constant rate, as of a
+///   flywheel or an engine.
 /// - `wheel`: a body of revolution that turns about an axle along y on the body that carries it, and rolls without
 ///   slip. `radius` is the distance from its centre to the ground; `axial` is its moment of inertia about the axle and
 ///   `radial` that about a diameter. It touches the ground with a knife edge, or with a `tyre` whose cross-section is a
@@ -114,13 +115,19 @@
 ///   it moves: right-handed about an axis `through` a point, or along it. The length of `along` is of no account.
 ///   `spring` (N*m or N/m) and `damper` (N*m*s or N*s/m) act on the coordinate. In the reference configuration a spring
 ///   at a coordinate of the model carries the weight that rests on it, any other spring is unloaded.
+/// - `link`: a spring (N/m), a damper (N*s/m) or both between two points: `link S: A to B, from (x, y, z), to (x, y, z), spring
+///   k, damper d;`, the first on A, the second on B, which may be the `ground`. It is unloaded in the reference configuration.
 /// - `fix`: one body is a part of another one.
 /// - `free`: the body on which all others hang where nothing holds it to the ground. Beside the forward motion, which
 ///   is v, it has the freedoms `lateral`, `vertical`, `yaw`, `lean` and `pitch`: how its point at the origin moves to
 ///   the right and down, and then how it turns about z, x and y (yaw and lean are positive to the right, pitch is with
 ///   the front up), each about an axis turned by those before. A `wheel` on no body may be free itself; then its axle
 ///   is its pitch. Freedoms that have a name can be coordinates; the others are what the wheels determine.
-/// - `force`: a force or torque that acts on a joint or freedom, positive like its coordinate.
+///   `forward` is what the machine moves beside its motion at the speed v: as a coordinate of its own it lets the machine speed
+///   up and slow down (a pendulum on wheels). Where coordinates would do that, and it shall be left out, `hold forward;` says
+///   that whatever force it takes keeps the speed.
+/// - `force`: a force or torque that acts on a joint or freedom, positive like its coordinate; on a wheel, by its name, a torque
+///   about its axle, along y, from the body that carries it.
 ///
 /// The coordinates are joints and named freedoms, and determine all others: by the wheels, which stay on the ground and
 /// do not slip. What follows beside the matrices is computed by `Name::kinematics`: the rates of all that is no

@@ -67,6 +67,15 @@ impl Faulty<'_> {
                 );
                 (height.region, message)
             }
+            Fault::Short { link } => {
+                let link = &self.mechanism.links[*link];
+                let message = format!(
+                    "the link `{}` is between two points that are one, so it has no direction: expected points apart in the \
+                     reference configuration",
+                    link.name
+                );
+                (Region::from(&link.name), message)
+            }
             Fault::Tied { ground, joints } => self.tied(*ground, joints),
             Fault::Undecided { ground } => {
                 let (Ground::Height(index) | Ground::Sideways(index) | Ground::Along(index)) = *ground;
@@ -121,7 +130,8 @@ impl Faulty<'_> {
             Fault::Coupled { joint } => {
                 let message = format!(
                     "{} speeds the mechanism up or slows it down, and the speed v is a constant: expected coordinates that \
-                     leave the forward motion alone",
+                     leave the forward motion alone, that motion among the coordinates, `free …: forward x`, or the \
+                     statement `hold forward;`",
                     self.joint(*joint)
                 );
                 (self.region(*joint), message)
@@ -244,14 +254,14 @@ impl Faulty<'_> {
                 names.iter().find(|(known, _)| *known == freedom).map(|(_, name)| name)
             }
             Role::Deflection(index) => self.mechanism.wheels[index].deflection(),
-            Role::Forward | Role::Spin(_) => None,
+            Role::Spin(_) => None,
         }
     }
 
     fn turns(&self, joint: usize) -> bool {
         match self.tree.joints[joint].role {
             Role::Joint(index) => self.mechanism.joints[index].kind == JointKind::Revolute,
-            Role::Forward | Role::Deflection(_) | Role::Freedom(Freedom::Lateral | Freedom::Vertical) => false,
+            Role::Deflection(_) | Role::Freedom(Freedom::Forward | Freedom::Lateral | Freedom::Vertical) => false,
             Role::Freedom(_) | Role::Spin(_) => true,
         }
     }
@@ -259,7 +269,6 @@ impl Faulty<'_> {
     /// What a joint is called in a message.
     fn joint(&self, joint: usize) -> String {
         match self.tree.joints[joint].role {
-            Role::Forward => "the forward motion".into(),
             Role::Spin(wheel) => format!("the spin of `{}`", self.mechanism.wheels[wheel].name),
             Role::Deflection(wheel) => format!("the deflection of the tyre of `{}`", self.mechanism.wheels[wheel].name),
             Role::Joint(index) => format!("`{}`", self.mechanism.joints[index].name),
@@ -299,7 +308,11 @@ fn joint_of(fault: &Fault) -> Option<usize> {
         | Fault::Remains { joint }
         | Fault::Massless { joint, .. }
         | Fault::PerhapsMassless { joint, .. } => Some(*joint),
-        Fault::OffGround { .. } | Fault::Tied { .. } | Fault::Undecided { .. } | Fault::Undetermined(_) => None,
+        Fault::Short { .. }
+        | Fault::OffGround { .. }
+        | Fault::Tied { .. }
+        | Fault::Undecided { .. }
+        | Fault::Undetermined(_) => None,
     }
 }
 

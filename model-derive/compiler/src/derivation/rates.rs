@@ -37,14 +37,16 @@ pub fn name_rates(derivation: &Derivation, mechanism: &Mechanism, tree: &Tree) -
 fn force_unit(mechanism: &Mechanism, on: &Ident) -> &'static str {
     let slides = mechanism.joints.iter().any(|joint| joint.name == *on && joint.kind == JointKind::Prismatic);
     let mut freedoms = mechanism.free.iter().flat_map(|free| &free.names);
-    let moves = freedoms.any(|(freedom, name)| name == on && matches!(freedom, Freedom::Lateral | Freedom::Vertical));
+    let moves = freedoms.any(|(freedom, name)| {
+        name == on && matches!(freedom, Freedom::Forward | Freedom::Lateral | Freedom::Vertical)
+    });
     if slides || moves { "N" } else { "N*m" }
 }
 
 /// The name of a rate in generated code, and what it is; none for what does not move in the first order.
 fn name_rate(role: Role, mechanism: &Mechanism) -> Option<(String, String)> {
     match role {
-        Role::Forward | Role::Deflection(_) | Role::Freedom(Freedom::Vertical | Freedom::Pitch) => None,
+        Role::Deflection(_) | Role::Freedom(Freedom::Forward | Freedom::Vertical | Freedom::Pitch) => None,
         Role::Freedom(freedom) => {
             let body = mechanism.free.first().map(|free| free.body.to_string()).unwrap_or_default();
             let (name, what) = match freedom {

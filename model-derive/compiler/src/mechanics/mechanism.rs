@@ -20,6 +20,11 @@ pub struct Mechanism<V> {
     pub following: Vec<usize>,
     /// The joints that an applied force or torque acts on.
     pub forces: Vec<usize>,
+    /// What spins at a constant rate in bodies: the joint that moves it, and its angular momentum, in N m s.
+    pub gyrostats: Vec<(usize, [V; 3])>,
+    pub links: Vec<Link<V>>,
+    /// Whether the forward speed is held, whatever the coordinates do.
+    pub holds_speed: bool,
     /// What is added to the matrices of the coordinates, in rows of theirs.
     pub added: Vec<(MatrixName, Vec<Vec<V>>)>,
     /// Whether there is gravity.
@@ -76,6 +81,18 @@ pub struct Wheel<V> {
     pub axial: V,
     /// Of a tyre that slips sideways.
     pub slip: Option<Slip<V>>,
+}
+
+/// A spring and a damper between points of two bodies, unloaded in the reference configuration.
+#[derive(Clone, Debug, SerBin)]
+pub struct Link<V> {
+    /// The joints that move its ends; none for the ground.
+    pub joints: [Option<usize>; 2],
+    pub points: [[V; 3]; 2],
+    /// In N/m.
+    pub stiffness: Option<V>,
+    /// In N s/m.
+    pub damping: Option<V>,
 }
 
 /// The side force of a tyre, linear in slip and camber.
@@ -150,6 +167,18 @@ impl<V> Mechanism<V> {
             })
         });
         let wheels = wheels.collect::<Result<_, E>>()?;
+        let gyrostats = self.gyrostats.iter().map(|(joint, momentum)| Ok((*joint, each(momentum, f)?)));
+        let gyrostats = gyrostats.collect::<Result<_, E>>()?;
+        let links = self.links.iter().map(|link| {
+            let [from, to] = &link.points;
+            Ok(Link {
+                joints: link.joints,
+                points: [each(from, f)?, each(to, f)?],
+                stiffness: link.stiffness.as_ref().map(&mut *f).transpose()?,
+                damping: link.damping.as_ref().map(&mut *f).transpose()?,
+            })
+        });
+        let links = links.collect::<Result<_, E>>()?;
         let added = self.added.iter().map(|(name, rows)| {
             let rows = rows.iter().map(|row| row.iter().map(&mut *f).collect::<Result<_, E>>());
             Ok((*name, rows.collect::<Result<_, E>>()?))
@@ -163,6 +192,9 @@ impl<V> Mechanism<V> {
             coordinates: self.coordinates.clone(),
             following: self.following.clone(),
             forces: self.forces.clone(),
+            gyrostats,
+            links,
+            holds_speed: self.holds_speed,
             added,
             has_weight: self.has_weight,
         })

@@ -10,6 +10,7 @@ mod composite;
 mod contact;
 mod elimination;
 mod formulas;
+mod links;
 mod loads;
 mod massless;
 mod matrix;
@@ -20,7 +21,7 @@ mod slip;
 mod unreduced;
 mod vectors;
 
-pub use self::mechanism::{Body, Joint, Mechanism, Motion, Root, Slip, Wheel};
+pub use self::mechanism::{Body, Joint, Link, Mechanism, Motion, Root, Slip, Wheel};
 
 use nanoserde::{DeBin, SerBin};
 
@@ -66,6 +67,8 @@ pub struct Rate {
 /// Why a mechanism has no equations of motion.
 #[derive(Debug)]
 pub enum Fault {
+    /// A link of no length.
+    Short { link: usize },
     /// An axis of no length.
     NoAxis { joint: usize },
     /// A wheel that does not touch the ground, and how far its lowest point is below.
@@ -180,6 +183,7 @@ fn linearize(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Res
             faults.push(Fault::OffGround { wheel, below: formulas.inserted(&below) });
         }
     }
+    faults.extend(links::find_short_links(&mechanism, formulas).into_iter().map(|link| Fault::Short { link }));
     if !faults.is_empty() {
         return Err(faults);
     }

@@ -61,6 +61,8 @@ impl<'a> Projection<'a> {
                 || by_positions.into_iter().any(|matrix| stays(&matrix[forward][joint]))
         };
         let freedoms = motions.freedoms.iter().enumerate().filter(|(freedom, _)| Some(*freedom) != forward);
+        // What holds the speed takes whatever force that needs.
+        let freedoms = freedoms.filter(|_| !mechanism.holds_speed);
         let coupled = freedoms.filter(|(freedom, joint)| couples(*freedom, **joint)).map(|(_, joint)| *joint).collect();
         let remains = |joint: &usize| {
             let mut matrices = projected.by_positions.iter();
@@ -94,7 +96,8 @@ impl<'a> Projection<'a> {
     /// Which positions and rates of the coordinates are states; `matrices` are those of the coordinates.
     pub fn states(mechanism: &Mechanism<Form>, matrices: &Matrices) -> Vec<States> {
         let is_carried = |joint: usize| {
-            mechanism.root.is_some_and(|root| mechanism.slips() && (joint == root.lateral || joint == root.yaw))
+            let Some(root) = mechanism.root else { return false };
+            joint == root.forward || mechanism.slips() && (joint == root.lateral || joint == root.yaw)
         };
         let stiffness = matrices.iter().filter(|(name, _)| Whole::Stiffness.parts().contains(name));
         let holds = |column: usize| stiffness.clone().any(|(_, rows)| rows.iter().any(|row| !row[column].is_nothing()));

@@ -4,6 +4,7 @@ use super::Fault;
 use super::composite::{Composites, find_spin_momenta};
 use super::contact::{Contact, gyroscopic};
 use super::formulas::Formulas;
+use super::links::{add_gyrostats, add_links};
 use super::loads::find_loads;
 use super::matrix::{self, Matrix};
 use super::mechanism::{Mechanism, Motion};
@@ -65,7 +66,9 @@ impl Unreduced {
         let stiffness = diagonal(mechanism.joints.iter().map(|joint| joint.stiffness.as_ref()).collect());
         let SideForces { over_speed, damping: by_rates, stiffness: by_positions, by_speed } =
             SideForces::new(mechanism, contacts);
-        let (damping, stiffness) = (matrix::plus(&damping, &by_rates), matrix::plus(&stiffness, &by_positions));
+        let (mut damping, mut stiffness) = (matrix::plus(&damping, &by_rates), matrix::plus(&stiffness, &by_positions));
+        add_links(mechanism, formulas, &mut stiffness, &mut damping);
+        add_gyrostats(mechanism, &mut damping);
         Ok(Self { mass, spin, weight, slip: over_speed, damping, stiffness, relaxation: by_speed })
     }
 }

@@ -12,6 +12,8 @@ mod identity;
 mod kinematics;
 mod others;
 #[cfg(feature = "compiler")]
+mod parts;
+#[cfg(feature = "compiler")]
 mod physical;
 #[cfg(feature = "compiler")]
 mod random;

@@ -67,6 +67,18 @@ pub fn assemble(
             damping: joint.damper.as_ref().map(|_| attributes.next()),
         })
         .collect();
+    let momenta: Vec<_> =
+        mechanism.bodies.iter().map(|body| body.momentum.as_ref().map(|_| attributes.vector())).collect();
+    let fastened: Vec<_> = mechanism
+        .links
+        .iter()
+        .map(|link| {
+            let points = [(); 2].map(|()| attributes.vector());
+            let [stiffness, damping] =
+                [&link.spring, &link.damper].map(|held| held.as_ref().map(|_| attributes.next()));
+            (points, stiffness, damping)
+        })
+        .collect();
     let added = declaration.added.iter().map(|matrix| {
         let rows = matrix.rows.iter().map(|(_, row)| row.iter().map(|_| attributes.next()).collect());
         (matrix.name, rows.collect())
@@ -86,7 +98,6 @@ pub fn assemble(
             damping: held.damping,
         };
         match node.role {
-            Role::Forward => joint("forward".into(), Motion::Slides, Held::at_origin(0)),
             Role::Freedom(freedom) => {
                 let (motion, axis) = axis_of(freedom);
                 joint(freedom_name(mechanism, freedom), motion, Held::at_origin(axis))
@@ -121,18 +132,28 @@ pub fn assemble(
     let bodies = bodies.chain(rims).collect();
     let position = |role: Role| tree.joints.iter().position(|node| node.role == role);
     let freedom = |freedom: Freedom| position(Role::Freedom(freedom));
-    let root = position(Role::Forward).zip(freedom(Freedom::Lateral).zip(freedom(Freedom::Yaw)));
+    let root = freedom(Freedom::Forward).zip(freedom(Freedom::Lateral).zip(freedom(Freedom::Yaw)));
     let find = |name: &Ident| {
         let (_, role) = named.iter().find(|(known, _)| *known == name)?;
         position(*role)
     };
     let coordinates = declaration.coordinates.iter().map(|coordinate| find(&coordinate.name));
     let coordinates: Vec<usize> = coordinates.collect::<Option<_>>()?;
-    let forces = mechanism.forces.iter().map(|force| find(&force.on)).collect::<Option<_>>()?;
+    let driven = |name: &Ident| mechanism.wheels.iter().position(|wheel| wheel.name == *name).map(spin);
+    let forces = mechanism.forces.iter().map(|force| find(&force.on).or_else(|| driven(&force.on)));
+    let forces = forces.collect::<Option<_>>()?;
     let following = declaration.states().zip(&coordinates).filter_map(|(states, joint)| {
         let holds = matches!(tree.joints[*joint].role, Role::Deflection(_));
         (states == States::Position && !holds).then_some(*joint)
     });
+    let gyrostats = momenta.into_iter().enumerate();
+    let gyrostats = gyrostats.filter_map(|(body, momentum)| Some((tree.moved_by[body], momentum?))).collect();
+    let body = |name: &Ident| mechanism.bodies.iter().position(|body| body.name == *name);
+    let links = mechanism.links.iter().zip(fastened).map(|(link, (points, stiffness, damping))| {
+        let joints = link.ends.each_ref().map(|(name, _)| body(name).map(|body| tree.moved_by[body]));
+        mechanics::Link { joints, points, stiffness, damping }
+    });
+    let links = links.collect();
     let mechanism = mechanics::Mechanism {
         joints,
         bodies,
@@ -158,6 +179,9 @@ pub fn assemble(
         following: following.collect(),
         coordinates,
         forces,
+        gyrostats,
+        links,
+        holds_speed: mechanism.held.is_some(),
         added,
         has_weight: declaration.parameters.iter().any(|parameter| parameter.gravity.is_some()),
     };

@@ -69,8 +69,8 @@ impl<'a> Attachments<'a> {
             let pitch = free.names.iter().find(|(freedom, _)| *freedom == Freedom::Pitch);
             if let Some((_, name)) = pitch.filter(|_| body >= self.bodies) {
                 let message = format!(
-                    "`{}` is a wheel, which turns about its axle as it rolls: expected `lateral`, `vertical`, `yaw` or \
-                     `lean`, and no `pitch`",
+                    "`{}` is a wheel, which turns about its axle as it rolls: expected `forward`, `lateral`, \
+                     `vertical`, `yaw` or `lean`, and no `pitch`",
                     free.body
                 );
                 report.error(name, message);
@@ -92,6 +92,16 @@ impl<'a> Attachments<'a> {
                 continue;
             }
             self.hold(fixed, Hold::Fixed(to), body, report);
+        }
+        for link in &mechanism.links {
+            let ends = link.ends.each_ref().map(|(name, _)| self.base(name, report));
+            if let [Some(first), Some(second)] = ends
+                && first == second
+            {
+                let message =
+                    format!("the link `{}` is between two points of one body: expected two bodies", link.name);
+                report.error(&link.name, message);
+            }
         }
         for wheel in &mechanism.wheels {
             let Some(carrier) = &wheel.carrier else { continue };

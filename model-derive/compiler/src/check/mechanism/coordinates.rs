@@ -53,7 +53,7 @@ pub fn find_joints<'a>(
             Role::Joint(index) => mechanism.joints[*index].kind == JointKind::Revolute,
             Role::Freedom(freedom) => axis_of(*freedom).0 == Motion::Turns,
             Role::Deflection(_) => false,
-            Role::Forward | Role::Spin(_) => continue,
+            Role::Spin(_) => continue,
         };
         let (what, expected) = if turns { ("turns", "rad") } else { ("slides", "m") };
         if let Some(unit) = coordinate.unit.as_ref().filter(|unit| unit.text != expected) {
@@ -75,10 +75,12 @@ pub fn find_joints<'a>(
     }
     for force in &mechanism.forces {
         // A coordinate that is no joint is reported already.
-        let known = named.iter().map(|(name, _)| *name).chain(declaration.coordinates.iter().map(|q| &q.name));
+        let wheels = mechanism.wheels.iter().map(|wheel| &wheel.name);
+        let known =
+            named.iter().map(|(name, _)| *name).chain(declaration.coordinates.iter().map(|q| &q.name)).chain(wheels);
         if complete && !known.into_iter().any(|known| *known == force.on) {
             let message = format!(
-                "`{}` is no joint of the mechanism: expected the coordinate of one{}",
+                "`{}` is no joint of the mechanism: expected the coordinate of one, or a wheel{}",
                 force.on,
                 hint(&force.on)
             );
@@ -96,6 +98,7 @@ pub fn find_joints<'a>(
 /// How a freedom moves, and along or about which axis.
 pub fn axis_of(freedom: Freedom) -> (Motion, usize) {
     match freedom {
+        Freedom::Forward => (Motion::Slides, 0),
         Freedom::Lateral => (Motion::Slides, 1),
         Freedom::Vertical => (Motion::Slides, 2),
         Freedom::Yaw => (Motion::Turns, 2),

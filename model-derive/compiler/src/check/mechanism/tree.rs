@@ -17,7 +17,7 @@ pub struct Tree {
 impl Tree {
     /// How many joints are freedoms of the free body.
     pub fn root(&self) -> usize {
-        self.joints.iter().filter(|node| matches!(node.role, Role::Forward | Role::Freedom(_))).count()
+        self.joints.iter().filter(|node| matches!(node.role, Role::Freedom(_))).count()
     }
 }
 
@@ -30,8 +30,7 @@ pub struct Node {
 /// Where a joint comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// The motion of a free body along x.
-    Forward,
+    /// Of a free body.
     Freedom(Freedom),
     /// At a position of the declaration.
     Joint(usize),
@@ -74,7 +73,7 @@ impl Attachments<'_> {
             let wheel = mechanism.wheels.iter().any(|wheel| wheel.name == free.body);
             // A wheel that is free itself turns about its axle instead of pitching.
             let freedoms = Freedom::ALL.into_iter().filter(|freedom| !wheel || *freedom != Freedom::Pitch);
-            for role in [Role::Forward].into_iter().chain(freedoms.map(Role::Freedom)) {
+            for role in freedoms.map(Role::Freedom) {
                 tree.joints.push(Node { role, parent: last });
                 last = Some(tree.joints.len() - 1);
             }
@@ -123,7 +122,7 @@ impl Attachments<'_> {
             };
             let Some(parent) = carrier else { continue };
             let mut above = std::iter::successors(parent, |joint| tree.joints[*joint].parent);
-            if !above.any(|joint| tree.joints[joint].role == Role::Forward) {
+            if !above.any(|joint| tree.joints[joint].role == Role::Freedom(Freedom::Forward)) {
                 let message = format!(
                     "the wheel `{}` is on what joints hold to the ground: expected it on a free body that rolls over the \
                      ground, or on what hangs on that",

@@ -13,6 +13,7 @@ use crate::syntax::{Coordinate, Declaration, Direction, Expression, Inertia, Joi
 const MASS: Dimension = Dimension::new([1, 0, 0]);
 const LENGTH: Dimension = Dimension::new([0, 1, 0]);
 const INERTIA: Dimension = Dimension::new([1, 2, 0]);
+const MOMENTUM: Dimension = Dimension::new([1, 2, -1]);
 const FORCE: Dimension = Dimension::new([1, 1, -2]);
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -32,6 +33,27 @@ pub fn check_mechanism(
         check.formula(mass, MASS, &format!("the mass of `{}`", body.name));
         check.position(centre, &format!("the centre of mass of `{}`", body.name));
         check.inertia(inertia, &body.name.to_string());
+    }
+    for body in &mechanism.bodies {
+        let Some(momentum) = &body.momentum else { continue };
+        for (axis, component) in momentum.components.iter().enumerate() {
+            let what = format!("the angular momentum in `{}` about {}", body.name, AXES[axis]);
+            let expected = MOMENTUM.directed(Some(Direction::About(axis)));
+            check.formula_in(component, expected, &what, "N*m*s");
+        }
+    }
+    for link in &mechanism.links {
+        let name = &link.name;
+        for (body, point) in &link.ends {
+            check.position(point, &format!("the end of `{name}` on `{body}`"));
+        }
+        for (formula, what, seconds, unit) in
+            [(&link.spring, "spring", -2, "N/m"), (&link.damper, "damper", -1, "N*s/m")]
+        {
+            if let Some(formula) = formula {
+                check.formula_in(formula, Dimension::new([1, 0, seconds]), &format!("the {what} of `{name}`"), unit);
+            }
+        }
     }
     for wheel in &mechanism.wheels {
         let name = &wheel.name;

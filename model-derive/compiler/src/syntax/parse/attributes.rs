@@ -126,6 +126,14 @@ impl Attributes {
         }
     }
 
+    /// A vector that may be given.
+    pub fn optional_vector(&mut self, word: &str) -> Option<Vector> {
+        match self.take(word)? {
+            Attribute::Vector(value) => Some(*value),
+            _ => None,
+        }
+    }
+
     /// A moment of inertia that must be given.
     pub fn inertia(&mut self, word: &str, what: &str) -> syn::Result<Inertia> {
         match self.take(word) {

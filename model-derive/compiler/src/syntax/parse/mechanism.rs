@@ -6,7 +6,7 @@ use syn::parse::ParseStream;
 use super::blocks::parse_block;
 use super::docs::reject_docs;
 use super::names::parse_used;
-use super::parts::{parse_body, parse_force, parse_free, parse_joint, parse_wheel};
+use super::parts::{parse_body, parse_force, parse_free, parse_joint, parse_link, parse_wheel};
 use super::tokens::{expected, parse_semicolon, parse_word};
 use crate::nearest::{ask_for, find_nearest};
 use crate::report::{Report, error};
@@ -37,10 +37,11 @@ pub fn parse_mechanism(
 }
 
 /// What is said to be expected where no part starts.
-const PARTS: &str = "a part of the mechanism: `body`, `wheel`, `revolute`, `prismatic`, `fix`, `free` or `force`";
+const PARTS: &str = "a part of the mechanism: `body`, `wheel`, `revolute`, `prismatic`, `fix`, `free`, `link`, \
+                     `force` or `hold`";
 
 /// What may begin a part.
-const KEYWORDS: [&str; 7] = ["body", "wheel", "revolute", "prismatic", "fix", "free", "force"];
+const KEYWORDS: [&str; 9] = ["body", "wheel", "revolute", "prismatic", "fix", "free", "link", "force", "hold"];
 
 /// Whether a part starts here.
 fn starts_part(input: ParseStream<'_>) -> bool {
@@ -82,6 +83,14 @@ fn parse_part(input: ParseStream<'_>, mechanism: &mut Mechanism, report: &mut Re
             parse_semicolon(input, "`;`", "the attachment")?;
         }
         "free" => mechanism.free.push(parse_free(input)?),
+        "link" => mechanism.links.push(parse_link(input)?),
+        "hold" => {
+            parse_word(input, "forward", "`forward`: the forward speed is what can be held")?;
+            if mechanism.held.replace(keyword.span()).is_some() {
+                report.error(&keyword, "a second `hold forward`: expected one");
+            }
+            parse_semicolon(input, "`;`", "`hold forward`")?;
+        }
         _ => mechanism.forces.push(parse_force(input)?),
     }
     Ok(())

@@ -8,26 +8,32 @@ use super::attributes::{Attributes, Shape};
 use super::names::{parse_name, parse_used};
 use super::tokens::{expected, parse_colon, parse_semicolon, parse_text, parse_word};
 use crate::report::error;
-use crate::syntax::tree::{Body, Force, Free, Freedom, Joint, JointKind, Slip, Wheel};
+use crate::syntax::tree::{Body, Force, Free, Freedom, Joint, JointKind, Link, Slip, Wheel};
 
 /// `body B "rear frame": mass mB, at (xB, 0, zB), inertia [[…], […], […]];`
 pub fn parse_body(input: ParseStream<'_>) -> syn::Result<Body> {
-    const KNOWN: [(&str, Shape); 4] =
-        [("mass", Shape::Formula), ("massless", Shape::Word), ("at", Shape::Vector), ("inertia", Shape::Inertia)];
+    const KNOWN: [(&str, Shape); 5] = [
+        ("mass", Shape::Formula),
+        ("massless", Shape::Word),
+        ("at", Shape::Vector),
+        ("inertia", Shape::Inertia),
+        ("momentum", Shape::Vector),
+    ];
     let name = parse_name(input, "the name of a body")?;
     let label = parse_text(input)?;
     let mut found = Attributes::after_colon(input, &name, &KNOWN)?;
+    let momentum = found.optional_vector("momentum");
     if found.word("massless") {
         return match found.first() {
             Some(other) => Err(error(other, format!("`{name}` is `massless`: expected no `{other}`"))),
-            None => Ok(Body { name, label, mass: None }),
+            None => Ok(Body { name, label, mass: None, momentum }),
         };
     }
     let mass = found.formula("mass", "`mass` and its formula, or `massless`")?;
     let centre = found.vector("at", "`at (x, y, z)`, its centre of mass")?;
     let inertia = found
         .inertia("inertia", "`inertia` and, about the centre of mass, `[[…], […], […]]`, `[Ixx, Iyy, Izz]` or `0`")?;
-    Ok(Body { name, label, mass: Some((mass, centre, inertia)) })
+    Ok(Body { name, label, mass: Some((mass, centre, inertia)), momentum })
 }
 
 /// `wheel R "rear wheel" on B: mass mR, at (0, 0, -rR), radius rR, axial IRyy, radial IRxx;`
@@ -124,7 +130,7 @@ pub fn parse_free(input: ParseStream<'_>) -> syn::Result<Free> {
     if input.peek(Token![:]) {
         input.parse::<Token![:]>()?;
         loop {
-            let what = "a freedom: `lateral`, `vertical`, `yaw`, `lean` or `pitch`";
+            let what = "a freedom: `forward`, `lateral`, `vertical`, `yaw`, `lean` or `pitch`";
             let word: Ident = if input.peek(syn::Ident) { input.parse()? } else { return Err(expected(input, what)) };
             let Some(freedom) = Freedom::from_word(&word.to_string()) else {
                 return Err(error(&word, format!("found `{word}`: expected {what}")));
@@ -142,12 +148,32 @@ pub fn parse_free(input: ParseStream<'_>) -> syn::Result<Free> {
     Ok(Free { body, names })
 }
 
+/// `link S: A to B, from (x, y, z), to (x, y, z), spring k, damper d;`
+pub fn parse_link(input: ParseStream<'_>) -> syn::Result<Link> {
+    const KNOWN: [(&str, Shape); 4] =
+        [("from", Shape::Vector), ("to", Shape::Vector), ("spring", Shape::Formula), ("damper", Shape::Formula)];
+    let name = parse_name(input, "the name of the link")?;
+    parse_colon(input, "`:` and the two bodies between which it acts, as in `B to H`")?;
+    let first = parse_used(input, "the name of a body, or `ground`")?;
+    parse_word(input, "to", "`to` and the other body")?;
+    let second = parse_used(input, "the name of the other body, or `ground`")?;
+    let mut found = Attributes::after_comma(input, &name, &KNOWN)?;
+    let from = found.vector("from", "`from (x, y, z)`, the point of the first body")?;
+    let to = found.vector("to", "`to (x, y, z)`, the point of the second body")?;
+    let [spring, damper] = ["spring", "damper"].map(|word| found.optional(word));
+    if spring.is_none() && damper.is_none() {
+        return Err(found
+            .missing("spring", "`spring` and its stiffness in N/m, `damper` and its coefficient in N*s/m, or both"));
+    }
+    Ok(Link { name, ends: [(first, from), (second, to)], spring, damper })
+}
+
 /// `force T "steer torque" on delta;`
 pub fn parse_force(input: ParseStream<'_>) -> syn::Result<Force> {
     let name = parse_name(input, "the name of a force or torque")?;
     let label = parse_text(input)?;
     parse_word(input, "on", "`on` and the joint that it acts on")?;
-    let on = parse_used(input, "the coordinate of a joint")?;
+    let on = parse_used(input, "the coordinate of a joint, or a wheel")?;
     parse_semicolon(input, "`;`", "the force")?;
     Ok(Force { name, label, on })
 }

@@ -16,7 +16,10 @@ pub struct Mechanism {
     /// Each body with the one that it is fixed to.
     pub fixed: Vec<(Ident, Ident)>,
     pub free: Vec<Free>,
+    pub links: Vec<Link>,
     pub forces: Vec<Force>,
+    /// The word `forward` behind `hold`, where the forward speed is held constant.
+    pub held: Option<Span>,
     /// The parts that could not be read, each with its name if it has one.
     pub unread: Vec<Option<Ident>>,
 }
@@ -25,8 +28,8 @@ impl Mechanism {
     /// Without parts.
     pub fn new(span: Span) -> Self {
         let (bodies, wheels, joints) = (Vec::new(), Vec::new(), Vec::new());
-        let (fixed, free, forces) = (Vec::new(), Vec::new(), Vec::new());
-        Self { span, bodies, wheels, joints, fixed, free, forces, unread: Vec::new() }
+        let (fixed, free, links, forces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { span, bodies, wheels, joints, fixed, free, links, forces, held: None, unread: Vec::new() }
     }
 
     /// All formulas in it.
@@ -48,7 +51,12 @@ impl Mechanism {
             let point = joint.through.iter().flat_map(|through| &through.components);
             point.chain(&joint.along.components).chain(&joint.spring).chain(&joint.damper)
         });
-        bodies.chain(wheels).chain(joints)
+        let momenta = self.bodies.iter().flat_map(|body| &body.momentum).flat_map(|momentum| &momentum.components);
+        let links = self.links.iter().flat_map(|link| {
+            let ends = link.ends.iter().flat_map(|(_, point)| &point.components);
+            ends.chain(&link.spring).chain(&link.damper)
+        });
+        bodies.chain(wheels).chain(joints).chain(momenta).chain(links)
     }
 }
 
@@ -75,6 +83,8 @@ pub struct Body {
     pub label: Option<String>,
     /// The mass, its centre and the inertia about it, of a body that is not massless.
     pub mass: Option<(Expression, Vector, Inertia)>,
+    /// The angular momentum of what spins in it at a constant rate.
+    pub momentum: Option<Vector>,
 }
 
 /// `wheel R "rear wheel" on B: mass mR, at (0, 0, -rR), radius rR, axial IRyy, radial IRxx;`
@@ -150,10 +160,11 @@ pub struct Free {
     pub names: Vec<(Freedom, Ident)>,
 }
 
-/// The freedoms of a body on the ground, beside the forward motion: displacements, then rotations about the vertical, the
+/// The freedoms of a body on the ground: displacements, of which the first is beside the motion at the speed v, then rotations about the vertical, the
 /// forward and the lateral axis, each turned by those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Freedom {
+    Forward,
     Lateral,
     Vertical,
     Yaw,
@@ -163,11 +174,12 @@ pub enum Freedom {
 
 impl Freedom {
     /// In the order in which each turns the axes of the next.
-    pub const ALL: [Self; 5] = [Self::Lateral, Self::Vertical, Self::Yaw, Self::Lean, Self::Pitch];
+    pub const ALL: [Self; 6] = [Self::Forward, Self::Lateral, Self::Vertical, Self::Yaw, Self::Lean, Self::Pitch];
 
     /// As it is written.
     pub fn word(self) -> &'static str {
         match self {
+            Self::Forward => "forward",
             Self::Lateral => "lateral",
             Self::Vertical => "vertical",
             Self::Yaw => "yaw",
@@ -179,6 +191,7 @@ impl Freedom {
     /// What it is, as a noun.
     pub fn noun(self) -> &'static str {
         match self {
+            Self::Forward => "forward motion",
             Self::Lateral => "lateral motion",
             Self::Vertical => "vertical motion",
             other => other.word(),
@@ -191,11 +204,21 @@ impl Freedom {
     }
 }
 
+/// `link S: A to B, from (x, y, z), to (x, y, z), spring k, damper d;`: between points of two bodies.
+#[derive(Debug)]
+pub struct Link {
+    pub name: Ident,
+    /// Two bodies, or the ground, each with the point that it is fastened at.
+    pub ends: [(Ident, Vector); 2],
+    pub spring: Option<Expression>,
+    pub damper: Option<Expression>,
+}
+
 /// `force T "steer torque" on delta;`
 #[derive(Debug)]
 pub struct Force {
     pub name: Ident,
     pub label: Option<String>,
-    /// The coordinate of the joint that it acts on.
+    /// The coordinate of the joint that it acts on, or the wheel whose spin it drives.
     pub on: Ident,
 }

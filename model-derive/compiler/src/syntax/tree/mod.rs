@@ -11,5 +11,7 @@ pub use self::declaration::{
     Published, Relation, Requirement, RustAttribute, SetValue, Value,
 };
 pub use self::expression::{Expression, Factor, Kind, Term};
-pub use self::mechanism::{Body, Force, Free, Freedom, Inertia, Joint, JointKind, Mechanism, Slip, Vector, Wheel};
+pub use self::mechanism::{
+    Body, Force, Free, Freedom, Inertia, Joint, JointKind, Link, Mechanism, Slip, Vector, Wheel,
+};
 pub use self::unit::Unit;

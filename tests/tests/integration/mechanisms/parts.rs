@@ -1,0 +1,145 @@
+//! Rotors, links and forward motion in mechanisms, against closed forms and against parts that are the same.
+
+use carvallo::{Coefficients, States};
+use carvallo_compiler::compile;
+use nalgebra::{Matrix2, SMatrix};
+
+use super::interpreted;
+
+fn matrices<const N: usize>(declaration: &str, values: &[f64]) -> (Coefficients<f64, N>, Vec<States>) {
+    let compiled = compile(declaration.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
+    let states =
+        compiled.model.coordinates.iter().map(|coordinate| match format!("{:?}", coordinate.states).as_str() {
+            "Both" => States::Both,
+            "Rate" => States::Rate,
+            _ => States::Position,
+        });
+    (interpreted(&compiled, values), states.collect())
+}
+
+fn assert_close<const N: usize>(found: &SMatrix<f64, N, N>, expected: &SMatrix<f64, N, N>) {
+    assert!((found - expected).norm() <= 1e-12 * expected.norm().max(1.0), "{found} is not {expected}");
+}
+
+/// A wheel that rolls at a speed turns with it: at one speed it is a wheel that does not, and a rotor of the same momentum.
+#[test]
+fn a_rotor_is_what_makes_a_wheel_resist() {
+    let bicycle = |axial: &str, momentum: &str| {
+        format!(
+            "model Bicycle {{
+                parameters {{ A: kg*m^2; H: N*m*s; lam: rad; g: N/kg, gravity; }}
+                mechanism {{
+                    body B: mass 85 [kg], at (0.3 [m], 0, -0.9 [m]), inertia [9.2 [kg*m^2], 11 [kg*m^2], 2.8 [kg*m^2]];
+                    body H: mass 4 [kg], at (0.9 [m], 0, -0.7 [m]), inertia 0 {momentum};
+                    wheel R on B: mass 2 [kg], at (0, 0, -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+                    wheel F on H: mass 3 [kg], at (1 [m], 0, -0.35 [m]), radius 0.35 [m], axial {axial}, radial 0;
+                    free B: lean phi;
+                    revolute delta: B to H, through (1.1 [m], 0, 0), along (sin(lam), 0, cos(lam));
+                }}
+                coordinates {{ phi: rad; delta: rad; }}
+            }}"
+        )
+    };
+    let (inertia, speed, radius) = (0.28, 7.0, 0.35);
+    let momentum = inertia * speed / radius;
+    let rolling = bicycle("A", "").replace("H: N*m*s;", "");
+    let (rolling, _) = matrices::<2>(&rolling, &[inertia, 0.3, 9.81]);
+    // Rolling forward turns it about -y.
+    let turning = bicycle("0", ", momentum (0, -H, 0)").replace("A: kg*m^2;", "");
+    let (turning, _) = matrices::<2>(&turning, &[momentum, 0.3, 9.81]);
+    assert!(turning.c0.norm() > 1.0 && turning.k1.norm() > 1.0, "{turning:?}");
+    let [rolling, turning] = [rolling, turning].map(|matrices| matrices.at(speed, 9.81).expect("a regular system"));
+    // The rotor is no mass that the wheel would have to speed up, which is no matter of lean and steer.
+    assert_close(&rolling.m, &turning.m);
+    assert_close(&rolling.c, &turning.c);
+    assert_close(&rolling.k, &turning.k);
+}
+
+/// Two pendulums side by side, joined by a spring and a damper at a height: `k h²` against each other; of an inclined link the
+/// part along it, squared.
+#[test]
+fn a_link_joins_two_bodies() {
+    let pendulums = |to: &str| {
+        format!(
+            "model Pendulums {{
+                parameters {{ m: kg, > 0; l: m, > 0; h: m, > 0; k: N/m; d: N*s/m; g: N/kg, gravity; }}
+                mechanism {{
+                    body A: mass m, at (0, 0, l), inertia 0;
+                    body B: mass m, at (0, 1 [m], l), inertia 0;
+                    revolute a: ground to A, through (0, 0, 0), along (1, 0, 0);
+                    revolute b: ground to B, through (0, 1 [m], 0), along (1, 0, 0);
+                    link S: A to B, from (0, 0, h), to {to}, spring k, damper d;
+                }}
+                coordinates {{ a: rad; b: rad; }}
+            }}"
+        )
+    };
+    let values = [2.0, 0.8, 0.5, 30.0, 4.0, 9.81];
+    let (level, _) = matrices::<2>(&pendulums("(0, 1 [m], h)"), &values);
+    let against = Matrix2::new(1.0, -1.0, -1.0, 1.0) * 0.25;
+    assert_close(&level.kc, &(against * 30.0));
+    assert_close(&level.c0, &(against * 4.0));
+    // Both turn to -y below their hinges. With the end of the second one as much lower as it is apart: 45 degrees.
+    let (inclined, _) = matrices::<2>(&pendulums("(0, 1 [m], h + 1 [m])"), &values);
+    let grows = nalgebra::Vector2::new(0.5, -1.5) * 0.5_f64.sqrt();
+    assert_close(&inclined.kc, &(grows * grows.transpose() * 30.0));
+    // To the ground only one end moves.
+    let (held, _) = matrices::<2>(&pendulums("(0, 1 [m], h)").replace("A to B", "A to ground"), &values);
+    assert_close(&held.kc, &(Matrix2::new(1.0, 0.0, 0.0, 0.0) * 0.25 * 30.0));
+}
+
+/// A pendulum on two wheels that roll: about its axle, with the displacement X of that,
+/// `(m + w + J/r²) X'' - m l theta'' = -T/r` and `(I + m l²) theta'' - m l X'' - m g l theta = T`; the coordinate of the
+/// mechanism is that of the point on the ground, X + r theta.
+#[test]
+fn forward_motion_takes_part_as_a_coordinate() {
+    let (found, states) = matrices::<3>(
+        "model Segway {
+            parameters { m: kg; l: m; I: kg*m^2; w: kg; J: kg*m^2; r: m, > 0; g: N/kg, gravity; }
+            mechanism {
+                body B: mass m, at (0, 0, -r - l), inertia [I, I, I];
+                wheel L on B: mass w/2, at (0, -0.3 [m], -r), radius r, axial J/2, radial 0;
+                wheel R on B: mass w/2, at (0, 0.3 [m], -r), radius r, axial J/2, radial 0;
+                free B: forward x, pitch theta, yaw psi;
+                force T on L;
+            }
+            coordinates { x: m; theta: rad; psi: rad; }
+        }",
+        &[60.0, 0.9, 5.0, 8.0, 0.2, 0.25, 9.81],
+    );
+    let [m, l, i, w, j, r] = [60.0, 0.9, 5.0, 8.0, 0.2, 0.25];
+    let about_axle = Matrix2::new(m + w + j / (r * r), -m * l, -m * l, i + m * l * l);
+    let to_axle = Matrix2::new(1.0, -r, 0.0, 1.0);
+    // The yaw, in which it moves as well, is on its own.
+    let block = |matrix: SMatrix<f64, 3, 3>| {
+        assert_eq!([matrix[(0, 2)], matrix[(1, 2)], matrix[(2, 0)], matrix[(2, 1)]], [0.0; 4]);
+        matrix.fixed_view::<2, 2>(0, 0).into_owned()
+    };
+    assert_close(&block(found.m), &(to_axle.transpose() * about_axle * to_axle));
+    assert_close(&block(found.k0), &Matrix2::new(0.0, 0.0, 0.0, -m * l));
+    assert_eq!([found.c0, found.c1, found.kc, found.k1, found.k2].map(block), [Matrix2::zeros(); 5]);
+    assert_eq!(states[..2], [States::Rate, States::Both]);
+}
+
+/// A frame that pitches on a spring speeds the machine up and slows it down; with the speed held it only swings.
+#[test]
+fn a_held_speed_leaves_the_rest() {
+    let (found, _) = matrices::<1>(
+        "model Nodding {
+            parameters { m: kg; k: N*m; g: N/kg, gravity; }
+            mechanism {
+                body A: mass 10 [kg], at (0, 0, -0.3 [m]), inertia [1 [kg*m^2], 1 [kg*m^2], 1 [kg*m^2]];
+                body B: mass m, at (0, 0, -1.3 [m]), inertia 0;
+                wheel F on A: mass 0, at (1 [m], 0, -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+                wheel L on A: mass 0, at (-1 [m], -1 [m], -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+                wheel R on A: mass 0, at (-1 [m], 1 [m], -0.3 [m]), radius 0.3 [m], axial 0, radial 0;
+                free A;
+                revolute q: A to B, through (0, 0, -0.3 [m]), along (0, 1, 0), spring k;
+                hold forward;
+            }
+            coordinates { q: rad; }
+        }",
+        &[20.0, 500.0, 9.81],
+    );
+    assert_eq!([found.m[0], found.kc[0], found.k0[0]], [20.0, 500.0, -20.0]);
+}
