@@ -1,7 +1,8 @@
 //! Critical speeds of random systems of 1 to 8 coordinates against certain references: none lost, none extra.
 
-use carvallo::{Change, Coefficients, CriticalKind, CriticalSpeed, Stability, States};
+use carvallo::{Change, Coefficients, CriticalKind, CriticalSpeed, Model, Stability, States};
 use carvallo_tests::facts::{RandomSystem, RandomSystemSpeed, random_systems};
+use carvallo_tests::{bicycles, designs};
 
 const GRAVITY: f64 = 2.0;
 
@@ -65,5 +66,40 @@ fn no_critical_speed_is_lost_and_none_is_extra() {
             8 => check::<8>(&system),
             other => panic!("{}: {other} coordinates", system.name),
         }
+    }
+}
+
+/// Two coordinates, for which there are two ways: by exact polynomials, and as for any number.
+fn check_two_ways(name: &str, coefficients: &Coefficients<f64, 2>, gravity: f64) {
+    let exact = Stability::new(coefficients, gravity).expect("an answer");
+    let general = Stability::general(coefficients, gravity).expect("an answer");
+    let crossings = |stability: &Stability| {
+        let speeds = stability.critical_speeds.iter().copied();
+        speeds.filter(|critical| critical.kind != CriticalKind::DoubleRoot).collect::<Vec<_>>()
+    };
+    let (exact_speeds, general_speeds) = (crossings(&exact), crossings(&general));
+    assert_eq!(exact_speeds.len(), general_speeds.len(), "{name}: {exact_speeds:?} and {general_speeds:?}");
+    for (exact, general) in exact_speeds.iter().zip(&general_speeds) {
+        let off = (exact.speed - general.speed).abs();
+        let allowed = exact.error.max(general.error).max(ACCURACY * exact.speed);
+        assert!(exact.kind == general.kind && off <= allowed, "{name}: {exact:?} and {general:?}");
+        assert_eq!(exact.change, general.change, "{name}: {exact:?} and {general:?}");
+    }
+    let speeds = exact_speeds.windows(2).map(|pair| 0.5 * (pair[0].speed + pair[1].speed));
+    for speed in speeds.chain([0.0, 1e-3, 1e3]) {
+        assert_eq!(exact.verdict(speed), general.verdict(speed), "{name} at {speed}");
+    }
+    assert_eq!(exact.stable_ranges.len(), general.stable_ranges.len(), "{name}");
+    assert!(general.undecided.is_empty(), "{name}: {:?}", general.undecided);
+}
+
+#[test]
+fn the_way_for_any_number_agrees_with_the_exact_one_for_two() {
+    for (name, bicycle) in bicycles::all() {
+        check_two_ways(name, &bicycle.coefficients(), bicycle.g);
+    }
+    for number in 0..200 {
+        let design = designs::numbered(number);
+        check_two_ways(&format!("design {number}"), &design.coefficients(), design.g);
     }
 }

@@ -103,10 +103,10 @@ impl<const N: usize> Equations<N> {
         };
         for start in starts {
             for s in pairs_by_real_part(&self.spectrum(start)?) {
-                self.find_flutter_from(start, s, bracket, found);
                 if bracket.zero.is_none() && start == bracket.start() {
                     self.find_turn(s, bracket, found)?;
                 }
+                self.find_flutter_from(start, s, bracket, found);
             }
         }
         Ok(())
@@ -235,14 +235,16 @@ impl Bracket {
     }
 }
 
-/// Adds what has not been found in another bracket.
+/// Adds what has not been found in another bracket, or where a pair turns back as far as rounding tells.
 fn add(found: &mut Vec<Found>, new: Found) {
     const SAME: f64 = 1e-12;
-    let is_close = |x: f64, y: f64| (x - y).abs() <= SAME * x.abs().max(y.abs());
+    const SAME_FREQUENCY: f64 = 1e-6;
     let is_same = |old: &Found| {
-        old.kind == new.kind
-            && is_close(old.crossing.v.to_f64(), new.crossing.v.to_f64())
-            && is_close(old.crossing.omega, new.crossing.omega)
+        let [x, y] = [&old.crossing, &new.crossing];
+        let distance = (x.v - y.v).to_f64().abs();
+        let is_one_speed = distance <= SAME * y.v.to_f64() || distance <= x.error + y.error;
+        let is_one_frequency = (x.omega - y.omega).abs() <= SAME_FREQUENCY * y.omega;
+        old.kind == new.kind && is_one_speed && is_one_frequency
     };
     if !found.iter().any(is_same) {
         found.push(new);

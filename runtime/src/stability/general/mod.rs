@@ -23,6 +23,8 @@ mod isolation;
 mod newton;
 mod polynomial;
 mod product;
+#[cfg(test)]
+mod tests;
 mod units;
 
 use nalgebra::Complex;
