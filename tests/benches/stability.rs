@@ -7,8 +7,10 @@ use std::hint::black_box;
 
 use carvallo::{Coefficients, Model, Modes, Stability};
 use carvallo_models::Whipple;
+use carvallo_tests::facts::{RandomSystem, random_systems};
 use carvallo_tests::{bicycles, designs};
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::{Matrix4, Schur};
 
 /// More random designs than branch predictors learn; their matrices are 1.5 MB.
@@ -49,6 +51,8 @@ fn stability(criterion: &mut Criterion) {
             });
         });
     }
+    random_systems_of::<3>(&mut group);
+    random_systems_of::<6>(&mut group);
     group.finish();
 
     let modes = Modes::new(&coefficients, bicycle.g).expect("modes");
@@ -60,6 +64,20 @@ fn stability(criterion: &mut Criterion) {
         bencher.iter(|| {
             let matrix: Matrix4<f64> = *black_box(&matrix);
             Schur::try_new(matrix, f64::EPSILON, ITERATIONS).map(|schur| schur.complex_eigenvalues())
+        });
+    });
+}
+
+/// All random systems of so many coordinates, for which critical speeds are known, each as often as the others.
+fn random_systems_of<const N: usize>(group: &mut BenchmarkGroup<'_, WallTime>) {
+    let systems = random_systems().into_iter().filter(|system| system.coordinates == N);
+    let systems: Vec<Coefficients<f64, N>> = systems.map(|system| system.coefficients()).collect();
+    group.throughput(Throughput::Elements(systems.len() as u64));
+    group.bench_function(format!("random systems of {N} coordinates"), |bencher| {
+        bencher.iter(|| {
+            for coefficients in &systems {
+                let _ = black_box(Stability::new(black_box(coefficients), RandomSystem::GRAVITY));
+            }
         });
     });
 }

@@ -1,5 +1,7 @@
 //! The tables of recomputed facts in `data/`; the head of each says how it was found.
 
+use carvallo::{Coefficients, States};
+
 /// One eigenvalue of a published benchmark.
 #[derive(Clone, Copy, Debug)]
 pub struct Eigenvalue {
@@ -63,6 +65,27 @@ pub struct RandomSystemSpeed {
     pub frequency: f64,
     /// `up` or `down`, or `-` where the real part has no finite derivative.
     pub way: &'static str,
+}
+
+impl RandomSystem {
+    /// The gravitational field strength in N/kg.
+    pub const GRAVITY: f64 = 2.0;
+
+    /// The matrices.
+    ///
+    /// # Panics
+    /// If there is another number of coordinates.
+    pub fn coefficients<const N: usize>(&self) -> Coefficients<f64, N> {
+        assert_eq!(self.coordinates, N, "the number of coordinates");
+        let entry = |matrix: usize, i: usize, j: usize| self.matrices[matrix].get(N * i + j).copied().unwrap_or(0.0);
+        let rows = std::array::from_fn(|matrix| std::array::from_fn(|i| std::array::from_fn(|j| entry(matrix, i, j))));
+        let states = std::array::from_fn(|coordinate| match self.states[coordinate] {
+            "position" => States::Position,
+            "rate" => States::Rate,
+            _ => States::Both,
+        });
+        Coefficients { states, ..Coefficients::from_rows(rows) }
+    }
 }
 
 /// The random equations of motion with their critical speeds.

@@ -4,6 +4,7 @@ use std::hint::black_box;
 
 use carvallo::{Coefficients, Model, Stability};
 use carvallo_models::{Whipple, WhippleMechanism};
+use carvallo_tests::facts::{RandomSystem, random_systems};
 use carvallo_tests::{bicycles, designs};
 
 use crate::Summary;
@@ -18,11 +19,24 @@ pub fn add(summary: &mut Summary) {
     let task = Task::new("Critical speeds and stable ranges, 14 bicycles", bicycles.len());
     summary.run(task.contender("ours, one by one", each(&bicycles, bicycles.len(), critical)));
 
+    add_random::<3>(summary);
+    add_random::<6>(summary);
+
     let designs: Vec<Whipple> = (0..summary.designs as u64 / 10).map(designs::numbered).collect();
     let mechanisms: Vec<_> = designs.iter().map(|design| WhippleMechanism::from_array(design.to_array())).collect();
     let name = format!("Sweep: matrices, critical speeds and stable ranges of {} distinct designs", designs.len());
     let sweep = |design: &WhippleMechanism| Stability::new(&design.coefficients(), design.g);
     summary.run(Task::new(name, IN_A_ROUND).contender("ours, one by one", each(&mechanisms, IN_A_ROUND, sweep)));
+}
+
+/// Random systems with follower loads, gyroscopic ones and others.
+fn add_random<const N: usize>(summary: &mut Summary) {
+    let systems = random_systems().into_iter().filter(|system| system.coordinates == N);
+    let systems: Vec<Coefficients<f64, N>> = systems.map(|system| system.coefficients()).collect();
+    let critical = |coefficients: &Coefficients<f64, N>| Stability::new(coefficients, RandomSystem::GRAVITY);
+    let task =
+        Task::new(format!("Critical speeds of {} random systems of {N} coordinates", systems.len()), systems.len());
+    summary.run(task.contender("ours, one by one", each(&systems, systems.len(), critical)));
 }
 
 /// So many in each run, and the next ones in the next.

@@ -61,6 +61,8 @@ pub(super) fn points([from, to]: [f64; 2]) -> [f64; POINTS] {
 pub(super) struct Bernstein {
     value: Row,
     error: Row,
+    /// The part of the errors that a higher degree would not have.
+    missing: f64,
 }
 
 /// What coefficients tell about the zeros in an interval.
@@ -68,6 +70,9 @@ pub(super) struct Bernstein {
 pub(super) enum Zeros {
     None,
     One,
+    /// Several, or none.
+    Several,
+    /// The signs of the coefficients are not certain.
     Unknown,
 }
 
@@ -82,7 +87,12 @@ impl Bernstein {
             if is_exact { 0.0 } else { MISSING * last.iter().map(|row| along(row, values).abs()).fold(0.0, f64::max) };
         let value = core::array::from_fn(|i| along(&bernstein[i], values));
         let error = core::array::from_fn(|i| along(&bernstein[i].map(f64::abs), errors) + missing);
-        Self { value, error }
+        Self { value, error, missing }
+    }
+
+    /// Whether it is rounding that decides about the errors, rather than the degree.
+    pub(super) fn is_resolved(&self) -> bool {
+        self.error.iter().fold(0.0, |max: f64, error| max.max(*error)) >= 2.0 * self.missing
     }
 
     /// By the rule of Descartes: no more zeros than changes of sign, and as many but for an even number.
@@ -99,7 +109,7 @@ impl Bernstein {
         match changes {
             0 => Zeros::None,
             1 => Zeros::One,
-            _ => Zeros::Unknown,
+            _ => Zeros::Several,
         }
     }
 

@@ -178,7 +178,9 @@ impl<const N: usize> Equations<N> {
         pairs.sort_by(|x, y| gap(x).total_cmp(&gap(y)));
         let crossing = pairs.into_iter().take(CANDIDATES).find_map(|[s, t]| {
             let omega = 0.5 * (s.im + t.im);
-            let is_near = |crossing: &Crossing| (crossing.omega - omega).abs() <= (s - t).norm() + CLOSE * omega;
+            // At a divergence, too, the determinant and its derivative are zero together: at the frequency zero.
+            let reach = (s - t).norm().min(0.5 * omega) + CLOSE * omega;
+            let is_near = |crossing: &Crossing| (crossing.omega - omega).abs() <= reach;
             self.find_meeting(start, omega).filter(|crossing| bracket.contains(crossing) && is_near(crossing))
         });
         if let Some(crossing) = crossing {

@@ -3,6 +3,8 @@
 use super::bernstein::{Bernstein, POINTS, Zeros, points};
 use super::condition::Condition;
 use super::polynomial::Normalized;
+use super::product::Product;
+use super::samples::Samples;
 use crate::system::SystemError;
 
 /// An interval of speeds with a zero.
@@ -17,6 +19,10 @@ pub(super) struct Bracket {
 
 /// Where intervals are divided: not in the middle, where zeros are that come from numbers of few digits.
 const DIVISION: f64 = 0.484_375;
+
+/// The most points at which a polynomial is computed in all of its range. Of higher degrees it differs so much in size there
+/// that rounding is left of most of it, and it is computed in parts.
+const MOST_POINTS: usize = 60;
 
 /// How often a polynomial is halved before it is interpolated anew in what is left, which is more precise.
 const HALVINGS: usize = 4;
@@ -36,10 +42,22 @@ pub(super) fn isolate<F: Condition>(
     if is_polynomial && condition.degree() == 0 {
         return Ok(Vec::new());
     }
-    let is_exact = is_polynomial && condition.degree() < POINTS;
+    let count = condition.degree() + 1;
+    let is_exact = is_polynomial && count <= POINTS;
     let mut search = Search { condition, is_exact, narrow, brackets: Vec::new() };
-    search.interpolate(condition.range().map(|v| v / (1.0 + v)))?;
+    let interval = condition.range().map(|v| v / (1.0 + v));
+    if is_polynomial && !is_exact && count <= MOST_POINTS {
+        let products = Samples::points(interval, count).map(|x| condition.at(speed(x)));
+        let samples = Samples::new(interval, &products.collect::<Result<Vec<_>, _>>()?);
+        search.examine_part(&samples, interval)?;
+    } else {
+        search.interpolate(interval)?;
+    }
     Ok(search.brackets)
+}
+
+fn speed(x: f64) -> f64 {
+    x / (1.0 - x)
 }
 
 struct Search<'a, F> {
@@ -50,39 +68,42 @@ struct Search<'a, F> {
 }
 
 impl<F: Condition> Search<'_, F> {
-    fn interpolate(&mut self, interval: [f64; 2]) -> Result<(), SystemError> {
-        let mut products = points(interval).into_iter().map(|x| self.condition.at(x / (1.0 - x)));
-        let first = products.next().transpose()?;
-        let mut values = [first.unwrap_or(super::product::Product::ONE); POINTS];
-        for (value, product) in values[1..].iter_mut().zip(products) {
-            *value = product?;
+    /// Reads a part of the range from the polynomial that is known in all of it, unless rounding there is too much for that.
+    fn examine_part(&mut self, samples: &Samples, interval: [f64; 2]) -> Result<(), SystemError> {
+        let (mut values, mut errors) = ([0.0; POINTS], [0.0; POINTS]);
+        for ((value, error), x) in values.iter_mut().zip(&mut errors).zip(points(interval)) {
+            (*value, *error) = samples.at(x);
         }
-        let unit = values.iter().map(|value| value.exponent).max().unwrap_or(0);
-        let value = values.map(|value| crate::numeric::ldexp(value.mantissa, value.exponent - unit));
-        let error: [f64; POINTS] = core::array::from_fn(|i| {
-            // Even where it is nothing but rounding it is of the size of that.
-            value[i].abs() * values[i].error.min(1.0) + f64::MIN_POSITIVE
-        });
-        let polynomial = Bernstein::new(&value, &error, self.is_exact);
-        self.examine(&polynomial, interval, 0)
+        let polynomial = Bernstein::new(&values, &errors, false);
+        let zeros = polynomial.zeros();
+        if self.accept(&polynomial, zeros, interval) {
+            return Ok(());
+        }
+        if zeros == Zeros::Unknown && polynomial.is_resolved() {
+            return self.interpolate(interval);
+        }
+        let [from, to] = interval;
+        let middle = from + DIVISION * (to - from);
+        self.examine_part(samples, [from, middle])?;
+        self.examine_part(samples, [middle, to])
     }
 
-    fn examine(&mut self, polynomial: &Bernstein, [from, to]: [f64; 2], halvings: usize) -> Result<(), SystemError> {
-        let speed = |x: f64| x / (1.0 - x);
-        let [low, high] = [from, to].map(speed);
-        match polynomial.zeros() {
-            Zeros::None => return Ok(()),
-            Zeros::One => {
-                let zero = speed(from + (to - from) * polynomial.zero());
-                self.brackets.push(Bracket { low, high, zero: Some(zero) });
-                return Ok(());
-            }
-            Zeros::Unknown if high - low <= self.narrow * low => {
-                self.brackets.push(Bracket { low, high, zero: None });
-                return Ok(());
-            }
-            Zeros::Unknown => {}
+    /// Computes the condition at points in an interval.
+    fn interpolate(&mut self, interval: [f64; 2]) -> Result<(), SystemError> {
+        let mut products = [Product::ONE; POINTS];
+        for (product, x) in products.iter_mut().zip(points(interval)) {
+            *product = self.condition.at(speed(x))?;
         }
+        let unit = products.iter().map(|product| product.exponent).max().unwrap_or(0);
+        let [values, errors] = [0, 1].map(|part| products.map(|product| <[f64; 2]>::from(product.in_unit(unit))[part]));
+        self.examine(&Bernstein::new(&values, &errors, self.is_exact), interval, 0)
+    }
+
+    fn examine(&mut self, polynomial: &Bernstein, interval: [f64; 2], halvings: usize) -> Result<(), SystemError> {
+        if self.accept(polynomial, polynomial.zeros(), interval) {
+            return Ok(());
+        }
+        let [from, to] = interval;
         let middle = from + DIVISION * (to - from);
         if halvings < HALVINGS {
             let [left, right] = polynomial.split(DIVISION);
@@ -92,5 +113,20 @@ impl<F: Condition> Search<'_, F> {
             self.interpolate([from, middle])?;
             self.interpolate([middle, to])
         }
+    }
+
+    /// Whether all is known of an interval, or nothing more is sought.
+    fn accept(&mut self, polynomial: &Bernstein, zeros: Zeros, [from, to]: [f64; 2]) -> bool {
+        let [low, high] = [from, to].map(speed);
+        match zeros {
+            Zeros::None => {}
+            Zeros::One => {
+                let zero = speed(from + (to - from) * polynomial.zero());
+                self.brackets.push(Bracket { low, high, zero: Some(zero) });
+            }
+            _ if high - low <= self.narrow * low => self.brackets.push(Bracket { low, high, zero: None }),
+            _ => return false,
+        }
+        true
     }
 }

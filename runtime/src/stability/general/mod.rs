@@ -6,7 +6,7 @@
 //!
 //! - [`units`], [`equations`]: the equations in scaled units, their eigenvalues and their pencil at a speed;
 //! - [`condition`], [`product`], [`polynomial`]: the conditions, and what they are as polynomials;
-//! - [`bernstein`], [`isolation`]: all of their zeros, each in an interval of its own;
+//! - [`samples`], [`bernstein`], [`isolation`]: all of their zeros, each in an interval of its own;
 //! - [`field`], [`inverse`], [`newton`]: critical speeds and eigenvalues to all digits;
 //! - [`crossings`]: the critical speeds in the intervals;
 //! - [`count`], [`complete`]: whether the numbers of unstable eigenvalues between them agree, and the search where not.
@@ -23,6 +23,7 @@ mod isolation;
 mod newton;
 mod polynomial;
 mod product;
+mod samples;
 #[cfg(test)]
 mod tests;
 mod units;

@@ -37,6 +37,12 @@ impl Product {
         self
     }
 
+    /// The number and its error in a power of two. Even where it is nothing but rounding it is of the size of that.
+    pub(super) fn in_unit(&self, unit: i32) -> (f64, f64) {
+        let value = ldexp(self.mantissa, self.exponent - unit);
+        (value, value.abs() * self.error.min(1.0) + f64::MIN_POSITIVE)
+    }
+
     pub(super) fn log2(&self) -> f64 {
         self.mantissa.abs().log2() + f64::from(self.exponent)
     }
