@@ -225,9 +225,10 @@ impl Bracket {
         self.zero.unwrap_or(0.5 * (self.low + self.high))
     }
 
+    /// Whether a speed is in the bracket, and no rounding moves it to zero.
     fn contains(&self, crossing: &Crossing) -> bool {
-        let (v, margin) = (crossing.v.to_f64(), MARGIN * (self.high - self.low));
-        v >= self.low - margin && v <= self.high + margin
+        let (v, margin) = (crossing.v.to_f64(), MARGIN * (self.high - self.low).min(self.low));
+        v >= self.low - margin && v <= self.high + margin && crossing.error < v
     }
 
     /// Whether a first estimate of what is in the bracket is good enough to go on from.
