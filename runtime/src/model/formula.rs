@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::info::EntryInfo;
+use super::info::{EntryInfo, write_place};
 use crate::system::MatrixName;
 
 /// One formula of a model: that of a definition or of an entry of a matrix.
@@ -45,9 +45,9 @@ impl fmt::Display for FormulaInfo {
         match of {
             FormulaSubject::Definition(name) => write!(f, "{name} = ")?,
             FormulaSubject::Entry(EntryInfo { places }) => {
-                for (matrix, row, column) in *places {
-                    let comma = if *row.max(column) > 8 { "," } else { "" };
-                    write!(f, "{matrix}_{}{comma}{} = ", row + 1, column + 1)?;
+                for place in *places {
+                    write_place(f, *place)?;
+                    f.write_str(" = ")?;
                 }
             }
         }

@@ -101,7 +101,7 @@ impl ModelInfo {
 /// One entry of the matrices of a model, or several that are always equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EntryInfo {
-    /// Where it is: a matrix, a row and a column, both from zero. The first place names it.
+    /// Where it is: a matrix, a row and a column, both from zero as in `matrices().m[0][1]`. The first place names it.
     pub places: &'static [(MatrixName, usize, usize)],
 }
 
@@ -112,14 +112,23 @@ impl EntryInfo {
     }
 }
 
-/// Reads `M[0][1]`.
+/// Reads `M_12`, with row and column counted from one, as in formulas and messages.
 impl fmt::Display for EntryInfo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.places {
-            [(matrix, row, column), ..] => write!(f, "{matrix}[{row}][{column}]"),
+            [place, ..] => write_place(f, *place),
             [] => Ok(()),
         }
     }
+}
+
+/// Writes `M_12`, or `M_9,10` where the numbers could be read otherwise.
+pub(super) fn write_place(
+    f: &mut fmt::Formatter<'_>,
+    (matrix, row, column): (MatrixName, usize, usize),
+) -> fmt::Result {
+    let comma = if row.max(column) > 8 { "," } else { "" };
+    write!(f, "{matrix}_{}{comma}{}", row + 1, column + 1)
 }
 
 /// One parameter of a model.

@@ -121,9 +121,10 @@ impl Faulty<'_> {
                 };
                 let message = format!(
                     "the reference state is no steady motion: gravity makes the {kind} `{}` {of} {}, {balance}; expected \
-                     0",
+                     0{}",
                     self.times_gravity(force),
                     self.joint(*joint),
+                    self.as_carried(),
                 );
                 (self.region(*joint), message)
             }
@@ -194,6 +195,18 @@ impl Faulty<'_> {
             ),
         };
         (Region::from(name), message)
+    }
+
+    /// What to say of joints whose springs would carry weight if they were coordinates.
+    fn as_carried(&self) -> String {
+        let is_coordinate = |name: &Ident| self.declaration.coordinates.iter().any(|known| known.name == *name);
+        let sprung = self.mechanism.joints.iter().filter(|joint| joint.spring.is_some() && !is_coordinate(&joint.name));
+        let names: Vec<String> = sprung.map(|joint| format!("`{}`", joint.name)).collect();
+        match &names[..] {
+            [] => String::new(),
+            [name] => format!("; as a coordinate {name} has the weight on it carried by its spring"),
+            _ => format!("; as coordinates {} have the weight on them carried by their springs", names.join(", ")),
+        }
     }
 
     /// How a joint that the wheels turn can be a coordinate.
