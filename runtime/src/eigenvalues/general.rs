@@ -102,18 +102,15 @@ fn without_absent<'a, const N: usize>(rows: &'a mut [[[f64; 2]; N]], states: &[S
         States::Position => place.is_multiple_of(2),
         States::Rate => !place.is_multiple_of(2),
     };
-    let mut count = 0;
-    for place in (0..2 * N).filter(|&place| kept(place)) {
-        rows[count] = rows[place];
-        let entries = rows[count].as_flattened_mut();
-        let mut column = 0;
-        for from in (0..2 * N).filter(|&from| kept(from)) {
+    let kept = || (0..2 * N).filter(|&place| kept(place));
+    for (row, from) in kept().enumerate() {
+        rows[row] = rows[from];
+        let entries = rows[row].as_flattened_mut();
+        for (column, from) in kept().enumerate() {
             entries[column] = entries[from];
-            column += 1;
         }
-        count += 1;
     }
-    &mut rows[..count]
+    &mut rows[..kept().count()]
 }
 
 /// Of `q'' = S q`: both square roots of the eigenvalues of S, half as many.

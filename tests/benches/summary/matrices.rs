@@ -186,7 +186,7 @@ fn copy<T: Scalar>(design: &Whipple<T>) -> WhippleMatrices<T> {
     let read = design.to_array();
     let mut written: [T; 16] = std::array::from_fn(|entry| read[entry]);
     for (written, read) in written.iter_mut().zip(&read[16..]) {
-        *written = *written + *read;
+        *written += *read;
     }
     let matrix = |first: usize| Rows([[written[first], written[first + 1]], [written[first + 2], written[first + 3]]]);
     WhippleMatrices { m: matrix(0), c1: matrix(4), k0: matrix(8), k2: matrix(12) }

@@ -81,7 +81,7 @@ fn sort_terms(engine: &Engine, form: &Form, parameters: usize, factor: Option<us
             && let Some(once) = powers.get(&Rational::from(1))
         {
             push(true, once);
-            let others = powers.iter().filter(|(power, _)| **power != Rational::from(1));
+            let others = powers.iter().filter(|(power, _)| **power != 1);
             coefficient = others.fold(Form::number(0), |sum, (power, form)| &sum + &form.times_power(&factor, power));
         }
         push(false, &coefficient);
