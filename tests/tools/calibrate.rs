@@ -85,7 +85,7 @@ fn chains<T: Scalar>(inputs: &[T; INPUTS], longer: usize, more: impl Fn(T, [T; 4
         for link in 3..6 {
             x = x * at(7 * chain + 3 * link + 1) + at(5 * chain + link + 2);
         }
-        sum = sum + x;
+        sum += x;
     }
     sum
 }

@@ -206,7 +206,7 @@ fn by_content(file: File) -> Document {
     let first = lines.next().unwrap_or_default();
     if first.starts_with('{') {
         json::read(file)
-    } else if first.starts_with('[') || lines.any(|line| is_of_toml(line)) {
+    } else if first.starts_with('[') || lines.any(is_of_toml) {
         toml::read(file)
     } else if first.split_once(':').is_some_and(|(name, _)| !name.contains('=')) {
         lines::read(file, ':')
