@@ -19,6 +19,7 @@ mod formulas;
 #[cfg(feature = "compiler")]
 mod generation;
 mod kept;
+mod known_machines;
 mod many_coordinates;
 mod mechanisms;
 mod modes;
