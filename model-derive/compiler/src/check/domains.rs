@@ -67,6 +67,16 @@ pub fn read_domain(bounds: &[syntax::Bound], own: Option<Dimension>, report: &mu
 }
 
 impl ExactDomain {
+    /// Whether no value is left out, as where no bound could be read.
+    pub fn is_everything(&self) -> bool {
+        self.lower.is_none() && self.upper.is_none() && !self.nonzero
+    }
+
+    /// Whether zero is a bound of it, or the value that is left out.
+    pub fn ends_at_zero(&self) -> bool {
+        self.nonzero || [&self.lower, &self.upper].into_iter().flatten().any(|(bound, ..)| bound.is_zero())
+    }
+
     /// Whether a constant lies inside.
     pub fn contains(&self, value: &Constant) -> bool {
         let above = self.lower.as_ref().is_none_or(|(low, _, included)| value > low || *included && value == low);

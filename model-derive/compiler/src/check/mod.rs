@@ -17,6 +17,7 @@ use std::collections::HashSet;
 
 use proc_macro2::Ident;
 
+use self::domains::ExactDomain;
 pub use self::matrices::WrittenMatrices;
 pub use self::mechanism::{Assembly, Role, Tree};
 use self::names::Scope;
@@ -104,13 +105,16 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     // Of definitions in a cycle the first mistake is the cycle.
     let ordered = if order.is_cyclic { &[] } else { &order.declared[..] };
     powers::check_powers(declaration, report);
+    let allowed = declaration.requirements.iter();
+    let allowed: Vec<_> =
+        allowed.map(|written| domains::read_domain(std::slice::from_ref(&written.bound), None, report)).collect();
     let units::Found { definitions: defined, requirements: required } =
-        units::check(declaration, &dimensions, &scope, ordered, report);
+        units::check(declaration, &allowed, &dimensions, &scope, ordered, report);
     // Mistakes so far keep a mechanism from being derived; those behind it do not concern it.
     matrices::check_added(declaration, &mut scope, report);
     let (attributes, assembly) = check_mechanism(declaration, tree, &dimensions, &defined, &mut scope, report);
 
-    let requirements = resolve_requirements(declaration, &required, &mut scope, report);
+    let requirements = resolve_requirements(declaration, &allowed, &required, &mut scope, report);
     let (assertions, asserted) = resolve_assertions(declaration, &mut scope, report);
     let written = matrices::resolve_matrices(declaration, is_complete, &mut scope, report);
 
@@ -163,19 +167,21 @@ fn check_mechanism(
     (attributes, assembly)
 }
 
-/// `dimensions` are those of the requirements.
+/// `allowed` are the values that the requirements allow, and `dimensions` those of what they bound.
 fn resolve_requirements(
     declaration: &Declaration,
+    allowed: &[ExactDomain],
     dimensions: &[Option<Dimension>],
     scope: &mut Scope,
     report: &mut Report,
 ) -> Vec<Requirement> {
-    let requirements = declaration.requirements.iter().zip(dimensions).map(|(requirement, dimension)| Requirement {
+    let requirements = declaration.requirements.iter().zip(allowed).zip(dimensions);
+    let requirements = requirements.map(|((requirement, allowed), dimension)| Requirement {
         text: requirement.value.to_string(),
         unit: dimension.map(|dimension| dimension.to_string()).unwrap_or_default(),
         region: requirement.value.region,
         value: resolve::resolve(&requirement.value, scope, report),
-        domain: domains::read_domain(std::slice::from_ref(&requirement.bound), None, report).to_model(),
+        domain: allowed.to_model(),
         origin: Origin::Declared,
     });
     requirements.collect()

@@ -84,7 +84,7 @@ pub fn check_claims(claims: &[Claim], derived: &Derived, space: &Space<'_>, repo
         }
         let [(left, _), (right, _)] = &claim.sides;
         let refute = |most, report: &mut Report| {
-            let found = space.counterexample(most, definitions, &pair, left, right);
+            let found = space.find_counterexample(most, definitions, &pair, left, right);
             found.map(|found| report.error(claim.region(), describe_refuted(claim, &found, parameters)))
         };
         if refute(FEW, report).is_ok() {

@@ -42,7 +42,7 @@ impl Space<'_> {
     ///
     /// # Errors
     /// If none is found, the number of values that were tried.
-    pub fn counterexample(
+    pub fn find_counterexample(
         &self,
         most: usize,
         definitions: &[Formula],
@@ -53,7 +53,7 @@ impl Space<'_> {
         let conditions = self.requirements.iter().map(|requirement| requirement.value.clone());
         let outputs = [left.clone(), right.clone()].into_iter().chain(conditions).collect();
         let equations = Equations::of_formulas(self.domains.len(), definitions, outputs);
-        let used = parameters(pair);
+        let used = find_parameters(pair);
         let found = |values: &[f64], set: Option<String>| -> Result<Counterexample, bool> {
             let (left, right) = self.differ(&equations, values)?;
             Ok(Counterexample { set, values: used.iter().map(|index| (*index, values[*index])).collect(), left, right })
@@ -65,7 +65,7 @@ impl Space<'_> {
                 Err(inside) => tried += usize::from(inside),
             }
         }
-        let candidates: Vec<Vec<f64>> = self.domains.iter().map(candidates).collect();
+        let candidates: Vec<Vec<f64>> = self.domains.iter().map(list_candidates).collect();
         let mut random = Random(1);
         for drawn in 0..DRAWN * most {
             // Simple values first.
@@ -113,7 +113,7 @@ impl Space<'_> {
 }
 
 /// The parameters that formulas depend on.
-fn parameters(equations: &Equations) -> Vec<usize> {
+fn find_parameters(equations: &Equations) -> Vec<usize> {
     let mut used = vec![false; equations.parameters];
     for formula in equations.definitions.iter().chain(&equations.outputs) {
         formula.walk(&mut |part| {
@@ -130,7 +130,7 @@ const SHORT: [f64; 18] =
     [1.0, 2.0, 3.0, 5.0, 0.5, 4.0, -1.0, 0.2, -2.0, 10.0, 0.1, -0.5, 0.25, -3.0, 0.05, 0.01, 100.0, 0.001];
 
 /// Short numbers of a domain.
-fn candidates(domain: &Domain) -> Vec<f64> {
+fn list_candidates(domain: &Domain) -> Vec<f64> {
     let value = |bound| match bound {
         Bound::Unbounded => None,
         Bound::Open(value) | Bound::Closed(value) => Some(value),

@@ -112,7 +112,7 @@ impl<'a> Chain<'a> {
             }
             _ => {}
         });
-        let power = self.power(node, formula, form);
+        let power = self.find_power(node, formula, form);
         let partial = |(symbol, with)| {
             let partial = form.derivative(symbol);
             (with, power.as_ref().map_or(partial.clone(), |[power, value]| partial.replace(power, value)))
@@ -123,7 +123,7 @@ impl<'a> Chain<'a> {
 
     /// The power of a definition that its derivative is a multiple of, and the same in its name: the square of a
     /// reciprocal, or the reciprocal of a root.
-    fn power(&self, node: Node, formula: &Formula, form: &Form) -> Option<[Form; 2]> {
+    fn find_power(&self, node: Node, formula: &Formula, form: &Form) -> Option<[Form; 2]> {
         let Node::Definition(index) = node else { return None };
         let name = self.engine.definition(self.equations.parameters, index);
         match formula {
@@ -135,7 +135,7 @@ impl<'a> Chain<'a> {
 
     /// The formulas with all their derivatives.
     fn differentiate(mut self) -> Differentiated {
-        let (graph, nodes) = self.graph();
+        let (graph, nodes) = self.build_graph();
         for node in graph.order(&nodes) {
             self.take_out(Node::Definition(node - self.equations.parameters));
         }
@@ -155,7 +155,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Which derivatives there are, and the nodes of the definitions in it.
-    fn graph(&self) -> (Graph, Vec<usize>) {
+    fn build_graph(&self) -> (Graph, Vec<usize>) {
         let Equations { parameters, definitions, outputs, .. } = &self.equations;
         let position = |node: &Node| match *node {
             Node::Parameter(index) => index,

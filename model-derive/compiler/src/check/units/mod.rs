@@ -17,7 +17,7 @@ pub use self::mechanism::check_mechanism;
 use self::analysis::{Analysis, short};
 use self::declared::{Dimensions, Quantity};
 use self::dimension::Dimension;
-use super::constants::evaluate;
+use super::domains::ExactDomain;
 use super::names::Scope;
 use crate::matrix_name::MatrixName;
 use crate::report::Report;
@@ -32,22 +32,24 @@ pub struct Found {
 }
 
 /// Reports formulas whose units or mirrors do not fit, and returns what was found of them; `order` has the positions of
-/// the definitions in the declaration, each behind those that it uses.
+/// the definitions in the declaration, each behind those that it uses, and `required` the values that requirements allow.
 pub fn check(
     declaration: &Declaration,
+    required: &[ExactDomain],
     dimensions: &Dimensions,
     scope: &Scope,
     order: &[usize],
     report: &mut Report,
 ) -> Found {
-    gravity(declaration, dimensions, report);
+    check_gravity(declaration, dimensions, report);
     let definitions = vec![None; declaration.definitions.len()];
     let mut analysis = Analysis { declaration, scope, dimensions, definitions };
     for (position, declared) in order.iter().enumerate() {
         analysis.definitions[position] = analysis.dimension(&declaration.definitions[*declared].value, report);
     }
-    let requirements = declaration.requirements.iter();
-    let requirements = requirements.map(|requirement| check_requirement(&analysis, requirement, report)).collect();
+    let requirements = declaration.requirements.iter().zip(required);
+    let requirements =
+        requirements.map(|(written, domain)| check_requirement(&analysis, written, domain, report)).collect();
     for assertion in &declaration.assertions {
         analysis.check_equal(assertion, report);
     }
@@ -63,7 +65,7 @@ pub fn check(
     Found { definitions: analysis.definitions, requirements }
 }
 
-fn gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Report) {
+fn check_gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Report) {
     for (parameter, dimension) in declaration.parameters.iter().zip(&dimensions.parameters) {
         let unit = parameter.unit.as_ref().filter(|_| parameter.gravity.is_some());
         let Some((dimension, unit)) = dimension.zip(unit) else { continue };
@@ -77,13 +79,12 @@ fn gravity(declaration: &Declaration, dimensions: &Dimensions, report: &mut Repo
 fn check_requirement(
     analysis: &Analysis<'_>,
     Requirement { value, bound }: &Requirement,
+    domain: &ExactDomain,
     report: &mut Report,
 ) -> Option<Dimension> {
     let dimension = analysis.dimension(value, report)?;
-    // The bound is read again, with its other mistakes reported, where the domain is made.
-    let number = evaluate(&bound.value.number).ok()?;
     let fits = match bound.value.unit.as_ref().map(Quantity::new) {
-        None => number.is_zero() || dimension.is_number(),
+        None => domain.is_everything() || domain.ends_at_zero() || dimension.is_number(),
         Some(Ok(unit)) => unit.dimension.same_unit(dimension),
         Some(Err(_)) => true,
     };

@@ -50,7 +50,7 @@ impl<'a> Forms<'a> {
         Self {
             engine,
             equations,
-            uses: equations.definitions.iter().chain(&equations.outputs).map(used).collect(),
+            uses: equations.definitions.iter().chain(&equations.outputs).map(find_used).collect(),
             known: Vec::new(),
             ids: HashMap::new(),
             made: HashMap::new(),
@@ -152,7 +152,7 @@ impl<'a> Forms<'a> {
 }
 
 /// The definitions that a formula uses, each once.
-pub fn used(formula: &Formula) -> Vec<usize> {
+pub fn find_used(formula: &Formula) -> Vec<usize> {
     let mut used = formula.find_definitions();
     used.sort_unstable();
     used.dedup();

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::super::engine::Engine;
 use super::super::failure::{Place, Undefined};
-use super::forms::{FormId, Forms, used};
+use super::forms::{FormId, Forms, find_used};
 use super::shapes::Shape;
 use super::system::{Choices, System};
 use crate::equations::Equations;
@@ -162,7 +162,7 @@ impl Search<'_> {
     fn find_fractions(&mut self) -> Result<Vec<bool>, (Place, Undefined)> {
         let definitions = &self.equations.definitions;
         let mut inline = vec![false; definitions.len()];
-        definitions.iter().flat_map(divisors).for_each(|index| inline[index] = true);
+        definitions.iter().flat_map(find_divisors).for_each(|index| inline[index] = true);
         let mut values = self.forms.names();
         for (index, inline) in inline.iter_mut().enumerate() {
             let made = self.forms.make(index, &values)?;
@@ -251,11 +251,11 @@ fn divides(formula: &Formula) -> bool {
 }
 
 /// The definitions that a formula divides by.
-fn divisors(formula: &Formula) -> Vec<usize> {
+fn find_divisors(formula: &Formula) -> Vec<usize> {
     let mut divisors = Vec::new();
     formula.walk(&mut |part| {
         if let Formula::Product(factors) = part {
-            divisors.extend(factors.iter().filter(|factor| factor.inverse).flat_map(|factor| used(&factor.value)));
+            divisors.extend(factors.iter().filter(|factor| factor.inverse).flat_map(|factor| find_used(&factor.value)));
         }
     });
     divisors
