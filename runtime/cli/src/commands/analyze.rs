@@ -16,6 +16,7 @@ Examples:
   carvallo analyze pista --speeds 0:30:5        A measured bicycle at other speeds
   carvallo analyze --set 'w=102 cm' --set c=0   The benchmark bicycle, changed
   carvallo analyze my-bike.toml --plot my-bike.png
+  carvallo analyze matrices.json                Matrices M, C1, K0, … of 1 to 12 coordinates
 
 DESIGN is a name that `carvallo bicycles` lists, or with --model a parameter set that `carvallo models` lists; the path
 of a file; or - for the standard input. A file that says `model = \"NAME\"` chooses its model by itself.
@@ -31,7 +32,7 @@ JSON for the Whipple model, in SI units, every number reading back to the same d
    \"critical_speeds\": [{\"kind\": \"weave\"|\"capsize\"|\"double_root\", \"speed\", \"eigenvalue\": {\"re\", \"im\"},
      \"change\": \"stabilizes\"|\"destabilizes\"|\"merges\"|\"splits\"|\"touches\",
      \"verdicts\": [BELOW, ABOVE]}],
-   \"stable_ranges\": [[FROM, TO|null]],
+   \"stable_ranges\": [[FROM, TO|null]], \"undecided_ranges\": [[FROM, TO]],
    \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\": \"castering\"|\"capsize\"|\"weave\"
      |\"real\"|\"oscillatory\"}]}]}
 Other models have \"name\" in the place of \"bicycle\", and those of \"M\", \"C-1\", \"C0\", \"C1\", \"Kc\", \"K0\", \"K1\", \"K2\" that they have.

@@ -380,3 +380,56 @@ fn coordinates_of_a_bicycle_give_its_words() {
     let named = text("coordinates = ['lean', 'steer']\n");
     assert!(named.contains("weave        4.292382536341129 ") && named.contains("castering"), "{named}");
 }
+
+/// As printed by Sharp (1971), Tables 1 to 3, in columns for the speeds in ft/s: capsize, weave and wobble.
+const SHARP: [[f64; 8]; 6] = [
+    [10.0, 20.0, 30.0, 50.0, 70.0, 100.0, 130.0, 160.0],
+    [-3.56, -2.83, -0.13, 0.08, 0.08, 0.07, 0.05, 0.04],
+    [2.01, -0.18, -3.36, -6.59, -3.97, -1.82, -1.13, -0.96],
+    [1.63, 2.09, 4.56, 11.4, 16.8, 19.2, 20.4, 21.2],
+    [-5.2, -5.91, -6.42, -6.52, -5.7, -3.94, -2.24, -0.82],
+    [55.7, 55.8, 55.5, 54.6, 54.0, 54.3, 55.6, 57.5],
+];
+
+/// Six coordinates, two of which are rates and two of first order: all 24 eigenvalues to the last printed digit, and critical
+/// speeds from equations that were derived apart from these, at 25 digits.
+#[test]
+fn the_motorcycle_of_sharp() {
+    let directory = Directory::new("matrices-sharp");
+    directory.write("motorcycle.toml", include_str!("../../docs/motorcycle.toml"));
+    let speeds = SHARP[0].map(|speed| format!("{speed}*0.3048")).join(",");
+    let json = directory.run(&["analyze", "motorcycle.toml", "--format", "json", "--speeds", &speeds]).json();
+    let mut compared = 0;
+    for (column, row) in json["eigenvalues"].as_array().unwrap().iter().enumerate() {
+        let values = row["values"].as_array().unwrap();
+        assert_eq!(values.len(), 8);
+        let is_printed = |value: &Value, re: f64, im: f64| {
+            let half = |printed: f64| 0.5 * if printed.abs() < 10.0 { 0.01 } else { 0.1 } + 1e-9;
+            let [found_re, found_im] = [part(value, "re"), part(value, "im").abs()];
+            // Frequencies below 10 have two decimals, those above one, and one real part of 5.2 has one.
+            let re_half = if re == -5.2 || re == -5.7 { 0.05 } else { half(re) };
+            (found_re - re).abs() <= re_half && (found_im - im).abs() <= if im == 0.0 { 0.0 } else { half(im) }
+        };
+        for (re, im) in [(1, None), (2, Some(3)), (4, Some(5))] {
+            let (re, im) = (SHARP[re][column], im.map_or(0.0, |im: usize| SHARP[im][column]));
+            assert!(values.iter().any(|value| is_printed(value, re, im)), "{re} {im}: {row}");
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 24);
+    let critical = json["critical_speeds"].as_array().unwrap();
+    let expected = [
+        ("weave", 19.44000637281604743416256, 2.085513330671459412748609),
+        ("capsize", 35.21026921145869324261343, 0.0),
+        ("weave", 181.6847617200114796083241, 59.28125059204473496579046),
+    ];
+    assert_eq!(critical.len(), expected.len());
+    for (found, (kind, speed, frequency)) in critical.iter().zip(expected) {
+        assert_eq!(found["kind"], kind);
+        assert!((part(found, "speed") / (0.3048 * speed) - 1.0).abs() < 1e-12, "{found}");
+        assert!((part(&found["eigenvalue"], "im") - frequency).abs() <= 1e-11 * frequency, "{found}");
+    }
+    directory.write("shown.toml", directory.run(&["show", "motorcycle.toml"]).ok());
+    let again = directory.run(&["analyze", "shown.toml", "--format", "json", "--speeds", &speeds]);
+    assert_eq!(again.code, Some(0), "{}", again.stderr);
+}
