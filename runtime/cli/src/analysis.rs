@@ -96,7 +96,7 @@ impl Analysis {
         self.modes.as_ref().map(Modes::all).unwrap_or_default()
     }
 
-    /// The eigenvalues at each of the speeds; none at rest, where there are no equations of motion with a C-1.
+    /// The eigenvalues at each of the speeds; none at rest where there are no equations of motion.
     ///
     /// # Errors
     /// If they cannot be computed at one of them.
@@ -110,9 +110,9 @@ impl Analysis {
         })
     }
 
-    /// Whether there are equations of motion at a speed: at rest not with a C-1.
+    /// Whether there are equations of motion at a speed: at rest there may be none.
     pub fn has_equations_at(&self, speed: f64) -> bool {
-        speed != 0.0 || !self.design.equations.is_divided_by_speed()
+        speed != 0.0 || self.design.equations.without_rest().is_none()
     }
 
     fn each<V>(&self, speeds: &[f64], values: impl Fn(f64) -> Result<V, SystemError>) -> Result<Vec<Row<V>>, Failure> {

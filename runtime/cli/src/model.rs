@@ -12,6 +12,7 @@ use carvallo::{
 };
 use carvallo_models::Whipple;
 
+use crate::matrices::dependent_column;
 use crate::number::with_unit;
 
 /// A model that ships with Carvallo.
@@ -189,8 +190,8 @@ pub trait Equations: Debug {
     /// positions and rates for states.
     fn of_two(&self) -> Option<&Coefficients<f64, 2>>;
 
-    /// Whether there is a C-1, with which there are no equations of motion at rest.
-    fn is_divided_by_speed(&self) -> bool;
+    /// Why there are no equations of motion at rest, if there are none, as the end of a sentence.
+    fn without_rest(&self) -> Option<&'static str>;
 }
 
 impl<const N: usize> Equations for Coefficients<f64, N> {
@@ -213,7 +214,15 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
         as_of_two(self).filter(|_| has_both && is_zero(&self.cm1) && is_zero(&self.k1))
     }
 
-    fn is_divided_by_speed(&self) -> bool {
-        self.cm1.iter().any(|&entry| entry != 0.0)
+    fn without_rest(&self) -> Option<&'static str> {
+        if self.cm1.iter().any(|&entry| entry != 0.0) {
+            return Some("C-1 is divided by the speed");
+        }
+        let mut leading = self.m;
+        for (column, _) in self.states.iter().enumerate().filter(|(_, states)| **states == States::Position) {
+            leading.set_column(column, &self.c0.column(column));
+        }
+        let is_singular = self.states.contains(&States::Position) && dependent_column(&leading, |_| true).is_some();
+        is_singular.then_some("the rate of a coordinate of first order is multiplied by the speed alone")
     }
 }

@@ -106,17 +106,13 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
 }
 
-/// With a C-1 there is nothing at rest, which is told; where nothing else is asked for, it is a failure.
+/// Where there are no equations of motion at rest, that is told; where nothing else is asked for, it is a failure.
 fn tell_of_rest(analysis: &Analysis, speeds: &[f64]) -> Result<(), Failure> {
-    let mut left_out = speeds.iter().filter(|speed| !analysis.has_equations_at(**speed)).peekable();
-    if left_out.peek().is_none() {
+    let Some(reason) = analysis.design.equations.without_rest().filter(|_| speeds.contains(&0.0)) else {
         return Ok(());
-    }
-    let nothing = format!(
-        "{}: at 0 m/s there are no equations of motion, since C-1 is divided by the speed",
-        analysis.design.title()
-    );
-    if left_out.count() == speeds.len() {
+    };
+    let nothing = format!("{}: at 0 m/s there are no equations of motion, since {reason}", analysis.design.title());
+    if speeds.iter().all(|speed| *speed == 0.0) {
         return Err(Failure::Run(nothing));
     }
     note(WARNING, "note", &format!("{nothing}: left out"));

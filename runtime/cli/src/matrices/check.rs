@@ -90,7 +90,7 @@ fn singular<const N: usize>(m: &Matrix<f64, N>, column: usize, info: &ModelInfo)
 /// The first of the columns that count which depends on those before it, by elimination with pivots that are the largest
 /// relative to their rows. As for the library, a pivot is zero if it is no more than the rounding of the terms that were
 /// subtracted to form it.
-fn dependent_column<const N: usize>(m: &Matrix<f64, N>, counts: impl Fn(usize) -> bool) -> Option<usize> {
+pub fn dependent_column<const N: usize>(m: &Matrix<f64, N>, counts: impl Fn(usize) -> bool) -> Option<usize> {
     let mut m = *m;
     let mut terms = m.abs();
     let columns: Vec<usize> = (0..N).filter(|&column| counts(column)).collect();

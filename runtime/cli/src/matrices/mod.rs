@@ -9,7 +9,7 @@ use carvallo::{
 };
 
 use self::check::check;
-pub use self::check::free;
+pub use self::check::{dependent_column, free};
 use crate::model::{Derivation, Equations, Shipped, Visitor};
 
 /// What the model of given matrices is called.

@@ -110,6 +110,18 @@ fn what_is_divided_by_the_speed_has_nothing_at_rest() {
     sweep.fails(2, message);
 }
 
+/// v F' + F = 0 has the eigenvalue -1/v.
+#[test]
+fn what_moves_with_the_speed_alone_has_nothing_at_rest() {
+    let directory = Directory::new("matrices-rest-first-order");
+    directory.write("slip.json", r#"{"M": [[0]], "C1": [[1]], "Kc": [[1]], "coordinates": {"F": "position"}}"#);
+    let Run { code, stdout, stderr } = directory.run(&["analyze", "slip.json", "--speeds", "0,2", "--format", "csv"]);
+    let nothing = "note: Matrices slip.json: at 0 m/s there are no equations of motion, since the rate of a coordinate of \
+                   first order is multiplied by the speed alone: left out\n";
+    assert_eq!((code, stderr.as_str()), (Some(0), nothing));
+    assert_eq!(stdout.lines().nth(1), Some("2.0,-0.5,0.0,stable"));
+}
+
 #[test]
 fn names_of_matrices_are_read_as_people_write_them() {
     let directory = Directory::new("matrices-names");
