@@ -24,11 +24,13 @@
 //! | [`WhippleTyres`]: on tyres with a circular cross-section | the extended model in closed form; without a radius Appendix A |
 //! | [`WhippleLeaning`]: a rider's upper body on a sprung, damped hip, 3 freedoms | Moore (2012); with a locked hip Appendix A |
 //! | [`RearSteered`]: also a bicycle run backwards | Appendix A with the geometry mirrored |
+//! | [`Motorcycle`]: on tyres that relax, 6 coordinates, from bodies | the 24 eigenvalues that Sharp (1971) prints; critical speeds of his equations to 25 digits |
+//! | [`Car`]: on tyres that slip | its critical speed in closed form |
 //! | [`RollingDisc`]: lean and yaw | textbooks: stable from v² = g r/3 (uniform) and g r/4 (hoop) on |
 //! | [`Skateboard`]: four wheels on two trucks | the model of Hubbard (1979) and of Kremnev & Kuleshov |
 //! | [`DoublePendulum`], and chains of up to 8 links in the tests | textbooks |
 //!
-//! [`Pendulum`], [`TwoPipes`] and [`ThreePipes`] are written as formulas, from the sources that they name.
+//! [`Car`], [`Pendulum`], [`TwoPipes`] and [`ThreePipes`] are written as formulas, from the sources that they name.
 //!
 //! With feature `serde` the parameters of every model can be written and read as JSON, TOML and all that serde knows. What
 //! is read must have all parameters and no others, an error names those that are too few or too many. Values are not

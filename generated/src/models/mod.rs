@@ -3,7 +3,11 @@
 //! The models compiled ahead of time.
 
 #[rustfmt::skip]
+mod car;
+#[rustfmt::skip]
 mod double_pendulum;
+#[rustfmt::skip]
+mod motorcycle;
 #[rustfmt::skip]
 mod pendulum;
 #[rustfmt::skip]
@@ -27,7 +31,9 @@ mod whipple_sprung;
 #[rustfmt::skip]
 mod whipple_tyres;
 
+pub use car::*;
 pub use double_pendulum::*;
+pub use motorcycle::*;
 pub use pendulum::*;
 pub use rear_steered::*;
 pub use rolling_disc::*;
@@ -57,7 +63,9 @@ pub use whipple_tyres::*;
 macro_rules! each_model {
     ($($function:tt)+) => {
         [
+            $($function)+::<_, $crate::Car>(),
             $($function)+::<_, $crate::DoublePendulum>(),
+            $($function)+::<_, $crate::Motorcycle>(),
             $($function)+::<_, $crate::Pendulum>(),
             $($function)+::<_, $crate::RearSteered>(),
             $($function)+::<_, $crate::RollingDisc>(),

@@ -32,6 +32,7 @@ mod published;
 mod random_systems;
 #[cfg(feature = "compiler")]
 mod regenerate;
+mod road_vehicles;
 mod rounding;
 mod rows;
 mod sensitivity;

@@ -1,0 +1,1264 @@
+// @generated from generated/models/motorcycle.rs by carvallo-compiler 0.1.0; do not edit.
+// To write it anew: cargo regenerate
+// Hash of the source: 30344da47625ffae
+
+#![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
+
+use carvallo::{
+    Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Rate, RequirementInfo, Rows, Scalar, SetInfo, States,
+    WithDerivatives,
+};
+
+// --- The parameters ------------------------------------------------------------------------------
+
+/// A motorcycle on tyres that slip, whose side forces follow slip and camber over a length: two bodies, of which the front
+/// one steers, with wheels in their masses.
+///
+/// Axes: origin on the ground below the centre of mass of the rear part, x forward, y to the right, z down. The steering takes
+/// the load of the front wheel that is given with the parameters, `Zf`, and not the one that follows from the masses.
+///
+/// Source: Sharp (1971), The stability and control of motorcycles, J. Mech. Eng. Sci. 13, 316-329
+///
+/// Derived from a mechanism: body `rear` (rear part), body `front` (front part), wheel `R` (rear wheel), wheel `F` (front wheel).
+///
+/// The fields are the parameters. The coordinates are `y` (lateral) in `m`, of which only the rate is a state; `psi` (yaw) in `rad`, of which only the rate is a state; `phi` (lean) in `rad`; `delta` (steer) in `rad`; `er` (rear tyre) in `m`, of first order: only its position is a state; `ef` (front tyre) in `m`, of first order: only its position is a state.
+///
+/// Beside what is said of each field, `validate` requires of them:
+///
+/// - `b + l` in `m`: `> 0`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// A name has behind it the joint that it belongs to, or `all` for the whole machine. `m` is the mass that the
+/// joint moves, `S` its static moment and `J` its inertia about the point of the joint; `p` and `h` are the
+/// momentum and the angular momentum at unit rate, `h_spin` is the spin momentum of a wheel divided by the speed,
+/// and `load` the steady force of the ground on it along z, divided by gravity. `M` and `K` are entries of the
+/// matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` is
+/// the rate of a for that of b, and `a_per_v_b` that for the position of b, divided by the speed.
+///
+/// ```text
+/// s = sin(eps) [1]
+/// c = cos(eps) [1]
+/// l = (a - t)/c [m]
+/// k = (a + e)*c - f*s [m]
+/// j = (a + e)*s + f*c [m]
+/// load = (b*(Mf + Mr) + k*Mf)/(b + l) [kg]
+/// rest = load - Zf/g [kg]
+/// Jxx_delta = Mf*j^2 + Ifx*c^2 + Ifz*s^2 [kg*m^2]
+/// Jxz_delta = Mf*j*(k - a/c) + s*c*(Ifz - Ifx) [kg*m^2]
+/// Jzz_delta = Mf*(k - a/c)^2 + Ifx*s^2 + Ifz*c^2 [kg*m^2]
+/// Sx_delta = Mf*(k - a/c) [kg*m]
+/// Sz_delta = -Mf*j [kg*m]
+/// py_delta = c*Sx_delta - s*Sz_delta [kg*m]
+/// hx_delta = s*Jxx_delta + c*Jxz_delta [kg*m^2]
+/// hz_delta = s*Jxz_delta + c*Jzz_delta [kg*m^2]
+/// Jxx_all = Mr*h^2 + Irx + Jxx_delta [kg*m^2]
+/// Jxz_all = Jxz_delta - Crxz - a*Sz_delta/c [kg*m^2]
+/// Jzz_all = Mf*k^2 + Irz + Ifx*s^2 + Ifz*c^2 [kg*m^2]
+/// Sx_all = Mf*k [kg*m]
+/// Sz_all = Sz_delta - Mr*h [kg*m]
+/// m_all = Mf + Mr [kg]
+/// load_spin_F = -(b*m_all + Sx_all)/(b + l) [kg]
+/// h_spin_R = iry/Rr [kg*m]
+/// h_spin_F = ify/Rf [kg*m]
+/// h_wheels_all = h_spin_R + h_spin_F [kg*m]
+/// M_psi_delta = a*py_delta/c + hz_delta [kg*m^2]
+/// M_delta_delta = s*hx_delta + c*hz_delta [kg*m^2]
+/// K_phi_delta = -(py_delta + load_spin_F*(c*l - a)) [kg*m]
+/// K_delta_delta = -s*(py_delta + load_spin_F*(c*l - a)) [kg*m]
+/// M_11 = m_all [kg]
+/// M_12 = M_21 = Sx_all [kg*m]
+/// M_13 = M_31 = -Sz_all [kg*m]
+/// M_14 = M_41 = py_delta [kg*m]
+/// M_22 = Jzz_all [kg*m^2]
+/// M_23 = M_32 = Jxz_all [kg*m^2]
+/// M_24 = M_42 = M_psi_delta [kg*m^2]
+/// M_33 = Jxx_all [kg*m^2]
+/// M_34 = M_43 = hx_delta [kg*m^2]
+/// M_44 = M_delta_delta [kg*m^2]
+/// C0_44 = K [kg*m^2/s]
+/// C0_51 = -Cr1/sigma [kg/s]
+/// C0_52 = b*Cr1/sigma [kg*m/s]
+/// C0_55 = Cr1/sigma [kg/s]
+/// C0_61 = -Cf1/sigma [kg/s]
+/// C0_62 = -Cf1*l/sigma [kg*m/s]
+/// C0_64 = Cf1*(a - c*l)/sigma [kg*m/s]
+/// C0_66 = Cf1/sigma [kg/s]
+/// C1_12 = m_all [kg]
+/// C1_22 = Sx_all [kg*m]
+/// C1_23 = -h_wheels_all [kg*m]
+/// C1_24 = -s*h_spin_F [kg*m]
+/// C1_32 = h_wheels_all - Sz_all [kg*m]
+/// C1_34 = c*h_spin_F [kg*m]
+/// C1_42 = s*h_spin_F + py_delta [kg*m]
+/// C1_43 = -c*h_spin_F [kg*m]
+/// Kc_15 = Cr1/sigma [kg/s^2]
+/// Kc_16 = Cf1/sigma [kg/s^2]
+/// Kc_25 = -b*Cr1/sigma [kg*m/s^2]
+/// Kc_26 = Cf1*l/sigma [kg*m/s^2]
+/// Kc_46 = Cf1*(c*l - a)/sigma [kg*m/s^2]
+/// K0_33 = Sz_all [kg*m]
+/// K0_34 = K0_43 = t*rest + K_phi_delta [kg*m]
+/// K0_44 = t*s*rest + K_delta_delta [kg*m]
+/// K1_53 = Cr2/sigma [kg/s]
+/// K1_55 = Cr1/sigma^2 [kg/m/s]
+/// K1_63 = Cf2/sigma [kg/s]
+/// K1_64 = (Cf1*c + Cf2*s)/sigma [kg/s]
+/// K1_66 = Cf1/sigma^2 [kg/m/s]
+/// ```
+///
+/// </details>
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+pub struct Motorcycle<T = f64> {
+    /// Mass of the front part, with its wheel.
+    ///
+    /// `Mf` in `kg`: `> 0`.
+    pub Mf: T,
+    /// Mass of the rear part, with its wheel and the rider.
+    ///
+    /// `Mr` in `kg`: `> 0`.
+    pub Mr: T,
+    /// Moment of inertia of the rear part about a longitudinal axis, at its centre of mass.
+    ///
+    /// `Irx` in `kg*m^2`: `>= 0`.
+    pub Irx: T,
+    /// Moment of inertia of the rear part about a vertical axis.
+    ///
+    /// `Irz` in `kg*m^2`: `>= 0`.
+    pub Irz: T,
+    /// Product of inertia of the rear part: what the product of lean and yaw rates is multiplied by in the kinetic
+    /// energy, with the opposite sign.
+    ///
+    /// `Crxz` in `kg*m^2`: any finite value.
+    pub Crxz: T,
+    /// Moment of inertia of the front part about an axis perpendicular to the steer axis, forward.
+    ///
+    /// `Ifx` in `kg*m^2`: `>= 0`.
+    pub Ifx: T,
+    /// Moment of inertia of the front part about an axis along the steer axis.
+    ///
+    /// `Ifz` in `kg*m^2`: `>= 0`.
+    pub Ifz: T,
+    /// Moment of inertia of the front wheel about its axle.
+    ///
+    /// `ify` in `kg*m^2`: `>= 0`.
+    pub ify: T,
+    /// Moment of inertia of the rear wheel about its axle, with that of the engine as it is geared.
+    ///
+    /// `iry` in `kg*m^2`: `>= 0`.
+    pub iry: T,
+    /// Distance of the origin from the steer axis.
+    ///
+    /// `a` in `m`: `> 0`.
+    pub a: T,
+    /// Distance of the rear contact point behind the origin.
+    ///
+    /// `b` in `m`: `> 0`.
+    pub b: T,
+    /// Distance of the centre of mass of the front part ahead of the steer axis.
+    ///
+    /// `e` in `m`: any finite value.
+    pub e: T,
+    /// Height of the centre of mass of the front part, along the steer axis, over the foot of the perpendicular from
+    /// the origin.
+    ///
+    /// `f` in `m`: any finite value.
+    pub f: T,
+    /// Height of the centre of mass of the rear part.
+    ///
+    /// `h` in `m`: `> 0`.
+    pub h: T,
+    /// Radius of the front wheel.
+    ///
+    /// `Rf` in `m`: `> 0`.
+    pub Rf: T,
+    /// Radius of the rear wheel.
+    ///
+    /// `Rr` in `m`: `> 0`.
+    pub Rr: T,
+    /// Distance of the front contact point behind the steer axis.
+    ///
+    /// `t` in `m`: any finite value.
+    pub t: T,
+    /// Tilt of the steer axis from the vertical.
+    ///
+    /// `eps`, ε, in `rad`: `> -1.5707963267948966 and < 1.5707963267948966`.
+    pub eps: T,
+    /// Cornering stiffness of the front tyre.
+    ///
+    /// `Cf1` in `N`: `> 0`.
+    pub Cf1: T,
+    /// Camber stiffness of the front tyre.
+    ///
+    /// `Cf2` in `N`: `>= 0`.
+    pub Cf2: T,
+    /// Cornering stiffness of the rear tyre.
+    ///
+    /// `Cr1` in `N`: `> 0`.
+    pub Cr1: T,
+    /// Camber stiffness of the rear tyre.
+    ///
+    /// `Cr2` in `N`: `>= 0`.
+    pub Cr2: T,
+    /// Damping of the steering.
+    ///
+    /// `K` in `N*m*s`: `>= 0`.
+    pub K: T,
+    /// Relaxation length of both tyres.
+    ///
+    /// `sigma`, σ, in `m`: `> 0`.
+    pub sigma: T,
+    /// Load of the front wheel.
+    ///
+    /// `Zf` in `N`: `>= 0`.
+    pub Zf: T,
+    /// Gravitational field strength.
+    ///
+    /// `g` in `N/kg`: `> 0`.
+    pub g: T,
+}
+
+// --- The coefficient matrices --------------------------------------------------------------------
+
+/// The coefficient matrices of [`Motorcycle`], each 6 x 6 and row by row, in SI units.
+///
+/// Matrices that are not among them are zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotorcycleMatrices<T = f64> {
+    /// Mass matrix M, the coefficient of q''. Symmetric, proved.
+    pub m: Rows<T, 6>,
+    /// Damping C0, a coefficient of q'.
+    pub c0: Rows<T, 6>,
+    /// Damping C1, a coefficient of v q'.
+    pub c1: Rows<T, 6>,
+    /// Stiffness Kc, a coefficient of q.
+    pub kc: Rows<T, 6>,
+    /// Stiffness K0, a coefficient of g q. Symmetric, proved.
+    pub k0: Rows<T, 6>,
+    /// Stiffness K1, a coefficient of v q.
+    pub k1: Rows<T, 6>,
+}
+
+impl<T: Number> Motorcycle<T> {
+    /// The coefficient matrices, from one straight-line program:
+    /// 34 additions, 53 multiplications, 7 divisions, 9 negations and 2 trigonometric functions: 105 operations.
+    ///
+    /// The parameters are not validated.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices(&self) -> MotorcycleMatrices<T> {
+        let m_all = self.Mf + self.Mr;
+        let (s, c) = self.eps.sin_cos();
+        let t10 = self.a + self.e;
+        let k = c * t10 - self.f * s;
+        let Sx_all = self.Mf * k;
+        let j = self.f * c + s * t10;
+        let t17 = self.Mf * j;
+        let t19 = self.Mr * self.h;
+        let M_13 = t17 + t19;
+        let t22 = self.Mf.like(1.0) / c;
+        let t23 = self.a * t22;
+        let t24 = k - t23;
+        let t25 = self.Mf * t24;
+        let py_delta = s * t17 + c * t25;
+        let zero = self.Mf.like(0.0);
+        let t31 = c * c;
+        let t34 = s * s;
+        let t36 = self.Ifz * t31 + self.Ifx * t34;
+        let M_22 = self.Irz + t36 + k * Sx_all;
+        let Jxz_delta = j * t25 + s * c * (self.Ifz - self.Ifx);
+        let Jxz_all = Jxz_delta + t17 * t23 - self.Crxz;
+        let hz_delta = s * Jxz_delta + c * (t36 + t24 * t25);
+        let M_psi_delta = hz_delta + t23 * py_delta;
+        let Jxx_delta = j * t17 + t31 * self.Ifx + self.Ifz * t34;
+        let M_33 = self.Irx + Jxx_delta + self.h * t19;
+        let hx_delta = s * Jxx_delta + c * Jxz_delta;
+        let M_44 = s * hx_delta + c * hz_delta;
+        let t74 = self.Mf.like(1.0) / self.sigma;
+        let C0_55 = self.Cr1 * t74;
+        let C0_52 = C0_55 * self.b;
+        let C0_66 = t74 * self.Cf1;
+        let l = t22 * (self.a - self.t);
+        let Kc_26 = C0_66 * l;
+        let t85 = self.a - c * l;
+        let C0_64 = C0_66 * t85;
+        let h_spin_F = self.ify / self.Rf;
+        let h_wheels_all = h_spin_F + self.iry / self.Rr;
+        let t94 = s * h_spin_F;
+        let C1_32 = M_13 + h_wheels_all;
+        let C1_34 = c * h_spin_F;
+        let C1_42 = py_delta + t94;
+        let t101 = (Sx_all + m_all * self.b) / (self.b + l);
+        let rest = t101 - self.Zf / self.g;
+        let K0_34 = self.t * rest - py_delta - t85 * t101;
+        let K0_44 = s * K0_34;
+        let K1_53 = t74 * self.Cr2;
+        let t114 = self.Mf.like(1.0) / (self.sigma * self.sigma);
+        let K1_55 = self.Cr1 * t114;
+        let K1_63 = t74 * self.Cf2;
+        let K1_64 = t74 * (c * self.Cf1 + s * self.Cf2);
+        let K1_66 = self.Cf1 * t114;
+        let C0_51 = -C0_55;
+        let C0_61 = -C0_66;
+        let C0_62 = -Kc_26;
+        let C1_23 = -h_wheels_all;
+        let C1_24 = -t94;
+        let C1_43 = -C1_34;
+        let Kc_25 = -C0_52;
+        let Kc_46 = -C0_64;
+        let K0_33 = -M_13;
+        MotorcycleMatrices::from_entries([
+            m_all, Sx_all, M_13, py_delta, zero, zero, Sx_all, M_22, Jxz_all, M_psi_delta, zero,
+            zero, M_13, Jxz_all, M_33, hx_delta, zero, zero, py_delta, M_psi_delta, hx_delta, M_44,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, self.K, zero, zero, C0_51, C0_52, zero, zero,
+            C0_55, zero, C0_61, C0_62, zero, C0_64, zero, C0_66, zero, m_all, zero, zero, zero,
+            zero, zero, Sx_all, C1_23, C1_24, zero, zero, zero, C1_32, zero, C1_34, zero, zero,
+            zero, C1_42, C1_43, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, C0_55, C0_66, zero, zero, zero, zero,
+            Kc_25, Kc_26, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, Kc_46,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, K0_33, K0_34,
+            zero, zero, zero, zero, K0_34, K0_44, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+            zero, zero, zero, zero, K1_53, zero, K1_55, zero, zero, zero, K1_63, K1_64, zero, K1_66,
+        ])
+    }
+}
+
+// --- Rates and forces of the mechanism -----------------------------------------------------------
+
+/// Rates and forces of [`Motorcycle`] that follow from its coordinates q = (`y`, `psi`, `phi`, `delta`, `er`, `ef`),
+/// to first order and in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotorcycleKinematics<T = f64> {
+    /// Spin of the wheel `R`, rear wheel: about the y axis, so negative in forward motion, in `rad/s`.
+    pub wheel_R: Rate<T, 6>,
+    /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in `rad/s`.
+    pub wheel_F: Rate<T, 6>,
+    /// The forces f on the coordinates that applied forces make: a row for each coordinate,
+    /// a column for each of `Tdelta` (steer torque) in `N*m`.
+    pub forces: [[T; 1]; 6],
+}
+
+impl<T: Scalar> Motorcycle<T> {
+    /// Rates and forces that follow from the coordinates:
+    /// 2 divisions and 2 negations: 4 operations.
+    ///
+    /// The parameters are not validated.
+    #[inline]
+    #[must_use]
+    pub fn kinematics(&self) -> MotorcycleKinematics<T> {
+        let zero = self.Mf.like(0.0);
+        let t6 = -(self.Mf.like(1.0) / self.Rr);
+        let t7 = -(self.Mf.like(1.0) / self.Rf);
+        MotorcycleKinematics {
+            wheel_R: Rate {
+                speed: t6, rates: [zero, zero, zero, zero, zero, zero],
+                coordinates: [zero, zero, zero, zero, zero, zero], heading: zero,
+            },
+            wheel_F: Rate {
+                speed: t7, rates: [zero, zero, zero, zero, zero, zero],
+                coordinates: [zero, zero, zero, zero, zero, zero], heading: zero,
+            },
+            forces: [[zero], [zero], [zero], [self.Mf.like(1.0)], [zero], [zero]],
+        }
+    }
+}
+
+// --- The derivatives of the matrices -------------------------------------------------------------
+
+/// The derivatives of the matrices of [`Motorcycle`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotorcycleDerivatives<T = f64> {
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 86],
+}
+
+impl<T: Number> Motorcycle<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 87 additions, 167 multiplications, 8 divisions, 9 negations and 2 trigonometric functions: 273 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(&self) -> (MotorcycleMatrices<T>, MotorcycleDerivatives<T>) {
+        let m_all = self.Mf + self.Mr;
+        let (s, c) = self.eps.sin_cos();
+        let t10 = self.a + self.e;
+        let k = c * t10 - self.f * s;
+        let Sx_all = self.Mf * k;
+        let j = self.f * c + s * t10;
+        let t17 = self.Mf * j;
+        let t19 = self.Mr * self.h;
+        let M_13 = t17 + t19;
+        let t21 = s * t17;
+        let t22 = self.Mf.like(1.0) / c;
+        let t23 = self.a * t22;
+        let t24 = k - t23;
+        let t25 = self.Mf * t24;
+        let t26 = c * t25;
+        let py_delta = t21 + t26;
+        let zero = self.Mf.like(0.0);
+        let M_22_Ifx = s * s;
+        let M_33_Ifx = c * c;
+        let t36 = self.Ifx * M_22_Ifx + self.Ifz * M_33_Ifx;
+        let M_22 = self.Irz + t36 + k * Sx_all;
+        let t40 = self.Ifz - self.Ifx;
+        let Jxz_delta_Ifz = s * c;
+        let Jxz_delta = t40 * Jxz_delta_Ifz + j * t25;
+        let Jxz_all = Jxz_delta + t17 * t23 - self.Crxz;
+        let t49 = s * Jxz_delta;
+        let t51 = t36 + t24 * t25;
+        let hz_delta = t49 + c * t51;
+        let M_psi_delta = hz_delta + t23 * py_delta;
+        let Jxx_delta = self.Ifx * M_33_Ifx + M_22_Ifx * self.Ifz + j * t17;
+        let M_33 = self.Irx + Jxx_delta + self.h * t19;
+        let t66 = c * Jxz_delta;
+        let hx_delta = s * Jxx_delta + t66;
+        let M_44 = s * hx_delta + c * hz_delta;
+        let C0_66_Cf1 = self.Mf.like(1.0) / self.sigma;
+        let C0_55 = self.Cr1 * C0_66_Cf1;
+        let C0_52 = C0_55 * self.b;
+        let C0_66 = C0_66_Cf1 * self.Cf1;
+        let t81 = self.a - self.t;
+        let l = t22 * t81;
+        let Kc_26 = C0_66 * l;
+        let t85 = self.a - c * l;
+        let C0_64 = C0_66 * t85;
+        let C1_32_ify = self.Mf.like(1.0) / self.Rf;
+        let h_spin_F = self.ify * C1_32_ify;
+        let C1_32_iry = self.Mf.like(1.0) / self.Rr;
+        let t94 = self.iry * C1_32_iry;
+        let h_wheels_all = h_spin_F + t94;
+        let C1_43_eps = s * h_spin_F;
+        let C1_32 = M_13 + h_wheels_all;
+        let C1_34 = c * h_spin_F;
+        let C1_42 = py_delta + C1_43_eps;
+        let t103 = (Sx_all + m_all * self.b) / (self.b + l);
+        let t107 = self.Mf.like(1.0) / self.g;
+        let t108 = self.Zf * t107;
+        let rest = t103 - t108;
+        let K0_34 = self.t * rest - py_delta - t85 * t103;
+        let K0_44 = s * K0_34;
+        let K1_53 = C0_66_Cf1 * self.Cr2;
+        let t116 = self.sigma * self.sigma;
+        let K1_66_Cf1 = self.Mf.like(1.0) / t116;
+        let K1_55 = self.Cr1 * K1_66_Cf1;
+        let K1_63 = C0_66_Cf1 * self.Cf2;
+        let t123 = c * self.Cf1 + s * self.Cf2;
+        let K1_64 = C0_66_Cf1 * t123;
+        let K1_66 = self.Cf1 * K1_66_Cf1;
+        let t127 = c * t24;
+        let py_delta_Mf = t127 + s * j;
+        let M_22_Mf = k * k;
+        let Jxz_delta_Mf = j * t24;
+        let M_23_Mf = Jxz_delta_Mf + j * t23;
+        let hz_delta_Mf = s * Jxz_delta_Mf + t24 * t127;
+        let M_24_Mf = hz_delta_Mf + t23 * py_delta_Mf;
+        let Jxx_delta_Mf = j * j;
+        let hx_delta_Mf = s * Jxx_delta_Mf + c * Jxz_delta_Mf;
+        let M_44_Mf = s * hx_delta_Mf + c * hz_delta_Mf;
+        let t146 = s * py_delta_Mf;
+        let M_33_Mr = self.h * self.h;
+        let hz_delta_Ifz = s * Jxz_delta_Ifz + c * M_33_Ifx;
+        let hx_delta_Ifz = s * M_22_Ifx + c * Jxz_delta_Ifz;
+        let M_44_Ifz = s * hx_delta_Ifz + c * hz_delta_Ifz;
+        let C1_42_ify = s * C1_32_ify;
+        let C1_34_ify = c * C1_32_ify;
+        let M_12_a = self.Mf * c;
+        let M_13_a = self.Mf * s;
+        let M_22_k = Sx_all + Sx_all;
+        let M_22_a = c * M_22_k;
+        let M_23_j = self.Mf * t23;
+        let t164 = s * M_23_j;
+        let t165 = s * t25;
+        let t166 = c - t22;
+        let Jxz_delta_a = t165 + t17 * t166;
+        let M_23_a = t164 + Jxz_delta_a + t17 * t22;
+        let t174 = t26 + self.Mf * t127;
+        let M_24_a = s * Jxz_delta_a + t166 * t174 + t22 * py_delta;
+        let Jxx_delta_j = t17 + t17;
+        let hx_delta_j = s * Jxx_delta_j;
+        let t181 = s * hx_delta_j;
+        let hx_delta_a = t181 + c * Jxz_delta_a;
+        let Kc_26_a = t22 * C0_66;
+        let py_delta_e = self.Mf * M_33_Ifx + self.Mf * M_22_Ifx;
+        let Jxz_delta_e = t165 + c * t17;
+        let M_23_e = t164 + Jxz_delta_e;
+        let hz_delta_e = s * Jxz_delta_e + c * t174;
+        let M_24_e = hz_delta_e + t23 * py_delta_e;
+        let hx_delta_e = t181 + c * Jxz_delta_e;
+        let M_44_e = s * hx_delta_e + c * hz_delta_e;
+        let t201 = s * py_delta_e;
+        let t202 = s * M_22_k;
+        let Jxz_delta_f = t26 - t21;
+        let M_23_f = Jxz_delta_f + c * M_23_j;
+        let hz_delta_f = s * (Jxz_delta_f - t174);
+        let M_33_f = c * Jxx_delta_j;
+        let hx_delta_f = c * (hx_delta_j + Jxz_delta_f);
+        let M_33_h = t19 + t19;
+        let C1_23_Rf = C1_32_ify * h_spin_F;
+        let C1_24_Rf = s * C1_23_Rf;
+        let C1_43_Rf = c * C1_23_Rf;
+        let C1_23_Rr = C1_32_iry * t94;
+        let C0_64_t = c * Kc_26_a;
+        let K0_34_t = rest - c * t22 * t103;
+        let K0_44_t = s * K0_34_t;
+        let t221 = Jxz_delta_Ifz + Jxz_delta_Ifz;
+        let t224 = self.Ifx * t221 - self.Ifz * t221;
+        let M_22_eps = t224 - j * M_22_k;
+        let t231 = s * t22 * t22;
+        let t232 = self.a * t231;
+        let t233 = j + t232;
+        let Jxz_delta_eps = M_33_Ifx * t40 + k * t25 - M_22_Ifx * t40 - t17 * t233;
+        let M_23_eps = Jxz_delta_eps + t17 * t232 + k * M_23_j;
+        let M_24_eps = t66 + s * Jxz_delta_eps + c * t224 + py_delta * t232 - s * t51
+            - t174 * t233;
+        let M_33_eps = k * Jxx_delta_j - t224;
+        let hx_delta_eps = c * Jxz_delta_eps + c * Jxx_delta + k * hx_delta_j - t49
+            - s * t224;
+        let Kc_26_eps = C0_66 * t81 * t231;
+        let K0_44_eps = c * K0_34;
+        let K1_64_eps = C0_66_Cf1 * (c * self.Cf2 - s * self.Cf1);
+        let Kc_26_Cf1 = C0_66_Cf1 * l;
+        let C0_64_Cf1 = C0_66_Cf1 * t85;
+        let K1_64_Cf1 = c * C0_66_Cf1;
+        let K1_64_Cf2 = s * C0_66_Cf1;
+        let C0_52_Cr1 = C0_66_Cf1 * self.b;
+        let t274 = C0_66_Cf1 * C0_66_Cf1;
+        let C0_51_sigma = self.Cr1 * t274;
+        let Kc_25_sigma = self.b * C0_51_sigma;
+        let C0_61_sigma = self.Cf1 * t274;
+        let C0_62_sigma = l * C0_61_sigma;
+        let Kc_46_sigma = t85 * C0_61_sigma;
+        let t280 = self.Cr2 * t274;
+        let t282 = self.Mf.like(1.0) / (self.sigma * t116);
+        let t283 = t282 + t282;
+        let t284 = self.Cr1 * t283;
+        let t285 = self.Cf2 * t274;
+        let t286 = t123 * t274;
+        let t287 = self.Cf1 * t283;
+        let t288 = self.t * t107;
+        let t289 = s * t288;
+        let K0_34_g = t108 * t288;
+        let K0_44_g = s * K0_34_g;
+        let C0_51 = -C0_55;
+        let C0_61 = -C0_66;
+        let C0_62 = -Kc_26;
+        let C1_23 = -h_wheels_all;
+        let C1_24 = -C1_43_eps;
+        let C1_43 = -C1_34;
+        let Kc_25 = -C0_52;
+        let Kc_46 = -C0_64;
+        let K0_33 = -M_13;
+        (
+            MotorcycleMatrices::from_entries([
+                m_all, Sx_all, M_13, py_delta, zero, zero, Sx_all, M_22, Jxz_all, M_psi_delta, zero,
+                zero, M_13, Jxz_all, M_33, hx_delta, zero, zero, py_delta, M_psi_delta, hx_delta,
+                M_44, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, self.K, zero, zero, C0_51, C0_52,
+                zero, zero, C0_55, zero, C0_61, C0_62, zero, C0_64, zero, C0_66, zero, m_all, zero,
+                zero, zero, zero, zero, Sx_all, C1_23, C1_24, zero, zero, zero, C1_32, zero, C1_34,
+                zero, zero, zero, C1_42, C1_43, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, C0_55, C0_66,
+                zero, zero, zero, zero, Kc_25, Kc_26, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, Kc_46, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, K0_33, K0_34, zero, zero, zero, zero, K0_34, K0_44, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero,
+                zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, K1_53, zero, K1_55,
+                zero, zero, zero, K1_63, K1_64, zero, K1_66,
+            ]),
+            MotorcycleDerivatives {
+                values: [
+                    self.Mf.like(1.0), k, j, py_delta_Mf, M_22_Mf, M_23_Mf, M_24_Mf, Jxx_delta_Mf,
+                    hx_delta_Mf, M_44_Mf, t146, self.h, M_33_Mr, self.Mf.like(-1.0), M_22_Ifx,
+                    Jxz_delta_Ifz, M_33_Ifx, hz_delta_Ifz, hx_delta_Ifz, M_44_Ifz, C1_32_ify,
+                    C1_42_ify, C1_34_ify, C1_32_iry, M_12_a, M_13_a, M_22_a, M_23_a, M_24_a,
+                    hx_delta_j, hx_delta_a, Kc_26_a, C0_55, py_delta_e, M_23_e, M_24_e, hx_delta_e,
+                    M_44_e, t201, t202, M_23_f, hz_delta_f, M_33_f, hx_delta_f, self.Mr, M_33_h,
+                    C1_23_Rf, C1_24_Rf, C1_43_Rf, C1_23_Rr, C0_64_t, K0_34_t, K0_44_t, t17, Sx_all,
+                    M_22_eps, M_23_eps, M_24_eps, M_33_eps, hx_delta_eps, Kc_26_eps, C1_34,
+                    C1_43_eps, K0_44_eps, K1_64_eps, C0_66_Cf1, Kc_26_Cf1, C0_64_Cf1, K1_64_Cf1,
+                    K1_66_Cf1, K1_64_Cf2, C0_52_Cr1, C0_51_sigma, Kc_25_sigma, C0_61_sigma,
+                    C0_62_sigma, Kc_46_sigma, t280, t284, t285, t286, t287, t288, t289, K0_34_g,
+                    K0_44_g,
+                ],
+            },
+        )
+    }
+}
+
+// --- Parameter sets ------------------------------------------------------------------------------
+
+impl Motorcycle<f64> {
+    /// The parameter set `standard`.
+    ///
+    /// Source: Sharp (1971), case 1: in slug, ft and lb, made SI by 14.5939 kg and 0.3048 m
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `Mf` | 30.64719 | `kg` |
+    /// | `Mr` | 217.44911 | `kg` |
+    /// | `Irx` | 31.183806535488 | `kg*m^2` |
+    /// | `Irz` | 21.06940667658624 | `kg*m^2` |
+    /// | `Crxz` | 1.73544662458368 | `kg*m^2` |
+    /// | `Ifx` | 1.23379408466496 | `kg*m^2` |
+    /// | `Ifz` | 0.441996562198656 | `kg*m^2` |
+    /// | `ify` | 0.71858336799168 | `kg*m^2` |
+    /// | `iry` | 1.0507586984784 | `kg*m^2` |
+    /// | `a` | 0.9485376 | `m` |
+    /// | `b` | 0.4797552 | `m` |
+    /// | `e` | 0.024384 | `m` |
+    /// | `f` | 0.0283464 | `m` |
+    /// | `h` | 0.615696 | `m` |
+    /// | `Rf` | 0.3048 | `m` |
+    /// | `Rr` | 0.3048 | `m` |
+    /// | `t` | 0.115824 | `m` |
+    /// | `eps` | 0.4715 | `rad` |
+    /// | `Cf1` | 11173.93044864 | `N` |
+    /// | `Cf2` | 938.57457192 | `N` |
+    /// | `Cr1` | 15831.21754248 | `N` |
+    /// | `Cr2` | 1325.56977456 | `N` |
+    /// | `K` | 6.77908837728 | `N*m*s` |
+    /// | `sigma` | 0.24384 | `m` |
+    /// | `Zf` | 1005.29788272 | `N` |
+    /// | `g` | 9.81456 | `N/kg` |
+    pub const STANDARD: Self = Self {
+        Mf: 30.64719, Mr: 217.44911, Irx: 31.183806535488, Irz: 21.06940667658624,
+        Crxz: 1.73544662458368, Ifx: 1.23379408466496, Ifz: 0.441996562198656,
+        ify: 0.71858336799168, iry: 1.0507586984784, a: 0.9485376, b: 0.4797552, e: 0.024384,
+        f: 0.0283464, h: 0.615696, Rf: 0.3048, Rr: 0.3048, t: 0.115824, eps: 0.4715,
+        Cf1: 11173.93044864, Cf2: 938.57457192, Cr1: 15831.21754248, Cr2: 1325.56977456,
+        K: 6.77908837728, sigma: 0.24384, Zf: 1005.29788272, g: 9.81456,
+    };
+}
+
+// --- Parameters and matrices as arrays -----------------------------------------------------------
+
+impl<T: Number> Motorcycle<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 26]) -> Self {
+        Self {
+            Mf: values[0], Mr: values[1], Irx: values[2], Irz: values[3], Crxz: values[4],
+            Ifx: values[5], Ifz: values[6], ify: values[7], iry: values[8], a: values[9],
+            b: values[10], e: values[11], f: values[12], h: values[13], Rf: values[14],
+            Rr: values[15], t: values[16], eps: values[17], Cf1: values[18], Cf2: values[19],
+            Cr1: values[20], Cr2: values[21], K: values[22], sigma: values[23], Zf: values[24],
+            g: values[25],
+        }
+    }
+
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 26] {
+        [
+            self.Mf, self.Mr, self.Irx, self.Irz, self.Crxz, self.Ifx, self.Ifz, self.ify, self.iry,
+            self.a, self.b, self.e, self.f, self.h, self.Rf, self.Rr, self.t, self.eps, self.Cf1,
+            self.Cf2, self.Cr1, self.Cr2, self.K, self.sigma, self.Zf, self.g,
+        ]
+    }
+}
+
+impl<T: Scalar> Motorcycle<T> {
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: Scalar>(&self) -> Motorcycle<U> {
+        let values = self.to_array();
+        Motorcycle::from_array(values.map(|value| Scalar::from_f64(Scalar::to_f64(value))))
+    }
+}
+
+impl Motorcycle<f64> {
+    /// The same parameters in `f32`, each rounded to the nearest; in constants, too.
+    #[must_use]
+    pub const fn to_f32(&self) -> Motorcycle<f32> {
+        Motorcycle::from_array(carvallo::to_f32(self.to_array()))
+    }
+}
+
+/// The same parameters, exactly.
+impl From<Motorcycle<f32>> for Motorcycle<f64> {
+    fn from(parameters: Motorcycle<f32>) -> Self {
+        Motorcycle::cast(&parameters)
+    }
+}
+
+impl<T: Number> MotorcycleMatrices<T> {
+    /// From the entries of one matrix after the other, each row by row.
+    #[inline(always)]
+    fn from_entries(entries: [T; 216]) -> Self {
+        Self {
+            m: carvallo::rows(&entries, 0),
+            c0: carvallo::rows(&entries, 36),
+            c1: carvallo::rows(&entries, 72),
+            kc: carvallo::rows(&entries, 108),
+            k0: carvallo::rows(&entries, 144),
+            k1: carvallo::rows(&entries, 180),
+        }
+    }
+
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 6]; 6]; 8] {
+        let zeros = [[self.m.0[0][0].like(0.0); 6]; 6];
+        [self.m.0, zeros, self.c0.0, self.c1.0, self.kc.0, self.k0.0, self.k1.0, zeros]
+    }
+}
+
+impl<T: Scalar> From<MotorcycleMatrices<T>> for Coefficients<T, 6> {
+    fn from(matrices: MotorcycleMatrices<T>) -> Self {
+        Coefficients {
+            states: [
+                States::Rate, States::Rate, States::Both, States::Both, States::Position,
+                States::Position,
+            ],
+            ..Coefficients::from_rows(matrices.rows())
+        }
+    }
+}
+
+// --- What the runtime knows of the model ---------------------------------------------------------
+
+impl<T: Scalar> Model<6> for Motorcycle<T> {
+    type Scalar = T;
+
+    type Array<U: Copy> = [U; 26];
+
+    type Over<U: Number> = Motorcycle<U>;
+
+    const INFO: &'static ModelInfo = &ModelInfo {
+        name: "Motorcycle",
+        docs: "A motorcycle on tyres that slip, whose side forces follow slip and camber over a length: two bodies, of which the front\none steers, with wheels in their masses.\n\nAxes: origin on the ground below the centre of mass of the rear part, x forward, y to the right, z down. The steering takes\nthe load of the front wheel that is given with the parameters, `Zf`, and not the one that follows from the masses.",
+        source: "Sharp (1971), The stability and control of motorcycles, J. Mech. Eng. Sci. 13, 316-329",
+        parameters: &[
+            ParameterInfo::new("Mf", "kg", Domain::POSITIVE)
+                .docs("Mass of the front part, with its wheel."),
+            ParameterInfo::new("Mr", "kg", Domain::POSITIVE)
+                .docs("Mass of the rear part, with its wheel and the rider."),
+            ParameterInfo::new("Irx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear part about a longitudinal axis, at its centre of mass."),
+            ParameterInfo::new("Irz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear part about a vertical axis."),
+            ParameterInfo::new("Crxz", "kg*m^2", Domain::FINITE)
+                .docs(
+                    "Product of inertia of the rear part: what the product of lean and yaw rates is multiplied by in the kinetic\nenergy, with the opposite sign.",
+                ),
+            ParameterInfo::new("Ifx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front part about an axis perpendicular to the steer axis, forward."),
+            ParameterInfo::new("Ifz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front part about an axis along the steer axis."),
+            ParameterInfo::new("ify", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front wheel about its axle."),
+            ParameterInfo::new("iry", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear wheel about its axle, with that of the engine as it is geared."),
+            ParameterInfo::new("a", "m", Domain::POSITIVE)
+                .docs("Distance of the origin from the steer axis."),
+            ParameterInfo::new("b", "m", Domain::POSITIVE)
+                .docs("Distance of the rear contact point behind the origin."),
+            ParameterInfo::new("e", "m", Domain::FINITE)
+                .docs("Distance of the centre of mass of the front part ahead of the steer axis."),
+            ParameterInfo::new("f", "m", Domain::FINITE)
+                .docs(
+                    "Height of the centre of mass of the front part, along the steer axis, over the foot of the perpendicular from\nthe origin.",
+                ),
+            ParameterInfo::new("h", "m", Domain::POSITIVE)
+                .docs("Height of the centre of mass of the rear part."),
+            ParameterInfo::new("Rf", "m", Domain::POSITIVE)
+                .docs("Radius of the front wheel."),
+            ParameterInfo::new("Rr", "m", Domain::POSITIVE)
+                .docs("Radius of the rear wheel."),
+            ParameterInfo::new("t", "m", Domain::FINITE)
+                .docs("Distance of the front contact point behind the steer axis."),
+            ParameterInfo::new(
+                    "eps",
+                    "rad",
+                    Domain::between(Bound::Open(-1.5707963267948966), Bound::Open(1.5707963267948966)),
+                )
+                .symbol("ε")
+                .docs("Tilt of the steer axis from the vertical."),
+            ParameterInfo::new("Cf1", "N", Domain::POSITIVE)
+                .docs("Cornering stiffness of the front tyre."),
+            ParameterInfo::new("Cf2", "N", Domain::NONNEGATIVE)
+                .docs("Camber stiffness of the front tyre."),
+            ParameterInfo::new("Cr1", "N", Domain::POSITIVE)
+                .docs("Cornering stiffness of the rear tyre."),
+            ParameterInfo::new("Cr2", "N", Domain::NONNEGATIVE)
+                .docs("Camber stiffness of the rear tyre."),
+            ParameterInfo::new("K", "N*m*s", Domain::NONNEGATIVE)
+                .docs("Damping of the steering."),
+            ParameterInfo::new("sigma", "m", Domain::POSITIVE)
+                .symbol("σ")
+                .docs("Relaxation length of both tyres."),
+            ParameterInfo::new("Zf", "N", Domain::NONNEGATIVE)
+                .docs("Load of the front wheel."),
+            ParameterInfo::new("g", "N/kg", Domain::POSITIVE)
+                .docs("Gravitational field strength."),
+        ],
+        coordinates: &[
+            CoordinateInfo::new("y", "m")
+                .label("lateral")
+                .docs("Lateral motion of the origin, to the right; its rate is along the axes of the machine.")
+                .states(States::Rate),
+            CoordinateInfo::new("psi", "rad")
+                .label("yaw")
+                .docs("Yaw, to the right.")
+                .states(States::Rate),
+            CoordinateInfo::new("phi", "rad").label("lean").docs("Lean to the right."),
+            CoordinateInfo::new("delta", "rad")
+                .label("steer")
+                .docs("Steer angle of the front part, to the right."),
+            CoordinateInfo::new("er", "m")
+                .label("rear tyre")
+                .docs("Deflection of the rear tyre.")
+                .states(States::Position),
+            CoordinateInfo::new("ef", "m")
+                .label("front tyre")
+                .docs("Deflection of the front tyre.")
+                .states(States::Position),
+        ],
+        matrices: &[
+            MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::Kc, MatrixName::K0,
+            MatrixName::K1,
+        ],
+        entries: &[
+            EntryInfo::at(&[(MatrixName::M, 0, 0), (MatrixName::C1, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0), (MatrixName::C1, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 2), (MatrixName::M, 2, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 3), (MatrixName::M, 3, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 2), (MatrixName::M, 2, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 3), (MatrixName::M, 3, 1)]),
+            EntryInfo::at(&[(MatrixName::M, 2, 2)]),
+            EntryInfo::at(&[(MatrixName::M, 2, 3), (MatrixName::M, 3, 2)]),
+            EntryInfo::at(&[(MatrixName::M, 3, 3)]), EntryInfo::at(&[(MatrixName::C0, 3, 3)]),
+            EntryInfo::at(&[(MatrixName::C0, 4, 0)]), EntryInfo::at(&[(MatrixName::C0, 4, 1)]),
+            EntryInfo::at(&[(MatrixName::C0, 4, 4), (MatrixName::Kc, 0, 4)]),
+            EntryInfo::at(&[(MatrixName::C0, 5, 0)]),
+            EntryInfo::at(&[(MatrixName::C0, 5, 1)]),
+            EntryInfo::at(&[(MatrixName::C0, 5, 3)]),
+            EntryInfo::at(&[(MatrixName::C0, 5, 5), (MatrixName::Kc, 0, 5)]),
+            EntryInfo::at(&[(MatrixName::C1, 1, 2)]), EntryInfo::at(&[(MatrixName::C1, 1, 3)]),
+            EntryInfo::at(&[(MatrixName::C1, 2, 1)]), EntryInfo::at(&[(MatrixName::C1, 2, 3)]),
+            EntryInfo::at(&[(MatrixName::C1, 3, 1)]), EntryInfo::at(&[(MatrixName::C1, 3, 2)]),
+            EntryInfo::at(&[(MatrixName::Kc, 1, 4)]), EntryInfo::at(&[(MatrixName::Kc, 1, 5)]),
+            EntryInfo::at(&[(MatrixName::Kc, 3, 5)]), EntryInfo::at(&[(MatrixName::K0, 2, 2)]),
+            EntryInfo::at(&[(MatrixName::K0, 2, 3), (MatrixName::K0, 3, 2)]),
+            EntryInfo::at(&[(MatrixName::K0, 3, 3)]), EntryInfo::at(&[(MatrixName::K1, 4, 2)]),
+            EntryInfo::at(&[(MatrixName::K1, 4, 4)]), EntryInfo::at(&[(MatrixName::K1, 5, 2)]),
+            EntryInfo::at(&[(MatrixName::K1, 5, 3)]), EntryInfo::at(&[(MatrixName::K1, 5, 5)]),
+        ],
+        sets: &[
+            SetInfo {
+                name: "standard",
+                docs: "",
+                source: "Sharp (1971), case 1: in slug, ft and lb, made SI by 14.5939 kg and 0.3048 m",
+                values: &Motorcycle::to_array(&Motorcycle::<f64>::STANDARD),
+            },
+        ],
+        requirements: &[RequirementInfo::new("b + l", "m", Domain::POSITIVE)],
+        formulas: &[
+            FormulaInfo::definition("s", "1", "sin(eps)"),
+            FormulaInfo::definition("c", "1", "cos(eps)"),
+            FormulaInfo::definition("l", "m", "(a - t)/c"),
+            FormulaInfo::definition("k", "m", "(a + e)*c - f*s"),
+            FormulaInfo::definition("j", "m", "(a + e)*s + f*c"),
+            FormulaInfo::definition("load", "kg", "(b*(Mf + Mr) + k*Mf)/(b + l)"),
+            FormulaInfo::definition("rest", "kg", "load - Zf/g"),
+            FormulaInfo::definition("Jxx_delta", "kg*m^2", "Mf*j^2 + Ifx*c^2 + Ifz*s^2"),
+            FormulaInfo::definition("Jxz_delta", "kg*m^2", "Mf*j*(k - a/c) + s*c*(Ifz - Ifx)"),
+            FormulaInfo::definition("Jzz_delta", "kg*m^2", "Mf*(k - a/c)^2 + Ifx*s^2 + Ifz*c^2"),
+            FormulaInfo::definition("Sx_delta", "kg*m", "Mf*(k - a/c)"),
+            FormulaInfo::definition("Sz_delta", "kg*m", "-Mf*j"),
+            FormulaInfo::definition("py_delta", "kg*m", "c*Sx_delta - s*Sz_delta"),
+            FormulaInfo::definition("hx_delta", "kg*m^2", "s*Jxx_delta + c*Jxz_delta"),
+            FormulaInfo::definition("hz_delta", "kg*m^2", "s*Jxz_delta + c*Jzz_delta"),
+            FormulaInfo::definition("Jxx_all", "kg*m^2", "Mr*h^2 + Irx + Jxx_delta"),
+            FormulaInfo::definition("Jxz_all", "kg*m^2", "Jxz_delta - Crxz - a*Sz_delta/c"),
+            FormulaInfo::definition("Jzz_all", "kg*m^2", "Mf*k^2 + Irz + Ifx*s^2 + Ifz*c^2"),
+            FormulaInfo::definition("Sx_all", "kg*m", "Mf*k"),
+            FormulaInfo::definition("Sz_all", "kg*m", "Sz_delta - Mr*h"),
+            FormulaInfo::definition("m_all", "kg", "Mf + Mr"),
+            FormulaInfo::definition("load_spin_F", "kg", "-(b*m_all + Sx_all)/(b + l)"),
+            FormulaInfo::definition("h_spin_R", "kg*m", "iry/Rr"),
+            FormulaInfo::definition("h_spin_F", "kg*m", "ify/Rf"),
+            FormulaInfo::definition("h_wheels_all", "kg*m", "h_spin_R + h_spin_F"),
+            FormulaInfo::definition("M_psi_delta", "kg*m^2", "a*py_delta/c + hz_delta"),
+            FormulaInfo::definition("M_delta_delta", "kg*m^2", "s*hx_delta + c*hz_delta"),
+            FormulaInfo::definition("K_phi_delta", "kg*m", "-(py_delta + load_spin_F*(c*l - a))"),
+            FormulaInfo::definition("K_delta_delta", "kg*m", "-s*(py_delta + load_spin_F*(c*l - a))"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg", "m_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)], "kg*m", "Sx_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 2), (MatrixName::M, 2, 0)], "kg*m", "-Sz_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 3), (MatrixName::M, 3, 0)], "kg*m", "py_delta"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "Jzz_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 2), (MatrixName::M, 2, 1)], "kg*m^2", "Jxz_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 3), (MatrixName::M, 3, 1)], "kg*m^2", "M_psi_delta"),
+            FormulaInfo::entry(&[(MatrixName::M, 2, 2)], "kg*m^2", "Jxx_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 2, 3), (MatrixName::M, 3, 2)], "kg*m^2", "hx_delta"),
+            FormulaInfo::entry(&[(MatrixName::M, 3, 3)], "kg*m^2", "M_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::C0, 3, 3)], "kg*m^2/s", "K"),
+            FormulaInfo::entry(&[(MatrixName::C0, 4, 0)], "kg/s", "-Cr1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 4, 1)], "kg*m/s", "b*Cr1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 4, 4)], "kg/s", "Cr1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 5, 0)], "kg/s", "-Cf1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 5, 1)], "kg*m/s", "-Cf1*l/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 5, 3)], "kg*m/s", "Cf1*(a - c*l)/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 5, 5)], "kg/s", "Cf1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C1, 0, 1)], "kg", "m_all"),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 1)], "kg*m", "Sx_all"),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 2)], "kg*m", "-h_wheels_all"),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 3)], "kg*m", "-s*h_spin_F"),
+            FormulaInfo::entry(&[(MatrixName::C1, 2, 1)], "kg*m", "h_wheels_all - Sz_all"),
+            FormulaInfo::entry(&[(MatrixName::C1, 2, 3)], "kg*m", "c*h_spin_F"),
+            FormulaInfo::entry(&[(MatrixName::C1, 3, 1)], "kg*m", "s*h_spin_F + py_delta"),
+            FormulaInfo::entry(&[(MatrixName::C1, 3, 2)], "kg*m", "-c*h_spin_F"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 0, 4)], "kg/s^2", "Cr1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 0, 5)], "kg/s^2", "Cf1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 1, 4)], "kg*m/s^2", "-b*Cr1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 1, 5)], "kg*m/s^2", "Cf1*l/sigma"),
+            FormulaInfo::entry(&[(MatrixName::Kc, 3, 5)], "kg*m/s^2", "Cf1*(c*l - a)/sigma"),
+            FormulaInfo::entry(&[(MatrixName::K0, 2, 2)], "kg*m", "Sz_all"),
+            FormulaInfo::entry(&[(MatrixName::K0, 2, 3), (MatrixName::K0, 3, 2)], "kg*m", "t*rest + K_phi_delta"),
+            FormulaInfo::entry(&[(MatrixName::K0, 3, 3)], "kg*m", "t*s*rest + K_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::K1, 4, 2)], "kg/s", "Cr2/sigma"),
+            FormulaInfo::entry(&[(MatrixName::K1, 4, 4)], "kg/m/s", "Cr1/sigma^2"),
+            FormulaInfo::entry(&[(MatrixName::K1, 5, 2)], "kg/s", "Cf2/sigma"),
+            FormulaInfo::entry(&[(MatrixName::K1, 5, 3)], "kg/s", "(Cf1*c + Cf2*s)/sigma"),
+            FormulaInfo::entry(&[(MatrixName::K1, 5, 5)], "kg/m/s", "Cf1/sigma^2"),
+        ],
+        gravity: Some(25),
+    };
+
+    fn from_slice(values: &[T]) -> Result<Self, LengthError> {
+        LengthError::check("Motorcycle", 26, values)?;
+        Ok(<Self as Evaluator<T, 6>>::from_parameters(|position| values[position]))
+    }
+
+    fn write_to(&self, values: &mut [T]) -> Result<(), LengthError> {
+        LengthError::check("Motorcycle", 26, values)?;
+        values.copy_from_slice(&self.to_array());
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U> {
+        core::array::from_fn(element)
+    }
+
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
+        self.to_array()
+    }
+
+    fn validate(&self) -> Result<(), ParameterError> {
+        let info = const { &<Self as Model<6>>::INFO.without_formulas() };
+        info.validate(&self.to_array().map(Scalar::to_f64))?;
+        let c = self.eps.cos();
+        let l = (self.a - self.t) / c;
+        let t7 = self.b + l;
+        info.validate_requirements(&[Scalar::to_f64(t7)])?;
+        Ok(())
+    }
+
+    #[inline]
+    fn coefficients(&self) -> Coefficients<T, 6> {
+        Coefficients {
+            states: [
+                States::Rate, States::Rate, States::Both, States::Both, States::Position,
+                States::Position,
+            ],
+            ..Coefficients::from_rows(MotorcycleMatrices::rows(&self.matrices()))
+        }
+    }
+
+    fn derivatives(&self) -> Option<WithDerivatives<Self, 6>> {
+        Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn gravity(&self) -> Option<T> {
+        Some(self.g)
+    }
+}
+
+impl Motorcycle<f64> {
+    /// What the model tells about itself, the same for every number type.
+    pub const INFO: &'static ModelInfo = <Self as Model<6>>::INFO;
+
+    /// The parameter set of this name, however it is spelt: upper and lower case, `_`, `-` and spaces make no
+    /// difference. In `f32` it is had by the trait `Model`.
+    #[must_use]
+    pub fn set(name: &str) -> Option<Self> {
+        <Self as Model<6>>::set(name)
+    }
+}
+
+/// The parameters, one a line with its unit, in the precision that is asked for; `{:#}` says what they are.
+impl<T: Scalar> core::fmt::Display for Motorcycle<T> {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> Result<(), core::fmt::Error> {
+        let info = const { &<Self as Model<6>>::INFO.without_formulas() };
+        info.write_parameters(&self.to_array(), formatter)
+    }
+}
+
+impl<T: Number> Evaluator<T, 6> for Motorcycle<T> {
+    type Entries = [T; 35];
+
+    #[inline(always)]
+    fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
+        Self {
+            Mf: parameter(0), Mr: parameter(1), Irx: parameter(2), Irz: parameter(3),
+            Crxz: parameter(4), Ifx: parameter(5), Ifz: parameter(6), ify: parameter(7),
+            iry: parameter(8), a: parameter(9), b: parameter(10), e: parameter(11),
+            f: parameter(12), h: parameter(13), Rf: parameter(14), Rr: parameter(15),
+            t: parameter(16), eps: parameter(17), Cf1: parameter(18), Cf2: parameter(19),
+            Cr1: parameter(20), Cr2: parameter(21), K: parameter(22), sigma: parameter(23),
+            Zf: parameter(24), g: parameter(25),
+        }
+    }
+
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0], matrices.m[0][1], matrices.m[0][2], matrices.m[0][3],
+            matrices.m[1][1], matrices.m[1][2], matrices.m[1][3], matrices.m[2][2],
+            matrices.m[2][3], matrices.m[3][3], matrices.c0[3][3], matrices.c0[4][0],
+            matrices.c0[4][1], matrices.c0[4][4], matrices.c0[5][0], matrices.c0[5][1],
+            matrices.c0[5][3], matrices.c0[5][5], matrices.c1[1][2], matrices.c1[1][3],
+            matrices.c1[2][1], matrices.c1[2][3], matrices.c1[3][1], matrices.c1[3][2],
+            matrices.kc[1][4], matrices.kc[1][5], matrices.kc[3][5], matrices.k0[2][2],
+            matrices.k0[2][3], matrices.k0[3][3], matrices.k1[4][2], matrices.k1[4][4],
+            matrices.k1[5][2], matrices.k1[5][3], matrices.k1[5][5],
+        ]
+    }
+
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 6]; 6]; 8] {
+        MotorcycleMatrices::rows(&self.matrices())
+    }
+}
+
+// --- Which derivatives there are -----------------------------------------------------------------
+
+impl<T: Scalar> MotorcycleDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(&self, parameter: usize) -> Option<MotorcycleMatrices<T>> {
+        if parameter >= 26 {
+            return None;
+        }
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut matrices = MotorcycleMatrices {
+            m: Rows([[zero; 6]; 6]), c0: Rows([[zero; 6]; 6]), c1: Rows([[zero; 6]; 6]),
+            kc: Rows([[zero; 6]; 6]), k0: Rows([[zero; 6]; 6]), k1: Rows([[zero; 6]; 6]),
+        };
+        for position in 0..197 {
+            let partial = <MotorcycleDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                MatrixName::M => &mut matrices.m,
+                MatrixName::C0 => &mut matrices.c0,
+                MatrixName::C1 => &mut matrices.c1,
+                MatrixName::Kc => &mut matrices.kc,
+                MatrixName::K0 => &mut matrices.k0,
+                MatrixName::K1 => &mut matrices.k1,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
+        }
+        Some(matrices)
+    }
+}
+
+impl<T: Scalar> Differentiable<6> for Motorcycle<T> {
+    type Derivatives = [Coefficients<T, 6>; 26];
+
+    fn coefficients_and_derivatives(&self) -> (Coefficients<T, 6>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut all = [Coefficients::from_rows([[[zero; 6]; 6]; 8]); 26];
+        for position in 0..197 {
+            Partial::write(&<MotorcycleDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
+        }
+        (
+            Coefficients {
+                states: [
+                    States::Rate, States::Rate, States::Both, States::Both, States::Position,
+                    States::Position,
+                ],
+                ..Coefficients::from_rows(MotorcycleMatrices::rows(&matrices))
+            },
+            all,
+        )
+    }
+}
+
+impl MotorcycleDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [Partial; 197] = &[
+        Partial::new(MatrixName::M, 0, 0, 0, 0), Partial::new(MatrixName::M, 0, 1, 0, 1),
+        Partial::new(MatrixName::M, 0, 2, 0, 2), Partial::new(MatrixName::M, 0, 3, 0, 3),
+        Partial::new(MatrixName::M, 1, 0, 0, 1), Partial::new(MatrixName::M, 1, 1, 0, 4),
+        Partial::new(MatrixName::M, 1, 2, 0, 5), Partial::new(MatrixName::M, 1, 3, 0, 6),
+        Partial::new(MatrixName::M, 2, 0, 0, 2), Partial::new(MatrixName::M, 2, 1, 0, 5),
+        Partial::new(MatrixName::M, 2, 2, 0, 7), Partial::new(MatrixName::M, 2, 3, 0, 8),
+        Partial::new(MatrixName::M, 3, 0, 0, 3), Partial::new(MatrixName::M, 3, 1, 0, 6),
+        Partial::new(MatrixName::M, 3, 2, 0, 8), Partial::new(MatrixName::M, 3, 3, 0, 9),
+        Partial::new(MatrixName::C1, 0, 1, 0, 0), Partial::new(MatrixName::C1, 1, 1, 0, 1),
+        Partial::new(MatrixName::C1, 2, 1, 0, 2), Partial::new(MatrixName::C1, 3, 1, 0, 3),
+        Partial::new(MatrixName::K0, 2, 2, 0, 2).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 0, 3).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 0, 3).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 0, 10).negative(),
+        Partial::new(MatrixName::M, 0, 0, 1, 0), Partial::new(MatrixName::M, 0, 2, 1, 11),
+        Partial::new(MatrixName::M, 2, 0, 1, 11), Partial::new(MatrixName::M, 2, 2, 1, 12),
+        Partial::new(MatrixName::C1, 0, 1, 1, 0), Partial::new(MatrixName::C1, 2, 1, 1, 11),
+        Partial::new(MatrixName::K0, 2, 2, 1, 11).negative(),
+        Partial::new(MatrixName::M, 2, 2, 2, 0), Partial::new(MatrixName::M, 1, 1, 3, 0),
+        Partial::new(MatrixName::M, 1, 2, 4, 13), Partial::new(MatrixName::M, 2, 1, 4, 13),
+        Partial::new(MatrixName::M, 1, 1, 5, 14),
+        Partial::new(MatrixName::M, 1, 2, 5, 15).negative(),
+        Partial::new(MatrixName::M, 2, 1, 5, 15).negative(),
+        Partial::new(MatrixName::M, 2, 2, 5, 16), Partial::new(MatrixName::M, 1, 1, 6, 16),
+        Partial::new(MatrixName::M, 1, 2, 6, 15), Partial::new(MatrixName::M, 1, 3, 6, 17),
+        Partial::new(MatrixName::M, 2, 1, 6, 15), Partial::new(MatrixName::M, 2, 2, 6, 14),
+        Partial::new(MatrixName::M, 2, 3, 6, 18), Partial::new(MatrixName::M, 3, 1, 6, 17),
+        Partial::new(MatrixName::M, 3, 2, 6, 18), Partial::new(MatrixName::M, 3, 3, 6, 19),
+        Partial::new(MatrixName::C1, 1, 2, 7, 20).negative(),
+        Partial::new(MatrixName::C1, 1, 3, 7, 21).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 7, 20),
+        Partial::new(MatrixName::C1, 2, 3, 7, 22),
+        Partial::new(MatrixName::C1, 3, 1, 7, 21),
+        Partial::new(MatrixName::C1, 3, 2, 7, 22).negative(),
+        Partial::new(MatrixName::C1, 1, 2, 8, 23).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 8, 23), Partial::new(MatrixName::M, 0, 1, 9, 24),
+        Partial::new(MatrixName::M, 0, 2, 9, 25), Partial::new(MatrixName::M, 1, 0, 9, 24),
+        Partial::new(MatrixName::M, 1, 1, 9, 26), Partial::new(MatrixName::M, 1, 2, 9, 27),
+        Partial::new(MatrixName::M, 1, 3, 9, 28), Partial::new(MatrixName::M, 2, 0, 9, 25),
+        Partial::new(MatrixName::M, 2, 1, 9, 27), Partial::new(MatrixName::M, 2, 2, 9, 29),
+        Partial::new(MatrixName::M, 2, 3, 9, 30), Partial::new(MatrixName::M, 3, 1, 9, 28),
+        Partial::new(MatrixName::M, 3, 2, 9, 30),
+        Partial::new(MatrixName::C0, 5, 1, 9, 31).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 9, 24),
+        Partial::new(MatrixName::C1, 2, 1, 9, 25),
+        Partial::new(MatrixName::Kc, 1, 5, 9, 31),
+        Partial::new(MatrixName::K0, 2, 2, 9, 25).negative(),
+        Partial::new(MatrixName::C0, 4, 1, 10, 32),
+        Partial::new(MatrixName::Kc, 1, 4, 10, 32).negative(),
+        Partial::new(MatrixName::M, 0, 1, 11, 24), Partial::new(MatrixName::M, 0, 2, 11, 25),
+        Partial::new(MatrixName::M, 0, 3, 11, 33), Partial::new(MatrixName::M, 1, 0, 11, 24),
+        Partial::new(MatrixName::M, 1, 1, 11, 26), Partial::new(MatrixName::M, 1, 2, 11, 34),
+        Partial::new(MatrixName::M, 1, 3, 11, 35), Partial::new(MatrixName::M, 2, 0, 11, 25),
+        Partial::new(MatrixName::M, 2, 1, 11, 34), Partial::new(MatrixName::M, 2, 2, 11, 29),
+        Partial::new(MatrixName::M, 2, 3, 11, 36), Partial::new(MatrixName::M, 3, 0, 11, 33),
+        Partial::new(MatrixName::M, 3, 1, 11, 35), Partial::new(MatrixName::M, 3, 2, 11, 36),
+        Partial::new(MatrixName::M, 3, 3, 11, 37), Partial::new(MatrixName::C1, 1, 1, 11, 24),
+        Partial::new(MatrixName::C1, 2, 1, 11, 25), Partial::new(MatrixName::C1, 3, 1, 11, 33),
+        Partial::new(MatrixName::K0, 2, 2, 11, 25).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 11, 33).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 11, 33).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 11, 38).negative(),
+        Partial::new(MatrixName::M, 0, 1, 12, 25).negative(),
+        Partial::new(MatrixName::M, 0, 2, 12, 24),
+        Partial::new(MatrixName::M, 1, 0, 12, 25).negative(),
+        Partial::new(MatrixName::M, 1, 1, 12, 39).negative(),
+        Partial::new(MatrixName::M, 1, 2, 12, 40), Partial::new(MatrixName::M, 1, 3, 12, 41),
+        Partial::new(MatrixName::M, 2, 0, 12, 24), Partial::new(MatrixName::M, 2, 1, 12, 40),
+        Partial::new(MatrixName::M, 2, 2, 12, 42), Partial::new(MatrixName::M, 2, 3, 12, 43),
+        Partial::new(MatrixName::M, 3, 1, 12, 41), Partial::new(MatrixName::M, 3, 2, 12, 43),
+        Partial::new(MatrixName::C1, 1, 1, 12, 25).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 12, 24),
+        Partial::new(MatrixName::K0, 2, 2, 12, 24).negative(),
+        Partial::new(MatrixName::M, 0, 2, 13, 44), Partial::new(MatrixName::M, 2, 0, 13, 44),
+        Partial::new(MatrixName::M, 2, 2, 13, 45), Partial::new(MatrixName::C1, 2, 1, 13, 44),
+        Partial::new(MatrixName::K0, 2, 2, 13, 44).negative(),
+        Partial::new(MatrixName::C1, 1, 2, 14, 46),
+        Partial::new(MatrixName::C1, 1, 3, 14, 47),
+        Partial::new(MatrixName::C1, 2, 1, 14, 46).negative(),
+        Partial::new(MatrixName::C1, 2, 3, 14, 48).negative(),
+        Partial::new(MatrixName::C1, 3, 1, 14, 47).negative(),
+        Partial::new(MatrixName::C1, 3, 2, 14, 48),
+        Partial::new(MatrixName::C1, 1, 2, 15, 49),
+        Partial::new(MatrixName::C1, 2, 1, 15, 49).negative(),
+        Partial::new(MatrixName::C0, 5, 1, 16, 31),
+        Partial::new(MatrixName::C0, 5, 3, 16, 50),
+        Partial::new(MatrixName::Kc, 1, 5, 16, 31).negative(),
+        Partial::new(MatrixName::Kc, 3, 5, 16, 50).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 16, 51),
+        Partial::new(MatrixName::K0, 3, 2, 16, 51),
+        Partial::new(MatrixName::K0, 3, 3, 16, 52),
+        Partial::new(MatrixName::M, 0, 1, 17, 53).negative(),
+        Partial::new(MatrixName::M, 0, 2, 17, 54),
+        Partial::new(MatrixName::M, 1, 0, 17, 53).negative(),
+        Partial::new(MatrixName::M, 1, 1, 17, 55), Partial::new(MatrixName::M, 1, 2, 17, 56),
+        Partial::new(MatrixName::M, 1, 3, 17, 57), Partial::new(MatrixName::M, 2, 0, 17, 54),
+        Partial::new(MatrixName::M, 2, 1, 17, 56), Partial::new(MatrixName::M, 2, 2, 17, 58),
+        Partial::new(MatrixName::M, 2, 3, 17, 59), Partial::new(MatrixName::M, 3, 1, 17, 57),
+        Partial::new(MatrixName::M, 3, 2, 17, 59),
+        Partial::new(MatrixName::C0, 5, 1, 17, 60).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 17, 53).negative(),
+        Partial::new(MatrixName::C1, 1, 3, 17, 61).negative(),
+        Partial::new(MatrixName::C1, 2, 1, 17, 54),
+        Partial::new(MatrixName::C1, 2, 3, 17, 62).negative(),
+        Partial::new(MatrixName::C1, 3, 1, 17, 61),
+        Partial::new(MatrixName::C1, 3, 2, 17, 62),
+        Partial::new(MatrixName::Kc, 1, 5, 17, 60),
+        Partial::new(MatrixName::K0, 2, 2, 17, 54).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 17, 63),
+        Partial::new(MatrixName::K1, 5, 3, 17, 64),
+        Partial::new(MatrixName::C0, 5, 0, 18, 65).negative(),
+        Partial::new(MatrixName::C0, 5, 1, 18, 66).negative(),
+        Partial::new(MatrixName::C0, 5, 3, 18, 67), Partial::new(MatrixName::C0, 5, 5, 18, 65),
+        Partial::new(MatrixName::Kc, 0, 5, 18, 65), Partial::new(MatrixName::Kc, 1, 5, 18, 66),
+        Partial::new(MatrixName::Kc, 3, 5, 18, 67).negative(),
+        Partial::new(MatrixName::K1, 5, 3, 18, 68), Partial::new(MatrixName::K1, 5, 5, 18, 69),
+        Partial::new(MatrixName::K1, 5, 2, 19, 65), Partial::new(MatrixName::K1, 5, 3, 19, 70),
+        Partial::new(MatrixName::C0, 4, 0, 20, 65).negative(),
+        Partial::new(MatrixName::C0, 4, 1, 20, 71),
+        Partial::new(MatrixName::C0, 4, 4, 20, 65),
+        Partial::new(MatrixName::Kc, 0, 4, 20, 65),
+        Partial::new(MatrixName::Kc, 1, 4, 20, 71).negative(),
+        Partial::new(MatrixName::K1, 4, 4, 20, 69), Partial::new(MatrixName::K1, 4, 2, 21, 65),
+        Partial::new(MatrixName::C0, 3, 3, 22, 0), Partial::new(MatrixName::C0, 4, 0, 23, 72),
+        Partial::new(MatrixName::C0, 4, 1, 23, 73).negative(),
+        Partial::new(MatrixName::C0, 4, 4, 23, 72).negative(),
+        Partial::new(MatrixName::C0, 5, 0, 23, 74),
+        Partial::new(MatrixName::C0, 5, 1, 23, 75),
+        Partial::new(MatrixName::C0, 5, 3, 23, 76).negative(),
+        Partial::new(MatrixName::C0, 5, 5, 23, 74).negative(),
+        Partial::new(MatrixName::Kc, 0, 4, 23, 72).negative(),
+        Partial::new(MatrixName::Kc, 0, 5, 23, 74).negative(),
+        Partial::new(MatrixName::Kc, 1, 4, 23, 73),
+        Partial::new(MatrixName::Kc, 1, 5, 23, 75).negative(),
+        Partial::new(MatrixName::Kc, 3, 5, 23, 76),
+        Partial::new(MatrixName::K1, 4, 2, 23, 77).negative(),
+        Partial::new(MatrixName::K1, 4, 4, 23, 78).negative(),
+        Partial::new(MatrixName::K1, 5, 2, 23, 79).negative(),
+        Partial::new(MatrixName::K1, 5, 3, 23, 80).negative(),
+        Partial::new(MatrixName::K1, 5, 5, 23, 81).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 24, 82).negative(),
+        Partial::new(MatrixName::K0, 3, 2, 24, 82).negative(),
+        Partial::new(MatrixName::K0, 3, 3, 24, 83).negative(),
+        Partial::new(MatrixName::K0, 2, 3, 25, 84),
+        Partial::new(MatrixName::K0, 3, 2, 25, 84),
+        Partial::new(MatrixName::K0, 3, 3, 25, 85),
+    ];
+}

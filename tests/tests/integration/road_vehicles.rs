@@ -1,0 +1,51 @@
+//! The motorcycle and the car that ship, against print and closed forms.
+
+use carvallo::{CriticalKind, CriticalSpeed, Model, Stability};
+use carvallo_models::{Car, Motorcycle};
+
+const FOOT: f64 = 0.3048;
+
+fn critical<const N: usize>(model: &impl Model<N>) -> Vec<CriticalSpeed> {
+    let gravity = model.gravity().map_or(0.0, carvallo::Scalar::to_f64);
+    let stability = Stability::new(&model.coefficients(), gravity).expect("a regular system");
+    stability.critical_speeds.into_iter().filter(|critical| critical.kind != CriticalKind::DoubleRoot).collect()
+}
+
+/// Those below 300 ft/s, the range that he looks at, are those of the equations of R. S. Sharp, The stability and control of motorcycles, J. Mech. Eng. Sci. 13 (1971), for the parameters that
+/// he prints, solved with 25 digits: in ft/s and 1/s. Far beyond, the wobble becomes stable again.
+#[test]
+fn the_motorcycle_has_three_critical_speeds() {
+    let expected = [
+        (CriticalKind::Weave, 19.440_006_372_816_047, 2.085_513_330_671_459_4),
+        (CriticalKind::Capsize, 35.210_269_211_458_69, 0.0),
+        (CriticalKind::Weave, 181.684_761_720_011_48, 59.281_250_592_044_735),
+    ];
+    let all = critical::<6>(&Motorcycle::STANDARD);
+    let (found, beyond): (Vec<_>, Vec<_>) = all.into_iter().partition(|critical| critical.speed < 300.0 * FOOT);
+    let unstable = |speed: f64| {
+        let system = Motorcycle::STANDARD.coefficients().at(speed, Motorcycle::STANDARD.g).expect("a regular system");
+        system.eigenvalues().expect("eight of them").iter().filter(|eigenvalue| eigenvalue.re > 0.0).count()
+    };
+    for critical in beyond {
+        assert_eq!(unstable(0.99 * critical.speed), unstable(1.01 * critical.speed) + 2, "{critical:?}");
+    }
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (found, (kind, speed, frequency)) in found.iter().zip(expected) {
+        assert_eq!(found.kind, kind);
+        let bound = (1e-11 * speed * FOOT).max(found.error);
+        assert!((found.speed - speed * FOOT).abs() <= bound, "{found:?} is not at {speed} ft/s");
+        assert!((found.eigenvalue.im - frequency).abs() <= 1e-10 * frequency, "{found:?} has not {frequency}/s");
+    }
+}
+
+/// `v² = (a + b)² Cf Cr/(m (a Cf - b Cr))`, if that is positive.
+#[test]
+fn a_car_that_oversteers_has_a_critical_speed() {
+    let found = critical::<2>(&Car::OVERSTEERING);
+    let Car { m, a, b, Cf, Cr, .. } = Car::OVERSTEERING;
+    let expected = ((a + b).powi(2) * Cf * Cr / (m * (a * Cf - b * Cr))).sqrt();
+    assert!((expected - 63.354_163_241_258_46).abs() < 1e-12);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].kind == CriticalKind::Capsize && (found[0].speed - expected).abs() < 1e-11, "{found:?}");
+    assert!(critical::<2>(&Car::UNDERSTEERING).is_empty());
+}
