@@ -1,12 +1,14 @@
 //! Matrices in the text of scripts: `[80 2; 2 0.3]` of MATLAB, `np.array([[80, 2], [2, 0.3]])` of Python, and what NumPy prints.
 
 use crate::failure::Place;
+use crate::input::names::without_owner;
 use crate::input::tables::{Node, Value};
 use crate::input::texts::unquoted;
+use crate::matrices::MOST;
 
-/// Whether a value begins as a matrix does, perhaps within a call such as `np.array(`.
+/// Whether a value begins as a matrix does, perhaps within a call such as `np.array(`; or is `zeros(2)` or `eye(2)`.
 pub fn is_list(value: &str) -> bool {
-    without_call(value).is_some_and(|text| text.starts_with('['))
+    without_call(value).is_some_and(|text| text.starts_with('[')) || made(value).is_some()
 }
 
 /// Whether a list that has begun has no end yet.
@@ -17,6 +19,12 @@ pub fn is_open(value: &str) -> bool {
 /// The rows of a matrix, each at the place that belongs to the number of lines before it; `None` if the text is none.
 pub fn list(value: &str, place: &dyn Fn(usize) -> Place) -> Option<Value> {
     let value = value.trim();
+    if let Some(rows) = made(value) {
+        let node = |value: Value| Node { place: place(0), value };
+        let row =
+            |row: Vec<&str>| node(Value::List(row.into_iter().map(|it| node(Value::Text(it.to_owned()))).collect()));
+        return Some(Value::List(rows.into_iter().map(row).collect()));
+    }
     let inner = without_call(value)?.strip_prefix('[')?;
     let start = value.len() - inner.len();
     let end = closing(inner)?;
@@ -34,6 +42,29 @@ pub fn list(value: &str, place: &dyn Fn(usize) -> Place) -> Option<Value> {
         Node { place: place.clone(), value: Value::List(entries(row).into_iter().map(entry).collect()) }
     };
     Some(Value::List(rows.into_iter().map(row).collect()))
+}
+
+/// The matrices of zeros and ones that scripts make: `zeros(2)`, `zeros(2, 2)`, `np.zeros((2, 2))`, `eye(2)` and
+/// `np.identity(2)`.
+fn made(value: &str) -> Option<Vec<Vec<&'static str>>> {
+    let (name, sizes) = value.trim().trim_end_matches(';').trim_end().strip_suffix(')')?.split_once('(')?;
+    let diagonal = match without_owner(name.trim_end()) {
+        "zeros" => "0",
+        "eye" | "identity" => "1",
+        _ => return None,
+    };
+    let sizes = sizes.trim().trim_start_matches('(').trim_end_matches(')').split(',').map(str::trim);
+    let sizes: Vec<usize> =
+        sizes.filter(|size| !size.is_empty()).map(|size| size.parse().ok()).collect::<Option<_>>()?;
+    let (rows, columns) = match sizes[..] {
+        [size] => (size, size),
+        [rows, columns] => (rows, columns),
+        _ => return None,
+    };
+    // One more than there may be is told like any other.
+    let (rows, columns) = (rows.min(MOST + 1), columns.min(MOST + 1));
+    let row = |row| (0..columns).map(|column| if row == column { diagonal } else { "0" }).collect();
+    Some((0..rows).map(row).collect())
 }
 
 /// What stands within a call such as `np.array(`, or a value that is in none.
@@ -184,6 +215,23 @@ mod tests {
         let expected = vec![vec!["2*m".to_owned(), "-(a - b)/2".into(), "hypot(3, 4)".into(), "1-2".into()]];
         for text in ["[2*m -(a - b)/2 hypot(3, 4) 1 - 2]", "[2*m, -(a - b)/2, hypot(3, 4), 1-2]"] {
             assert_eq!(rows(text), Some(expected.clone()), "{text}");
+        }
+    }
+
+    #[test]
+    fn matrices_of_zeros_and_ones_are_made() {
+        let of =
+            |rows: &[&[&str]]| Some(rows.iter().map(|row| row.iter().map(|&it| it.to_owned()).collect()).collect());
+        for (text, expected) in [
+            ("zeros(2)", of(&[&["0", "0"], &["0", "0"]])),
+            ("zeros(1, 2);", of(&[&["0", "0"]])),
+            ("np.zeros((2, 1))", of(&[&["0"], &["0"]])),
+            ("np.eye(2)", of(&[&["1", "0"], &["0", "1"]])),
+            ("numpy.identity(1)", of(&[&["1"]])),
+            ("eye(n)", None),
+            ("2*eye(2)", None),
+        ] {
+            assert_eq!(rows(text), expected, "{text}");
         }
     }
 
