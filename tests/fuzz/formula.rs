@@ -3,6 +3,7 @@
 use std::fmt;
 
 /// A formula in quantities that are numbered: parameters, then definitions.
+#[derive(Clone)]
 pub enum Formula {
     Name(usize),
     Number(&'static str),
