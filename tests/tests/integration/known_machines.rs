@@ -28,7 +28,7 @@ fn cantilever(mode: usize) -> f64 {
 fn pipe<const N: usize>(beta: f64) -> Coefficients<f64, N> {
     let lambda: [f64; N] = std::array::from_fn(cantilever);
     let sigma = lambda.map(|x| (x.sinh() - x.sin()) / (x.cosh() + x.cos()));
-    let sign = |i: usize, j: usize| if (i + j) % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |i: usize, j: usize| if (i + j).is_multiple_of(2) { 1.0 } else { -1.0 };
     let ratio = |i: usize, j: usize| (lambda[i] / lambda[j]).powi(2);
     let product = |i: usize| lambda[i] * sigma[i];
     let b = Matrix::<f64, N>::from_fn(|i, j| if i == j { 2.0 } else { 4.0 / (ratio(i, j) + sign(i, j)) });

@@ -21,6 +21,9 @@ pub(super) struct Course {
 /// How often the search goes on by another way.
 const ROUNDS: usize = 4;
 
+/// How many gaps are searched in one round.
+const GAPS: usize = 16;
+
 /// Speeds that differ by less, relative to them, are the same.
 const SAME: f64 = 1e-11;
 
@@ -34,16 +37,15 @@ impl<const N: usize> Equations<N> {
                 return Ok(course);
             }
             let mut found = course.found.clone();
-            for &([low, high], unstable) in &gaps {
+            for &([low, high], unstable) in gaps.iter().take(GAPS) {
                 self.bisect([low, high], unstable, &mut found)?;
             }
             if found.len() == course.found.len() {
-                course.undecided = gaps.into_iter().map(|(gap, _)| gap).collect();
-                return Ok(course);
+                break;
             }
             course = self.course(found)?;
         }
-        course.undecided = course.gaps(&samples).into_iter().map(|(gap, _)| gap).collect();
+        course.undecided = union(course.gaps(&samples).into_iter().map(|(gap, _)| gap).collect());
         Ok(course)
     }
 
@@ -116,6 +118,19 @@ impl Course {
         }
         gaps
     }
+}
+
+/// Intervals, of which those that overlap or touch have become one.
+fn union(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    intervals.sort_by(|x, y| x[0].total_cmp(&y[0]));
+    let mut union: Vec<[f64; 2]> = Vec::new();
+    for [low, high] in intervals {
+        match union.last_mut() {
+            Some(last) if low <= last[1] => last[1] = last[1].max(high),
+            _ => union.push([low, high]),
+        }
+    }
+    union
 }
 
 /// A scaled speed between two neighbours.

@@ -25,6 +25,34 @@ impl<const N: usize> Condition for Divergence<'_, N> {
     }
 }
 
+/// The same where `det K` is zero at all speeds: the product of the eigenvalues without so many of the smallest.
+pub(super) struct Drifting<'a, const N: usize> {
+    pub(super) equations: &'a Equations<N>,
+    pub(super) drifts: usize,
+}
+
+impl<const N: usize> Condition for Drifting<'_, N> {
+    fn at(&self, v: f64) -> Result<Product, SystemError> {
+        let spectrum = self.equations.spectrum(v)?;
+        let mut values = spectrum.values().to_vec();
+        values.sort_by(|x, y| x.norm().total_cmp(&y.norm()));
+        let error = ROUNDING * spectrum.norm;
+        Ok(values.into_iter().skip(self.drifts).fold(Product::ONE, |product, value| {
+            // The product of a pair is positive.
+            let factor = if value.im == 0.0 { value.re } else { value.norm() };
+            product.times(factor, error / value.norm())
+        }))
+    }
+}
+
+/// How many eigenvalues vanish in rounding.
+pub(super) fn count_zeros<const N: usize>(spectrum: &Spectrum<N>) -> usize {
+    spectrum.values().iter().filter(|value| value.norm() <= VANISHING * spectrum.norm).count()
+}
+
+/// Two eigenvalues that nearly coincide come out with half of the digits.
+const VANISHING: f64 = 1e-7;
+
 /// The product of all sums of two eigenvalues: the determinant of the bialternate sum, or of Hurwitz.
 ///
 /// Where some of the sums are zero at all speeds, so many of the smallest are left out. Without damping, where the
@@ -32,6 +60,8 @@ impl<const N: usize> Condition for Divergence<'_, N> {
 pub(super) struct Flutter<'a, const N: usize> {
     pub(super) equations: &'a Equations<N>,
     pub(super) left_out: usize,
+    /// How many eigenvalues are zero at all speeds.
+    pub(super) drifts: usize,
     /// What the eigenvalues tell by the way: speeds, and how many are unstable there, where that is clear.
     pub(super) samples: RefCell<Vec<(f64, usize)>>,
 }
@@ -47,7 +77,9 @@ pub(super) struct Sum {
 impl<const N: usize> Condition for Flutter<'_, N> {
     fn at(&self, v: f64) -> Result<Product, SystemError> {
         let spectrum = self.equations.spectrum(v)?;
-        self.samples.borrow_mut().extend(spectrum.clear_count(self.left_out > 0).map(|unstable| (v, unstable)));
+        self.samples
+            .borrow_mut()
+            .extend(spectrum.clear_count(self.drifts, self.left_out > 0).map(|unstable| (v, unstable)));
         let error = ROUNDING * spectrum.norm;
         let times = |product: Product, sum: Sum| {
             let factor = if sum.is_negative { -sum.size } else { sum.size };
@@ -93,8 +125,6 @@ pub(super) fn each_sum<const N: usize>(spectrum: &Spectrum<N>, mut with: impl Fn
 
 /// How many sums of two eigenvalues vanish in rounding.
 pub(super) fn count_zero_sums<const N: usize>(spectrum: &Spectrum<N>) -> usize {
-    // Two eigenvalues that nearly coincide come out with half of the digits.
-    const VANISHING: f64 = 1e-7;
     let mut count = 0;
     each_sum(spectrum, |sum| count += usize::from(sum.size <= VANISHING * spectrum.norm));
     count

@@ -4,7 +4,7 @@ use core::cell::RefCell;
 
 use nalgebra::Complex;
 
-use super::condition::{Divergence, Flutter, count_zero_sums};
+use super::condition::{Divergence, Drifting, Flutter, count_zero_sums, count_zeros};
 use super::equations::{Equations, Spectrum};
 use super::isolation::{Bracket, isolate};
 use super::newton::Crossing;
@@ -49,17 +49,21 @@ impl<const N: usize> Equations<N> {
     /// All critical speeds, in no order.
     pub(super) fn find_crossings(&self) -> Result<Findings, SystemError> {
         let mut found = Vec::new();
-        let left_out = if self.states() < 2 { 0 } else { self.count_symmetries()? };
+        let left_out = if self.states() < 2 { 0 } else { self.least_at_samples(count_zero_sums)? };
         let condition = Divergence(self);
+        let mut drifts = 0;
         if let Some(divergence) = Normalized::new(&condition)? {
             for bracket in isolate(&divergence, true, NARROW_DIVERGENCE)? {
                 self.find_divergences(&bracket, left_out > 0, &mut found);
             }
+        } else {
+            drifts = self.least_at_samples(count_zeros)?;
+            self.find_divergences_beside(drifts, &mut found)?;
         }
         if self.states() < 2 {
             return Ok(Findings { found, samples: Vec::new() });
         }
-        let condition = Flutter { equations: self, left_out, samples: RefCell::default() };
+        let condition = Flutter { equations: self, left_out, drifts, samples: RefCell::default() };
         if let Some(flutter) = Normalized::new(&condition)? {
             // Far beyond all critical speeds eigenvalues differ so much that rounding has the better of the small ones.
             condition.samples.borrow_mut().clear();
@@ -73,16 +77,29 @@ impl<const N: usize> Equations<N> {
         Ok(Findings { found, samples: condition.samples.into_inner() })
     }
 
-    /// How many sums of two eigenvalues are zero at all speeds.
-    fn count_symmetries(&self) -> Result<usize, SystemError> {
+    /// The least number of something at speeds of which none is special.
+    fn least_at_samples(&self, count: impl Fn(&Spectrum<N>) -> usize) -> Result<usize, SystemError> {
         let mut least = usize::MAX;
         for v in SAMPLES {
-            least = least.min(count_zero_sums(&self.spectrum(v)?));
+            least = least.min(count(&self.spectrum(v)?));
             if least == 0 {
                 break;
             }
         }
         Ok(least)
+    }
+
+    /// Where another eigenvalue is zero beside those that are so at all speeds.
+    fn find_divergences_beside(&self, drifts: usize, found: &mut Vec<Found>) -> Result<(), SystemError> {
+        let condition = Drifting { equations: self, drifts };
+        let Some(divergence) = Normalized::new(&condition)? else { return Ok(()) };
+        for bracket in isolate(&divergence, self.is_polynomial(), NARROW_FLUTTER)? {
+            let crossing = self.find_divergence_beside(bracket.start(), drifts);
+            if let Some(crossing) = crossing.filter(|crossing| bracket.contains(crossing)) {
+                add(found, Found { kind: CriticalKind::Capsize, crossing, change: None });
+            }
+        }
+        Ok(())
     }
 
     /// Where eigenvalues are symmetric about the axis an imaginary pair becomes a real one through zero: with a derivative

@@ -87,6 +87,30 @@ fn invert<C: ComplexField, const N: usize>(mut a: [[C; N]; N]) -> [[C; N]; N] {
     inverse
 }
 
+/// The determinant, by elimination with partial pivoting.
+pub(super) fn precise_determinant<C: ComplexField, const N: usize>(mut a: [[C; N]; N]) -> C {
+    let mut value = C::real(1.0.into());
+    for step in 0..N {
+        let pivot = (step..N).max_by(|&x, &y| a[x][step].norm().total_cmp(&a[y][step].norm())).unwrap_or(step);
+        if pivot != step {
+            value = -value;
+        }
+        a.swap(step, pivot);
+        let row = a[step];
+        value = value * row[step];
+        if row[step].norm() == 0.0 {
+            return value;
+        }
+        for other in &mut a[step + 1..] {
+            let factor = other[step] / row[step];
+            for (entry, along) in other[step..].iter_mut().zip(&row[step..]) {
+                *entry = *entry - factor * *along;
+            }
+        }
+    }
+    value
+}
+
 /// The determinant with the sign and the relative error that rounding leaves of it, by elimination with partial pivoting.
 pub(super) fn determinant<const N: usize>(mut a: [[f64; N]; N]) -> (f64, f64) {
     let mut terms = a.map(|row| row.map(f64::abs));

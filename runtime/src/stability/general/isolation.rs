@@ -24,6 +24,10 @@ const DIVISION: f64 = 0.484_375;
 /// that rounding is left of most of it, and it is computed in parts.
 const MOST_POINTS: usize = 60;
 
+/// The most intervals in which a condition is interpolated anew: usual are less than thirty. What is left then is left to
+/// others as it is.
+const MOST_INTERPOLATIONS: usize = 400;
+
 /// How often a polynomial is halved before it is interpolated anew in what is left, which is more precise.
 const HALVINGS: usize = 4;
 
@@ -44,7 +48,7 @@ pub(super) fn isolate<F: Condition>(
     }
     let count = condition.degree() + 1;
     let is_exact = is_polynomial && count <= POINTS;
-    let mut search = Search { condition, is_exact, narrow, brackets: Vec::new() };
+    let mut search = Search { condition, is_exact, narrow, interpolations: 0, brackets: Vec::new() };
     let interval = condition.range().map(|v| v / (1.0 + v));
     if is_polynomial && !is_exact && count <= MOST_POINTS {
         let products = Samples::points(interval, count).map(|x| condition.at(speed(x)));
@@ -64,6 +68,7 @@ struct Search<'a, F> {
     condition: &'a Normalized<'a, F>,
     is_exact: bool,
     narrow: f64,
+    interpolations: usize,
     brackets: Vec<Bracket>,
 }
 
@@ -90,6 +95,7 @@ impl<F: Condition> Search<'_, F> {
 
     /// Computes the condition at points in an interval.
     fn interpolate(&mut self, interval: [f64; 2]) -> Result<(), SystemError> {
+        self.interpolations += 1;
         let mut products = [Product::ONE; POINTS];
         for (product, x) in products.iter_mut().zip(points(interval)) {
             *product = self.condition.at(speed(x))?;
@@ -124,7 +130,9 @@ impl<F: Condition> Search<'_, F> {
                 let zero = speed(from + (to - from) * polynomial.zero());
                 self.brackets.push(Bracket { low, high, zero: Some(zero) });
             }
-            _ if high - low <= self.narrow * low => self.brackets.push(Bracket { low, high, zero: None }),
+            _ if high - low <= self.narrow * low || self.interpolations >= MOST_INTERPOLATIONS => {
+                self.brackets.push(Bracket { low, high, zero: None });
+            }
             _ => return false,
         }
         true

@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::equations::Equations;
 use super::field::{Imaginary, RealField as _};
-use super::inverse::Slopes;
+use super::inverse::{Slopes, precise_determinant};
 use crate::numeric::{ComplexDoubleDouble, DoubleDouble};
 
 /// A speed at which an eigenvalue `i omega` is on the imaginary axis; zero for omega where there is nothing to oscillate.
@@ -110,6 +110,50 @@ impl<const N: usize> Equations<N> {
         let slopes = Slopes::new(&self.pencil(0.0, fine.to_f64()));
         let error = slopes.rounding(&self.magnitudes(0.0, v)) / slopes.by_v.abs();
         Some(Crossing { v: fine, omega: 0.0, error, growth: -slopes.by_v / slopes.by_s })
+    }
+
+    /// The speed near a given one at which the lowest coefficient of the characteristic polynomial is zero that is not so at
+    /// all speeds, by the secant method.
+    pub(super) fn find_divergence_beside(&self, v: f64, drifts: usize) -> Option<Crossing> {
+        let mut last = (DoubleDouble::from(v), self.lowest_coefficient(v.into(), drifts));
+        let mut fine = DoubleDouble::from(v * (1.0 + CLOSE));
+        for _ in 0..STEPS {
+            let (value, size) = self.lowest_coefficient(fine, drifts);
+            let slope = (value - last.1.0) / (fine - last.0);
+            let dv = -(value / slope);
+            if !dv.to_f64().is_finite() {
+                return None;
+            }
+            last = (fine, (value, size));
+            fine = fine + dv;
+            if dv.to_f64().abs() <= f64::EPSILON * CLOSE * fine.to_f64().abs() {
+                let error = f64::EPSILON * size / slope.to_f64().abs();
+                return (fine.to_f64() > 0.0).then_some(Crossing { v: fine, omega: 0.0, error, growth: f64::NAN });
+            }
+        }
+        None
+    }
+
+    /// The coefficient of `s^drifts` of the determinant, extrapolated to s = 0 from as many numbers s as the degree takes, and
+    /// the sum of the magnitudes of its terms.
+    fn lowest_coefficient(&self, v: DoubleDouble, drifts: usize) -> (DoubleDouble, f64) {
+        let count = self.states().saturating_sub(drifts) + 1;
+        // 1, -1, 2, -2 and so on, in the unit in which eigenvalues are about one.
+        let point = |k: usize| (k / 2 + 1) as f64 * if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let (mut sum, mut size) = (DoubleDouble::ZERO, 0.0);
+        for k in 0..count {
+            let s = point(k);
+            let mut term = precise_determinant(self.pencil(DoubleDouble::from(s), v).value);
+            for _ in 0..drifts {
+                term = term / s.into();
+            }
+            for other in (0..count).filter(|&other| other != k).map(point) {
+                term = term * DoubleDouble::from(other) / (other - s).into();
+            }
+            sum = sum + term;
+            size += term.to_f64().abs();
+        }
+        (sum, size)
     }
 
     /// The speed and the frequency near given ones at which two pairs meet on the imaginary axis, for eigenvalues that are

@@ -30,7 +30,7 @@ impl Samples {
         let unit = products.iter().map(|product| product.exponent).max().unwrap_or(0);
         let sample = |(k, (x, product)): (usize, (f64, &Product))| {
             let (value, error) = product.in_unit(unit);
-            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
             Sample { x, value, error, weight: sign * angle(k, count).sin() }
         };
         Self { points: Self::points(interval, count).zip(products).enumerate().map(sample).collect() }

@@ -174,3 +174,32 @@ fn errors_name_what_is_wrong() {
     let error = SystemError::NotFinite { quantity: "K1", value: f64::INFINITY };
     assert_eq!(of(&Coefficients { k1: ones * f64::INFINITY, ..regular() }), error);
 }
+
+/// Masses in a row that nothing holds: they drift, whatever the speed, and the damping (v - 1) between them crosses zero.
+#[test]
+fn what_drifts_at_all_speeds_leaves_the_rest_to_be_found() {
+    let chain = Matrix::<f64, 3>::new(1.0, -1.0, 0.0, -1.0, 2.0, -1.0, 0.0, -1.0, 1.0);
+    let stability = stability(&Coefficients { c0: -chain, c1: chain, kc: chain, ..regular() });
+    assert_speeds(&stability, &[(WEAVE, 1.0, Change::Stabilizes, 1.0), (WEAVE, 1.0, Change::Stabilizes, 3f64.sqrt())]);
+    assert_eq!(stability.verdict(0.5), Ok(Verdict::Unstable));
+    assert_eq!(stability.verdict(2.0), Ok(Verdict::Marginal));
+}
+
+/// A car by its place and its heading: y' = v psi makes no force, so that the stiffness is singular at all speeds with a
+/// vector that depends on the speed. Another eigenvalue is zero at `L^2 Cf Cr / (m (a Cf - b Cr))`, the square of the speed.
+#[test]
+fn what_diverges_beside_a_zero_at_all_speeds_is_found() {
+    let (m, i, a, b, cf, cr) = (1400.0, 2420.0, 1.14, 1.33, 25000.0, 21000.0);
+    let moment = a * cf - b * cr;
+    let stability = stability(&Coefficients {
+        m: diagonal([m, i]),
+        cm1: Matrix::<f64, 2>::new(cf + cr, moment, moment, a * a * cf + b * b * cr),
+        kc: Matrix::<f64, 2>::new(0.0, -cf - cr, 0.0, -moment),
+        states: [States::Rate, States::Both],
+        ..Default::default()
+    });
+    let critical = (a + b) * f64::sqrt(cf * cr / (m * moment));
+    assert_speeds(&stability, &[(CAPSIZE, critical, Change::Destabilizes, 0.0)]);
+    let verdicts = [0.9, 1.1].map(|factor| stability.verdict(factor * critical));
+    assert_eq!(verdicts, [Ok(Verdict::Marginal), Ok(Verdict::Unstable)]);
+}
