@@ -40,7 +40,7 @@ impl Verdict {
     /// Whether motion with these eigenvalues is stable, for any number of coordinates, as far as their digits tell.
     ///
     /// Marginal is a largest real part of at most 1e-7 times the largest eigenvalue: that much rounding may leave of a zero
-    /// that two eigenvalues share. For two coordinates [`Stability::verdict`](crate::Stability::verdict) needs no such
+    /// that two eigenvalues share. [`Stability::verdict`](crate::Stability::verdict) needs no such
     /// tolerance.
     ///
     /// ```
