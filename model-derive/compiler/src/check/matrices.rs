@@ -57,6 +57,26 @@ fn find_size(declaration: &Declaration) -> Option<usize> {
     (n > 0 && n == distinct.len()).then_some(n)
 }
 
+/// Whether all matrices are square and of one size, which is not the number `n` of coordinates; reports that once, as one
+/// mistake in the coordinates, unless one of them may be missing because it could not be read.
+fn miss_coordinates(declaration: &Declaration, n: usize, is_complete: bool, report: &mut Report) -> bool {
+    let wholes = declaration.wholes.iter().map(|(_, matrix)| &matrix.rows);
+    let matrices: Vec<_> = declaration.matrices.iter().map(|matrix| &matrix.rows).chain(wholes).collect();
+    let [first, _, ..] = matrices[..] else { return false };
+    let size = first.len();
+    let agree = matrices.iter().all(|rows| rows.len() == size && rows.iter().all(|(_, row)| row.len() == size));
+    let Some(last) = declaration.coordinates.last().filter(|_| agree && size > 0 && size != n) else { return false };
+    if is_complete {
+        let found = count(n, "coordinate");
+        let message = format!(
+            "{found}, the last of which is `{}`: expected {size}, since all matrices are {size} x {size}",
+            last.name
+        );
+        report.error(&last.name, message);
+    }
+    true
+}
+
 /// What is written of the matrices.
 ///
 /// Unless all statements of the declaration could be read, those that are missing are probably among them.
@@ -69,7 +89,7 @@ pub fn resolve_matrices(
     if declaration.coordinates.is_empty() && is_complete {
         report.error(&declaration.name, "no coordinates: expected `coordinates { … }` with at least one");
     }
-    let size = find_size(declaration);
+    let size = find_size(declaration).filter(|n| !miss_coordinates(declaration, *n, is_complete, report));
     if let Some(n) = size {
         for asserted in &declaration.asserted {
             check_shape(asserted.name.name(), &asserted.rows, asserted.region, n, report);
@@ -132,6 +152,11 @@ fn resolve_wholes(declaration: &Declaration, size: Option<usize>, scope: &mut Sc
 /// Whether rows are n x n; reports those that are not.
 fn check_shape<T>(name: &str, rows: &[(Region, Vec<T>)], region: Region, n: usize, report: &mut Report) -> bool {
     let shape = format!("expected {n} x {n}, a row and a column for each coordinate");
+    let size = rows.len();
+    if size > 1 && size != n && rows.iter().all(|(_, row)| row.len() == size) {
+        report.error(region, format!("`{name}` is {size} x {size}: {shape}"));
+        return false;
+    }
     if rows.len() != n {
         let found = count(rows.len(), "row");
         report.error(region, format!("`{name}` has {found}: {shape}"));

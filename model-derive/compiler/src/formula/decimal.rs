@@ -42,7 +42,14 @@ impl Decimal {
         }
         let text = text.replace('_', "");
         let (mantissa, power) = match text.split_once(['e', 'E']) {
-            Some((mantissa, power)) => (mantissa, power.parse::<i32>().ok()),
+            Some((mantissa, power)) => {
+                let sign = usize::from(power.starts_with(['+', '-']));
+                if let Some(suffix) = power[sign..].find(|c: char| !c.is_ascii_digit()) {
+                    let at = &power[sign + suffix..];
+                    return Err(format!("unexpected suffix `{at}` on a number: {decimal}"));
+                }
+                (mantissa, power.parse::<i32>().ok())
+            }
             None => (text.as_str(), Some(0)),
         };
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -137,6 +144,14 @@ mod tests {
         for text in ["0.5", "1000", "0.0025", "12.75", "0", "7", "3e12", "1e-9", "0.000001"] {
             let literal: Literal = text.parse().expect("a literal");
             assert_eq!(Decimal::from_literal(&literal).map(|decimal| decimal.to_string()).as_deref(), Ok(text));
+        }
+    }
+
+    #[test]
+    fn a_suffix_behind_an_exponent_is_no_exponent() {
+        for text in ["1e7f64", "1e7_f64", "1e-7f64"] {
+            let message = read(text).expect_err(text);
+            assert!(message.starts_with("unexpected suffix `f64` on a number"), "{text}: {message}");
         }
     }
 

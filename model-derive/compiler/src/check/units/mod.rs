@@ -108,10 +108,13 @@ fn check_matrix(
     report: &mut Report,
 ) {
     let coordinates = &analysis.declaration.coordinates;
+    // Which coordinates the rows and columns of another shape belong to is not known.
+    let n = coordinates.len();
+    let fits = matrix.rows.len() == n && matrix.rows.iter().all(|(_, row)| row.len() == n);
     for (row, (_, entries)) in matrix.rows.iter().enumerate() {
         for (column, entry) in entries.iter().enumerate() {
             let Some(found) = analysis.dimension(entry, report) else { continue };
-            let at = |index: usize| dimensions.get(index).copied().flatten();
+            let at = |index: usize| dimensions.get(index).copied().flatten().filter(|_| fits);
             let Some(expected) =
                 at(row).zip(at(column)).and_then(|(row, column)| entry_dimension(matrix.name, row, column))
             else {

@@ -36,9 +36,10 @@ fn parse_product(input: ParseStream<'_>, parentheses: bool) -> syn::Result<Unit>
     }
 }
 
-/// A unit behind a value, if there is one, `1/s` among them; a name before `=` begins the next statement.
+/// A unit behind a value, if there is one, `1/s` among them; a name before `=`, `:` or a text begins the next statement.
 pub fn parse_unit_after_value(input: ParseStream<'_>) -> syn::Result<Option<Unit>> {
-    let named = input.peek(syn::Ident) && !input.peek2(Token![=]);
+    let next = input.peek2(Token![=]) || input.peek2(Token![:]) || input.peek2(syn::LitStr);
+    let named = input.peek(syn::Ident) && !next;
     let inverse = input.peek(syn::LitInt) && input.peek2(Token![/]);
     if named || inverse { parse_unit(input).map(Some) } else { Ok(None) }
 }
