@@ -77,8 +77,11 @@ impl Dimensions {
             // What a filter or an actuator holds may be in any unit.
             let is_held = coordinate.only.is_some_and(|(_, states)| states == States::Position);
             if !is_held && !dimension.is_number() && !dimension.same_unit(Dimension::new([0, 1, 0])) {
-                let message =
-                    format!("a coordinate {}: expected an angle (`rad`) or a length (`m`)", dimension.place());
+                let message = format!(
+                    "a coordinate {}: expected an angle (`rad`) or a length (`m`), or `only position` behind it, if it is one \
+                     of first order",
+                    dimension.place()
+                );
                 report.error(unit.region, message);
                 return None;
             }

@@ -106,8 +106,9 @@ pub fn check_mechanism(
             Some(dimension.as_ref()?.directed(Some(find_direction(coordinate, mechanism, &analysis)?)))
         })
         .collect();
+    let mut scaled = vec![None; coordinates.len()];
     for matrix in &declaration.added {
-        check_matrix(&analysis, matrix.name.name(), matrix, &coordinates, dimensions.mirrored, report);
+        check_matrix(&analysis, matrix.name.name(), matrix, &coordinates, dimensions.mirrored, &mut scaled, report);
     }
 }
 
