@@ -4,7 +4,6 @@ use super::intervals::Interval;
 use super::ranges::{Ranges, Reading};
 use crate::domain::{Bound, Domain};
 use crate::formula::Formula;
-use crate::symbolic::GOLDEN;
 
 /// Values of the definitions at a few parameters inside the domains.
 #[derive(Debug)]
@@ -48,6 +47,9 @@ pub fn maybe_multiples(one: &[Interval], other: &[Interval]) -> bool {
     ratios.iter().all(|ratio| ratio.width() < WIDEST && power_of_two(ratio))
         && !ratios.windows(2).any(|pair| pair[0].is_apart_from(pair[1]))
 }
+
+/// The golden ratio, whose multiples spread evenly between whole numbers.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// A number between 0 and 1, another one for each parameter and sample.
 fn fraction(index: usize, number: u32) -> f64 {

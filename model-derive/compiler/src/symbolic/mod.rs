@@ -30,4 +30,4 @@ pub use kept::{Kept, with_answers};
 pub use optimize::compile;
 pub use powers::{PowerTerm, Sorted, sort_by_powers};
 pub use prove::{Depth, Proof, find_multiples, prove_equal};
-pub use sample::{GOLDEN, Sample};
+pub use sample::Sample;

@@ -12,16 +12,22 @@ pub struct Sample {
     error: f64,
 }
 
-/// The golden ratio, whose multiples spread evenly between whole numbers.
-pub const GOLDEN: f64 = 0.618_033_988_749_894_9;
-
 /// The bounds below are of the first order; this is far more than the rest.
 const SAFETY: f64 = 16.0;
 
 impl Sample {
     /// Exact values between a half and one and a half, no two of them alike.
+    ///
+    /// They are without a pattern: in steps of one size, three points whose coordinates are declared one after the other would
+    /// be on one line.
     pub fn spread(first: usize, count: usize) -> Vec<Self> {
-        let value = |index: usize| 0.5 + (index as f64 * GOLDEN).fract();
+        // Splitmix64, by Steele, Lea & Flood (2014), and of that what a double holds.
+        let value = |index: usize| {
+            let mixed = (index as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            let mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            0.5 + ((mixed ^ (mixed >> 31)) >> 12) as f64 / (1_u64 << 52) as f64
+        };
         (first..first + count).map(|index| Self { value: value(index), error: 0.0 }).collect()
     }
 
@@ -171,6 +177,18 @@ mod tests {
         let one = Term::minus(number("1"));
         let difference = Formula::Sum(squares.into_iter().map(Term::plus).chain([one]).collect());
         assert!(!of(&difference).is_not_zero());
+    }
+
+    /// The area of a triangle is zero for none whose corners are declared in order, however far apart.
+    #[test]
+    fn no_points_are_on_one_line() {
+        for step in 1..40 {
+            let points =
+                [0, 1, 2].map(|corner| [corner * step, corner * step + 1].map(|index| Sample::spread(index, 1)[0]));
+            let [[x, y], [x1, y1], [x2, y2]] = points.map(|point| point.map(|coordinate| coordinate.value));
+            let area = (x1 - x) * (y2 - y) - (x2 - x) * (y1 - y);
+            assert!(area.abs() > 1e-6, "{area} for a step of {step}");
+        }
     }
 
     #[test]
