@@ -46,7 +46,10 @@ impl Motions {
             }
         };
         let mut solved = Solved::default();
-        let rows = contacts.iter().map(|contact| (row(contact.height()), &dependent[..])).collect();
+        // A coordinate has a position of its own, even where the wheels determine its rate.
+        let standing: Vec<usize> =
+            dependent.iter().copied().filter(|joint| !mechanism.following.contains(joint)).collect();
+        let rows = contacts.iter().map(|contact| (row(contact.height()), &standing[..])).collect();
         let left = solved.add(rows, formulas, name);
         let mut faults: Vec<Fault> =
             left.iter().map(|(wheel, left)| tied(left, mechanism, formulas, Ground::Height(*wheel))).collect();
