@@ -110,6 +110,14 @@ pub struct Touch {
     pub slip: Vector3<f64>,
     /// The time derivative of the slip velocity, along the motion of the point of contact.
     pub slip_rate: Vector3<f64>,
+    /// The horizontal direction in the plane of the wheel, forward.
+    pub heading: Vector3<f64>,
+    /// Its time derivative.
+    pub heading_rate: Vector3<f64>,
+    /// How far the wheel leans to the right, in rad.
+    pub lean: f64,
+    /// Velocity of the centre of the wheel.
+    pub velocity: Vector3<f64>,
 }
 
 /// The links of a mechanism in one state.
@@ -152,6 +160,13 @@ impl<'a> Kinematics<'a> {
         })
     }
 
+    /// Where a point that a joint carries is, and its velocity; the ground carries what no joint does.
+    pub fn carried(&self, joint: Option<usize>, point: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+        let link = joint.map_or_else(Link::ground, |joint| self.links[joint].clone());
+        let place = link.place(point);
+        (place, link.velocity_at(&place))
+    }
+
     /// How a wheel touches the ground.
     ///
     /// The lowest point of a torus is below the lowest point of the circle that runs inside its tube.
@@ -172,6 +187,17 @@ impl<'a> Kinematics<'a> {
         let centre = link.place(&contact.centre);
         let slip = link.velocity_at(&centre) + link.spin.cross(&arm);
         let slip_rate = link.acceleration_at(&centre) + link.spin_rate.cross(&arm) + link.spin.cross(&arm_rate);
-        Touch { place: centre + arm, slip, slip_rate }
+        let across = axle.cross(&down);
+        let across_rate = axle_rate.cross(&down);
+        let heading = across.normalize();
+        Touch {
+            place: centre + arm,
+            slip,
+            slip_rate,
+            heading,
+            heading_rate: (across_rate - heading * heading.dot(&across_rate)) / across.norm(),
+            lean: axle.z.asin(),
+            velocity: link.velocity_at(&centre),
+        }
     }
 }

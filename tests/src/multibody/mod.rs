@@ -12,18 +12,34 @@ pub mod bicycle;
 pub mod dynamics;
 pub mod kinematics;
 mod linearize;
+mod loads;
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Rigid bodies in a tree of joints, with wheels that roll on the ground.
+/// Rigid bodies in a tree of joints, with wheels that roll on the ground or slip sideways on it.
 #[derive(Clone, Debug, Default)]
 pub struct Mechanism {
     /// One joint for each coordinate, in its order; a parent comes before its children.
     pub joints: Vec<Joint>,
     /// Bodies, each carried by a joint.
     pub bodies: Vec<Body>,
-    /// Where wheels roll without slip.
+    /// Where wheels touch the ground.
     pub contacts: Vec<Contact>,
+    /// Springs and dampers between points of bodies.
+    pub struts: Vec<Strut>,
+    /// What spins in bodies: the joint that carries it and its angular momentum, which is constant in the body.
+    pub rotors: Vec<(usize, Vector3<f64>)>,
+}
+
+/// A linear spring and damper between two points, relaxed in the reference configuration.
+#[derive(Clone, Debug)]
+pub struct Strut {
+    /// The joints that carry its ends, with the points in the reference configuration; `None` is the ground.
+    pub ends: [(Option<usize>, Vector3<f64>); 2],
+    /// Stiffness.
+    pub stiffness: f64,
+    /// Coefficient of the damper.
+    pub damping: f64,
 }
 
 /// A joint with one freedom, whose coordinate is an angle in rad or a displacement in m.
@@ -107,7 +123,7 @@ pub struct Wheel {
     pub transverse: f64,
 }
 
-/// The rolling contact of a wheel: a torus about the axis of the joint that carries it, on the ground.
+/// The contact of a wheel: a torus about the axis of the joint that carries it, on the ground.
 #[derive(Clone, Debug)]
 pub struct Contact {
     /// The joint that the wheel turns on.
@@ -118,6 +134,21 @@ pub struct Contact {
     pub radius: f64,
     /// Radius of the tyre's circular cross-section.
     pub tyre: f64,
+    /// How it slips sideways; a wheel that does not, rolls.
+    pub slip: Option<Slip>,
+}
+
+/// A tyre with a side force that is linear in the slip angle and in the lean of the wheel.
+#[derive(Clone, Copy, Debug)]
+pub struct Slip {
+    /// Force by slip angle, against the slip.
+    pub cornering: f64,
+    /// Force by lean, to the side of the lean.
+    pub camber: f64,
+    /// How far behind the contact the force acts.
+    pub trail: f64,
+    /// The length over which the force follows, and the place of the tyre's deflection among the coordinates.
+    pub relaxation: Option<(f64, usize)>,
 }
 
 /// The coordinates of a free root, by their places in [`Mechanism::joints`].
@@ -168,7 +199,17 @@ impl Mechanism {
         let joint = self.joint(Joint::revolute(Some(wheel.carrier), centre, Vector3::y()));
         let inertia = Matrix3::from_diagonal(&Vector3::new(wheel.transverse, wheel.axial, wheel.transverse));
         self.body(Body { joint, mass: wheel.mass, centre, inertia });
-        self.contacts.push(Contact { joint, centre, radius: wheel.radius, tyre: wheel.tyre });
+        self.contacts.push(Contact { joint, centre, radius: wheel.radius, tyre: wheel.tyre, slip: None });
         joint
+    }
+
+    /// Adds a coordinate that moves nothing: the deflection of a tyre, to the right.
+    pub fn deflection(&mut self) -> usize {
+        self.joint(Joint::prismatic(None, Vector3::y()))
+    }
+
+    /// Lets the wheel that was added last slip.
+    pub fn slip(&mut self, slip: Slip) {
+        self.contacts.last_mut().expect("a wheel").slip = Some(slip);
     }
 }

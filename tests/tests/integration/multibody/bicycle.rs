@@ -53,7 +53,7 @@ fn the_form_of_the_equations_is_that_of_the_mechanism() {
     let (independent, forward) = ([bicycle.root.lean, bicycle.steer], Some(bicycle.root.x));
     let coefficients = bicycle.mechanism.linearized(independent, forward);
     for (speed, gravity) in [(-1.7, 9.81), (4.2, 1.62)] {
-        let drive = Drive { independent, forward, speed, gravity };
+        let drive = Drive { speed, gravity, ..Drive::new(independent, forward) };
         let System { m, c, k, .. } = coefficients.at(speed, gravity).unwrap();
         let found = bicycle.mechanism.linearized_at(&drive);
         check("M", &found.m, &m);

@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::RIDER;
 
 fn check<const N: usize>(mechanism: &Mechanism, independent: [usize; N], [q, qd, qdd]: [[f64; N]; 3]) {
-    let drive = Drive { independent, forward: None, speed: 0.0, gravity: 9.81 };
+    let drive = Drive { gravity: 9.81, ..Drive::new(independent, None) };
     let after = |time: f64| {
         let position = std::array::from_fn(|i| q[i] + time * qd[i] + time * time / 2.0 * qdd[i]);
         let rate = std::array::from_fn(|i| qd[i] + time * qdd[i]);

@@ -32,7 +32,7 @@ fn a_disc_rolls_upright_when_it_is_fast() {
         for (speed, stable) in [(0.99 * least.sqrt(), false), (1.01 * least.sqrt(), true)] {
             // Yaw is in the equations by its rate alone, which follows the lean: what is left is one oscillator.
             let System { m, c, k, .. } =
-                disc.linearized_at(&Drive { independent: [lean, yaw], forward: Some(x), speed, gravity });
+                disc.linearized_at(&Drive { speed, gravity, ..Drive::new([lean, yaw], Some(x)) });
             let stiffness = k[(0, 0)] - c[(0, 1)] * c[(1, 0)] / m[(1, 1)];
             assert_eq!(stiffness > 0.0, stable, "a disc at {speed} m/s");
         }
