@@ -100,7 +100,8 @@ impl Document {
     fn new_matrix(&mut self, name: &str, place: &Place, given: &[Given]) -> Option<MatrixName> {
         let matrix = matrix(name)?;
         if let Some(Given { place: first, .. }) = given.iter().find(|given| given.matrix == matrix) {
-            self.problem(place.clone(), format!("`{name}` is `{matrix}`, which is given twice; first at {first}"));
+            let which = if name == matrix.to_string() { "" } else { &format!(" is `{matrix}`, which") };
+            self.problem(place.clone(), format!("`{name}`{which} is given twice; first at {first}"));
             return None;
         }
         if is_plain(name) {

@@ -37,6 +37,7 @@ fn mistakes_are_told_at_their_place() {
             format!("{both},\n \"K\": [[1, 0], [0, 1]]"),
             "2: `K` is `Kc`, which is given twice; first at a.json:1".to_owned(),
         ),
+        (format!("{both},\n \"Kc\": [[1, 0], [0, 1]]"), "2: `Kc` is given twice; first at a.json:1".to_owned()),
         (
             format!("{both}, \"coordinates\": [\"a\"]"),
             "1: `coordinates` has 1 name; expected 2, one for each row of `M`".to_owned(),
