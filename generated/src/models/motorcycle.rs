@@ -79,13 +79,13 @@ use carvallo::{
 /// M_34 = M_43 = hx_delta [kg*m^2]
 /// M_44 = M_delta_delta [kg*m^2]
 /// C0_44 = K [kg*m^2/s]
-/// C0_51 = -Cr1/sigma [kg/s]
-/// C0_52 = b*Cr1/sigma [kg*m/s]
-/// C0_55 = Cr1/sigma [kg/s]
-/// C0_61 = -Cf1/sigma [kg/s]
-/// C0_62 = -Cf1*l/sigma [kg*m/s]
-/// C0_64 = Cf1*(a - c*l)/sigma [kg*m/s]
-/// C0_66 = Cf1/sigma [kg/s]
+/// C0_51 = -Cr1/sigma [kg/s^2]
+/// C0_52 = b*Cr1/sigma [kg*m/s^2]
+/// C0_55 = Cr1/sigma [kg/s^2]
+/// C0_61 = -Cf1/sigma [kg/s^2]
+/// C0_62 = -Cf1*l/sigma [kg*m/s^2]
+/// C0_64 = Cf1*(a - c*l)/sigma [kg*m/s^2]
+/// C0_66 = Cf1/sigma [kg/s^2]
 /// C1_12 = m_all [kg]
 /// C1_22 = Sx_all [kg*m]
 /// C1_23 = -h_wheels_all [kg*m]
@@ -102,11 +102,11 @@ use carvallo::{
 /// K0_33 = Sz_all [kg*m]
 /// K0_34 = K0_43 = t*rest + K_phi_delta [kg*m]
 /// K0_44 = t*s*rest + K_delta_delta [kg*m]
-/// K1_53 = Cr2/sigma [kg/s]
-/// K1_55 = Cr1/sigma^2 [kg/m/s]
-/// K1_63 = Cf2/sigma [kg/s]
-/// K1_64 = (Cf1*c + Cf2*s)/sigma [kg/s]
-/// K1_66 = Cf1/sigma^2 [kg/m/s]
+/// K1_53 = Cr2/sigma [kg/s^2]
+/// K1_55 = Cr1/sigma^2 [kg/m/s^2]
+/// K1_63 = Cf2/sigma [kg/s^2]
+/// K1_64 = (Cf1*c + Cf2*s)/sigma [kg/s^2]
+/// K1_66 = Cf1/sigma^2 [kg/m/s^2]
 /// ```
 ///
 /// </details>
@@ -912,13 +912,13 @@ impl<T: Scalar> Model<6> for Motorcycle<T> {
             FormulaInfo::entry(&[(MatrixName::M, 2, 3), (MatrixName::M, 3, 2)], "kg*m^2", "hx_delta"),
             FormulaInfo::entry(&[(MatrixName::M, 3, 3)], "kg*m^2", "M_delta_delta"),
             FormulaInfo::entry(&[(MatrixName::C0, 3, 3)], "kg*m^2/s", "K"),
-            FormulaInfo::entry(&[(MatrixName::C0, 4, 0)], "kg/s", "-Cr1/sigma"),
-            FormulaInfo::entry(&[(MatrixName::C0, 4, 1)], "kg*m/s", "b*Cr1/sigma"),
-            FormulaInfo::entry(&[(MatrixName::C0, 4, 4)], "kg/s", "Cr1/sigma"),
-            FormulaInfo::entry(&[(MatrixName::C0, 5, 0)], "kg/s", "-Cf1/sigma"),
-            FormulaInfo::entry(&[(MatrixName::C0, 5, 1)], "kg*m/s", "-Cf1*l/sigma"),
-            FormulaInfo::entry(&[(MatrixName::C0, 5, 3)], "kg*m/s", "Cf1*(a - c*l)/sigma"),
-            FormulaInfo::entry(&[(MatrixName::C0, 5, 5)], "kg/s", "Cf1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 4, 0)], "kg/s^2", "-Cr1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 4, 1)], "kg*m/s^2", "b*Cr1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 4, 4)], "kg/s^2", "Cr1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 5, 0)], "kg/s^2", "-Cf1/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 5, 1)], "kg*m/s^2", "-Cf1*l/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 5, 3)], "kg*m/s^2", "Cf1*(a - c*l)/sigma"),
+            FormulaInfo::entry(&[(MatrixName::C0, 5, 5)], "kg/s^2", "Cf1/sigma"),
             FormulaInfo::entry(&[(MatrixName::C1, 0, 1)], "kg", "m_all"),
             FormulaInfo::entry(&[(MatrixName::C1, 1, 1)], "kg*m", "Sx_all"),
             FormulaInfo::entry(&[(MatrixName::C1, 1, 2)], "kg*m", "-h_wheels_all"),
@@ -935,11 +935,11 @@ impl<T: Scalar> Model<6> for Motorcycle<T> {
             FormulaInfo::entry(&[(MatrixName::K0, 2, 2)], "kg*m", "Sz_all"),
             FormulaInfo::entry(&[(MatrixName::K0, 2, 3), (MatrixName::K0, 3, 2)], "kg*m", "t*rest + K_phi_delta"),
             FormulaInfo::entry(&[(MatrixName::K0, 3, 3)], "kg*m", "t*s*rest + K_delta_delta"),
-            FormulaInfo::entry(&[(MatrixName::K1, 4, 2)], "kg/s", "Cr2/sigma"),
-            FormulaInfo::entry(&[(MatrixName::K1, 4, 4)], "kg/m/s", "Cr1/sigma^2"),
-            FormulaInfo::entry(&[(MatrixName::K1, 5, 2)], "kg/s", "Cf2/sigma"),
-            FormulaInfo::entry(&[(MatrixName::K1, 5, 3)], "kg/s", "(Cf1*c + Cf2*s)/sigma"),
-            FormulaInfo::entry(&[(MatrixName::K1, 5, 5)], "kg/m/s", "Cf1/sigma^2"),
+            FormulaInfo::entry(&[(MatrixName::K1, 4, 2)], "kg/s^2", "Cr2/sigma"),
+            FormulaInfo::entry(&[(MatrixName::K1, 4, 4)], "kg/m/s^2", "Cr1/sigma^2"),
+            FormulaInfo::entry(&[(MatrixName::K1, 5, 2)], "kg/s^2", "Cf2/sigma"),
+            FormulaInfo::entry(&[(MatrixName::K1, 5, 3)], "kg/s^2", "(Cf1*c + Cf2*s)/sigma"),
+            FormulaInfo::entry(&[(MatrixName::K1, 5, 5)], "kg/m/s^2", "Cf1/sigma^2"),
         ],
         gravity: Some(25),
     };

@@ -7,6 +7,7 @@ use crate::derivation::Derived;
 use crate::equations::Equations;
 use crate::formula::Formula;
 use crate::matrix_name::MatrixName;
+use crate::states::States;
 use crate::syntax::Matrix;
 
 /// A definition, or an entry of a matrix.
@@ -61,7 +62,11 @@ pub fn write_formulas(checked: &Checked<'_>, derived: &Derived, units: &Units) -
             let [row, column] = places[0];
             Written {
                 of: Of::Entries(*name, places),
-                unit: units.of_entry(*name, row, column),
+                // The row of a coordinate of first order may be multiplied by anything.
+                unit: match derived.states.get(row) {
+                    Some(States::Position) => units.of(entry),
+                    _ => units.of_entry(*name, row, column),
+                },
                 text: declared.map_or_else(|| text(entry), |matrix| matrix.rows[row].1[column].to_string()),
             }
         }));

@@ -53,8 +53,8 @@
 /// set. `symmetric K = …` has every part proved symmetric.
 ///
 /// A coordinate may be one of first order, as the deflection of a tyre, an actuator or a filter, whose position is a state and
-/// whose rate is none (`s: m, only position;`, in any unit); its column of M is zero, and its equation, `tau*F' + F = k*x` of a
-/// force, say, is multiplied by `1 [m/N]`, for its row to have the unit that follows from the coordinate. Or only its rate matters, as those of
+/// whose rate is none (`s: m, only position;`, in any unit); its column of M is zero, and its
+/// equation, such as `tau*F' + F = k*x`, may be in any unit. Or only its rate matters, as those of
 /// lateral and yaw motion on slipping tyres (`psi: rad, only rate;`); its column of every stiffness matrix is zero. The state
 /// is shorter then, and no eigenvalue that is always zero stands in the way of a verdict.
 ///

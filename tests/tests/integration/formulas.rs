@@ -1,6 +1,6 @@
 //! The formulas that models tell of themselves are what they compute: read back as declarations, they give the matrices.
 
-use carvallo::{FormulaInfo, FormulaSubject, MatrixName, Model, ModelInfo, ParameterInfo};
+use carvallo::{FormulaInfo, FormulaSubject, MatrixName, Model, ModelInfo, ParameterInfo, States};
 use carvallo_compiler::check;
 use carvallo_models::{Whipple, each_model};
 use nalgebra::DMatrix;
@@ -16,7 +16,13 @@ fn declared(info: &ModelInfo) -> String {
         format!("{name}: {unit}{gravity}{unused};")
     };
     let parameters: String = info.parameters.iter().enumerate().map(parameter).collect();
-    let coordinates: String = info.coordinates.iter().map(|q| format!("{}: {};", q.name, q.unit)).collect();
+    let only = |states: States| match states {
+        States::Both => "",
+        States::Position => ", only position",
+        States::Rate => ", only rate",
+    };
+    let coordinates = info.coordinates.iter().map(|q| format!("{}: {}{};", q.name, q.unit, only(q.states)));
+    let coordinates: String = coordinates.collect();
     let mut definitions = String::new();
     let n = info.coordinates.len();
     let mut matrices = vec![vec![vec!["0"; n]; n]; MatrixName::ALL.len()];

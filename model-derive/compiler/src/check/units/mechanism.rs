@@ -3,7 +3,7 @@
 use super::analysis::short;
 use super::declared::Dimensions;
 use super::dimension::Dimension;
-use super::{Analysis, check_matrix};
+use super::{Analysis, RowFactors, check_matrix};
 use crate::check::mechanism::axis_of;
 use crate::check::names::Scope;
 use crate::mechanics::Motion;
@@ -106,9 +106,9 @@ pub fn check_mechanism(
             Some(dimension.as_ref()?.directed(Some(find_direction(coordinate, mechanism, &analysis)?)))
         })
         .collect();
-    let mut scaled = vec![None; coordinates.len()];
+    let mut factors = RowFactors::new(declaration);
     for matrix in &declaration.added {
-        check_matrix(&analysis, matrix.name.name(), matrix, &coordinates, dimensions.mirrored, &mut scaled, report);
+        check_matrix(&analysis, matrix.name.name(), matrix, &coordinates, dimensions.mirrored, &mut factors, report);
     }
 }
 

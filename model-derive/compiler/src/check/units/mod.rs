@@ -60,9 +60,9 @@ pub fn check(
     let wholes = declaration.wholes.iter().filter(|_| declaration.mechanism.is_none());
     let wholes = wholes.map(|(whole, matrix)| (whole.name(), matrix));
     let matrices = declaration.asserted.iter().chain(declared).map(|matrix| (matrix.name.name(), matrix));
-    let mut scaled = vec![None; declaration.coordinates.len()];
+    let mut factors = RowFactors::new(declaration);
     for (name, matrix) in matrices.chain(wholes) {
-        check_matrix(&analysis, name, matrix, &dimensions.coordinates, mirrored, &mut scaled, report);
+        check_matrix(&analysis, name, matrix, &dimensions.coordinates, mirrored, &mut factors, report);
     }
     Found { definitions: analysis.definitions, requirements }
 }
@@ -99,16 +99,34 @@ fn check_requirement(
     Some(dimension)
 }
 
+/// What the rows are multiplied by: those of coordinates of first order may be by anything, which their first entry shows.
+struct RowFactors(Vec<Option<Dimension>>);
+
+impl RowFactors {
+    fn new(declaration: &Declaration) -> Self {
+        let known = |states: States| (states != States::Position).then_some(Dimension::NUMBER);
+        Self(declaration.states().map(known).collect())
+    }
+
+    /// The factor of a row, of which an entry was found where another dimension was expected.
+    fn find(&mut self, row: usize, found: Dimension, expected: Dimension) -> Option<Dimension> {
+        let factor = self.0.get_mut(row)?;
+        if factor.is_none() {
+            *factor = expected.power(-1).and_then(|inverse| found.times(inverse));
+        }
+        *factor
+    }
+}
+
 /// An entry has the unit and, if that is `mirrored`, the mirrors that make the work of its force on the coordinate of its
-/// row an energy; `dimensions` are those of the coordinates. Where the whole row of a coordinate of first order is off by one
-/// factor, that is one mistake, and noted in `scaled`.
+/// row an energy; `dimensions` are those of the coordinates.
 fn check_matrix(
     analysis: &Analysis<'_>,
     name: &str,
     matrix: &Matrix,
     dimensions: &[Option<Dimension>],
     mirrored: bool,
-    scaled: &mut [Option<Dimension>],
+    factors: &mut RowFactors,
     report: &mut Report,
 ) {
     let coordinates = &analysis.declaration.coordinates;
@@ -117,35 +135,28 @@ fn check_matrix(
     let fits = matrix.rows.len() == n && matrix.rows.iter().all(|(_, row)| row.len() == n);
     let at = |index: usize| dimensions.get(index).copied().flatten().filter(|_| fits);
     for (row, (_, entries)) in matrix.rows.iter().enumerate() {
-        let found: Vec<_> = entries.iter().map(|entry| analysis.dimension(entry, report)).collect();
-        let expected =
-            |column: usize| at(row).zip(at(column)).and_then(|(row, column)| entry_dimension(matrix.name, row, column));
-        let known = || found.iter().enumerate().filter_map(|(column, found)| found.zip(expected(column)));
-        let factor = coordinates.get(row).and_then(|coordinate| common_factor(coordinate, known()));
-        if factor.is_some() && factor == scaled[row] {
-            continue;
-        }
-        for (column, (entry, found)) in entries.iter().zip(&found).enumerate() {
-            let Some((found, expected)) = found.zip(expected(column)) else { continue };
-            let (index, row, column) = (row, &coordinates[row], &coordinates[column]);
+        for (column, entry) in entries.iter().enumerate() {
+            let Some(found) = analysis.dimension(entry, report) else { continue };
+            let Some(expected) =
+                at(row).zip(at(column)).and_then(|(row, column)| entry_dimension(matrix.name, row, column))
+            else {
+                continue;
+            };
+            let factor = factors.find(row, found, expected);
+            let Some(expected) = factor.and_then(|factor| expected.times(factor)) else { continue };
+            let (row, column) = (&coordinates[row], &coordinates[column]);
+            let is_first_order = row.only.is_some_and(|(_, states)| states == States::Position);
             if !found.same_unit(expected) {
-                let advice = factor.map_or_else(String::new, |factor| {
-                    format!("; an equation of first order can be multiplied by `1 [{factor}]`")
-                });
                 let message = format!(
-                    "this entry of `{name}` is {}: expected {expected}, as its row is `{}` in {} and its column `{}` in \
-                     {}{advice}",
+                    "this entry of `{name}` is {}: expected {expected}, as its row is `{}` in {} and its column `{}` in {}{}",
                     found.place(),
                     row.name,
                     unit_text(row),
                     column.name,
                     unit_text(column),
+                    if is_first_order { ", and by the entries of this row before it" } else { "" },
                 );
                 report.error(entry.region, message);
-                if let Some(factor) = factor {
-                    scaled[index] = Some(factor);
-                    break;
-                }
             } else if mirrored && found != expected {
                 let message = format!(
                     "this entry of `{name}` {}: expected one that {}, as its row is `{}` and its column `{}`",
@@ -158,15 +169,6 @@ fn check_matrix(
             }
         }
     }
-}
-
-/// What the entries of a row of first order, each as it is found and expected, lack to be in their units, if all lack the same.
-fn common_factor(coordinate: &Coordinate, entries: impl Iterator<Item = (Dimension, Dimension)>) -> Option<Dimension> {
-    coordinate.only.filter(|(_, states)| *states == States::Position)?;
-    let mut factors = entries.map(|(found, expected)| expected.times(found.power(-1)?));
-    let first = factors.next()??.directed(None);
-    let agree = !first.is_number() && factors.all(|factor| factor.is_some_and(|factor| factor.same_unit(first)));
-    agree.then_some(first)
 }
 
 fn unit_text(coordinate: &Coordinate) -> &str {
