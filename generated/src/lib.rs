@@ -29,6 +29,14 @@
 //! | [`RollingDisc`]: lean and yaw | textbooks: stable from v² = g r/3 (uniform) and g r/4 (hoop) on |
 //! | [`Skateboard`]: four wheels on two trucks | the model of Hubbard (1979) and of Kremnev & Kuleshov |
 //! | [`DoublePendulum`], and chains of up to 8 links in the tests | textbooks |
+//! | [`FlywheelBicycle`]: rotors in both frames | Appendix A with their angular momenta, proved entry by entry; wheels with heavier rims, at one speed each |
+//! | [`CarTrailer`]: on tyres that slip | a second derivation by Lagrange, and its eigenvalues |
+//! | [`WheeledPendulum`]: free to speed up and slow down | closed forms of the fall, of the inertia in yaw and of what the motors do |
+//! | [`Wheelset`]: linear creep, divided by the speed | the hunting speed in closed form, the wave of Klingel (1883) |
+//! | [`TowedWheel`]: a place of first order | the characteristic polynomial and the limits of Schwab & Meijaard (2003) |
+//! | [`TypicalSection`]: steady lift | its flutter speed to 20 digits, its divergence in closed form |
+//! | [`JeffcottRotor`]: damping that turns with the shaft | the threshold of the textbooks, eigenvalues in closed form |
+//! | [`CantileveredPipe`]: four modes | integrals of the modes; critical speeds for five parts of the fluid, the jump of Gregory & Paidoussis (1966) among them |
 //!
 //! [`Car`], [`Pendulum`], [`TwoPipes`] and [`ThreePipes`] are written as formulas, from the sources that they name.
 //!

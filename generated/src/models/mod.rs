@@ -3,9 +3,17 @@
 //! The models compiled ahead of time.
 
 #[rustfmt::skip]
+mod cantilevered_pipe;
+#[rustfmt::skip]
 mod car;
 #[rustfmt::skip]
+mod car_trailer;
+#[rustfmt::skip]
 mod double_pendulum;
+#[rustfmt::skip]
+mod flywheel_bicycle;
+#[rustfmt::skip]
+mod jeffcott_rotor;
 #[rustfmt::skip]
 mod motorcycle;
 #[rustfmt::skip]
@@ -19,7 +27,15 @@ mod skateboard;
 #[rustfmt::skip]
 mod three_pipes;
 #[rustfmt::skip]
+mod towed_wheel;
+#[rustfmt::skip]
 mod two_pipes;
+#[rustfmt::skip]
+mod typical_section;
+#[rustfmt::skip]
+mod wheeled_pendulum;
+#[rustfmt::skip]
+mod wheelset;
 #[rustfmt::skip]
 mod whipple;
 #[rustfmt::skip]
@@ -31,15 +47,23 @@ mod whipple_sprung;
 #[rustfmt::skip]
 mod whipple_tyres;
 
+pub use cantilevered_pipe::*;
 pub use car::*;
+pub use car_trailer::*;
 pub use double_pendulum::*;
+pub use flywheel_bicycle::*;
+pub use jeffcott_rotor::*;
 pub use motorcycle::*;
 pub use pendulum::*;
 pub use rear_steered::*;
 pub use rolling_disc::*;
 pub use skateboard::*;
 pub use three_pipes::*;
+pub use towed_wheel::*;
 pub use two_pipes::*;
+pub use typical_section::*;
+pub use wheeled_pendulum::*;
+pub use wheelset::*;
 pub use whipple::*;
 pub use whipple_leaning::*;
 pub use whipple_mechanism::*;
@@ -63,15 +87,23 @@ pub use whipple_tyres::*;
 macro_rules! each_model {
     ($($function:tt)+) => {
         [
+            $($function)+::<_, $crate::CantileveredPipe>(),
             $($function)+::<_, $crate::Car>(),
+            $($function)+::<_, $crate::CarTrailer>(),
             $($function)+::<_, $crate::DoublePendulum>(),
+            $($function)+::<_, $crate::FlywheelBicycle>(),
+            $($function)+::<_, $crate::JeffcottRotor>(),
             $($function)+::<_, $crate::Motorcycle>(),
             $($function)+::<_, $crate::Pendulum>(),
             $($function)+::<_, $crate::RearSteered>(),
             $($function)+::<_, $crate::RollingDisc>(),
             $($function)+::<_, $crate::Skateboard>(),
             $($function)+::<_, $crate::ThreePipes>(),
+            $($function)+::<_, $crate::TowedWheel>(),
             $($function)+::<_, $crate::TwoPipes>(),
+            $($function)+::<_, $crate::TypicalSection>(),
+            $($function)+::<_, $crate::WheeledPendulum>(),
+            $($function)+::<_, $crate::Wheelset>(),
             $($function)+::<_, $crate::Whipple>(),
             $($function)+::<_, $crate::WhippleLeaning>(),
             $($function)+::<_, $crate::WhippleMechanism>(),

@@ -20,6 +20,7 @@ mod formulas;
 mod generation;
 mod kept;
 mod known_machines;
+mod machines;
 mod many_coordinates;
 mod mechanisms;
 mod modes;

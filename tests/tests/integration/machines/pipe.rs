@@ -1,0 +1,81 @@
+//! The cantilevered pipe that carries a fluid, with four modes.
+
+#![allow(non_snake_case)] // Names of the field.
+
+use carvallo::{Matrix, Model};
+use carvallo_models::CantileveredPipe;
+
+use super::{assert_near, stability};
+
+/// A pipe with a part of the fluid in its mass, whose speed is the dimensionless one.
+fn pipe(beta: f64) -> CantileveredPipe<f64> {
+    CantileveredPipe { l: 1.0, EI: 1.0, m: 1.0 / beta - 1.0, f: 1.0 }
+}
+
+/// Speeds at which stability is lost or won, found by a search along the speed with the eigenvalues of NumPy; for beta = 0.7
+/// there are three of them with four modes, the jump that Gregory & Paidoussis (1966) show at about 0.69.
+#[test]
+fn a_pipe_flutters_at_the_speeds_that_a_search_finds() {
+    let found: [(f64, &[f64]); 5] = [
+        (0.1, &[4.751460907230235]),
+        (0.2, &[5.601242272279362]),
+        (0.5, &[9.456195095659986]),
+        (0.69, &[11.037778742097233]),
+        (0.7, &[11.168655744616325, 12.941988279599054, 13.363160607273462]),
+    ];
+    for (beta, expected) in found {
+        let stability = stability(&pipe(beta).coefficients());
+        let ranges = stability.stable_ranges.iter();
+        let ends: Vec<f64> =
+            ranges.flat_map(|range| [Some(range.from).filter(|&from| from > 0.0), range.to]).flatten().collect();
+        assert_eq!(ends.len(), expected.len(), "{beta}: {ends:?}");
+        ends.into_iter().zip(expected).for_each(|(found, &expected)| assert_near(found, expected, 1e-11));
+    }
+    assert_eq!(CantileveredPipe::BETA_02, pipe(0.2));
+    assert_eq!(CantileveredPipe::BETA_05, pipe(0.5));
+}
+
+/// Dimensions: at other lengths, stiffnesses and masses the critical speed is that of u = v l sqrt(f/EI).
+#[test]
+fn a_pipe_of_any_size_flutters_at_its_dimensionless_speed() {
+    let hose = CantileveredPipe { l: 0.45, EI: 0.0073, m: 0.19, f: 0.19 };
+    let flutter = stability(&hose.coefficients()).critical_speeds[0].speed;
+    assert_near(flutter * hose.l * (hose.f / hose.EI).sqrt(), 9.456195095659986, 1e-11);
+}
+
+/// The modes of the clamped beam and their derivatives, at a place between 0 and 1.
+fn mode(of: usize, x: f64) -> [f64; 3] {
+    let lambda: f64 = [1.8751040687119611664, 4.6940911329741745764, 7.8547574382376125649, 10.995540734875466991][of];
+    let sigma = (lambda.sinh() - lambda.sin()) / (lambda.cosh() + lambda.cos());
+    let (sine, cosine, sinh, cosh) = ((lambda * x).sin(), (lambda * x).cos(), (lambda * x).sinh(), (lambda * x).cosh());
+    [
+        cosh - cosine - sigma * (sinh - sine),
+        lambda * (sinh + sine - sigma * (cosh - cosine)),
+        lambda * lambda * (cosh + cosine - sigma * (sinh + sine)),
+    ]
+}
+
+/// The matrices by Galerkin: integrals of products of the modes, by Simpson's rule.
+#[test]
+fn matrices_are_integrals_of_the_modes() {
+    const PARTS: usize = 2000;
+    let integral = |of: &dyn Fn(f64) -> f64| {
+        let weights = |at: usize| if at == 0 || at == PARTS { 1.0 } else { 2.0 + 2.0 * (at % 2) as f64 };
+        (0..=PARTS).map(|at| weights(at) * of(at as f64 / PARTS as f64)).sum::<f64>() / (3.0 * PARTS as f64)
+    };
+    let product = |derivative: usize| {
+        Matrix::<f64, 4>::from_fn(|row, column| integral(&|x| mode(row, x)[0] * mode(column, x)[derivative]))
+    };
+    // The fourth derivative by parts twice: clamped at one end, free at the other.
+    let bending = Matrix::<f64, 4>::from_fn(|row, column| integral(&|x| mode(row, x)[2] * mode(column, x)[2]));
+    let CantileveredPipe { l, EI, m, f } = CantileveredPipe { l: 2.5, EI: 7.0, m: 1.3, f: 0.6 };
+    let found = CantileveredPipe { l, EI, m, f }.coefficients();
+    for (found, expected) in [
+        (found.m, product(0) * ((m + f) * l)),
+        (found.c1, product(1) * (2.0 * f)),
+        (found.kc, bending * (EI / l.powi(3))),
+        (found.k2, product(2) * (f / l)),
+    ] {
+        assert!((found - expected).amax() <= 1e-8 * expected.amax(), "{found} instead of {expected}");
+    }
+}
