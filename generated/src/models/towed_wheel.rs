@@ -26,11 +26,11 @@ use carvallo::{
 ///
 /// ```text
 /// M_11 = I + m*a^2 [kg*m^2]
-/// C0_22 = 1 [kg/s]
+/// C0_22 = 1 [1]
 /// C1_11 = m*a [kg*m]
 /// Kc_11 = l^2*k [kg*m^2/s^2]
 /// Kc_12 = l*k [kg*m/s^2]
-/// K1_21 = -1 [kg/s]
+/// K1_21 = -1 [1]
 /// ```
 ///
 /// </details>
@@ -288,11 +288,11 @@ impl<T: Scalar> Model<2> for TowedWheel<T> {
         requirements: &[],
         formulas: &[
             FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "I + m*a^2"),
-            FormulaInfo::entry(&[(MatrixName::C0, 1, 1)], "kg/s", "1"),
+            FormulaInfo::entry(&[(MatrixName::C0, 1, 1)], "1", "1"),
             FormulaInfo::entry(&[(MatrixName::C1, 0, 0)], "kg*m", "m*a"),
             FormulaInfo::entry(&[(MatrixName::Kc, 0, 0)], "kg*m^2/s^2", "l^2*k"),
             FormulaInfo::entry(&[(MatrixName::Kc, 0, 1)], "kg*m/s^2", "l*k"),
-            FormulaInfo::entry(&[(MatrixName::K1, 1, 0)], "kg/s", "-1"),
+            FormulaInfo::entry(&[(MatrixName::K1, 1, 0)], "1", "-1"),
         ],
         gravity: None,
     };
