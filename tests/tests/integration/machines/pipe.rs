@@ -45,7 +45,7 @@ fn a_pipe_of_any_size_flutters_at_its_dimensionless_speed() {
 
 /// The modes of the clamped beam and their derivatives, at a place between 0 and 1.
 fn mode(of: usize, x: f64) -> [f64; 3] {
-    let lambda: f64 = [1.8751040687119611664, 4.6940911329741745764, 7.8547574382376125649, 10.995540734875466991][of];
+    let lambda: f64 = [1.8751040687119611, 4.694091132974174, 7.854757438237613, 10.995_540_734_875_467][of];
     let sigma = (lambda.sinh() - lambda.sin()) / (lambda.cosh() + lambda.cos());
     let (sine, cosine, sinh, cosh) = ((lambda * x).sin(), (lambda * x).cos(), (lambda * x).sinh(), (lambda * x).cosh());
     [
