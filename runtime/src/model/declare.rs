@@ -136,8 +136,7 @@
 /// A joint that goes on by its own position, as a trailing caster or a trailer does, has no rate that follows from the
 /// coordinates; where the motion depends on it, it is a coordinate of first order, `q: rad, only position;`.
 ///
-/// What acts on the coordinates and is no part of a mechanism, as a drag, a spinning rotor or the inertia of a geared
-/// motor, is added to its matrices: `add C0 = [[…]];`, and so any other, each once; `add symmetric C0 = [[…]];`
+/// What acts on the coordinates and is no part of a mechanism, as a drag or the inertia of a geared motor, is added to its matrices: `add C0 = [[…]];`, and so any other, each once; `add symmetric C0 = [[…]];`
 /// has it proved that what is added is symmetric. The model has the sum, in its documentation, its derivatives and all
 /// else, and it is the sum that assertions and published matrices are held against.
 ///
