@@ -37,6 +37,7 @@ pub use crate::equations::Equations;
 use crate::model::Model;
 use crate::pipeline::Refusal;
 pub use crate::pipeline::{Compiled, Programs};
+pub use crate::states::States;
 pub use crate::symbolic::{Kept, with_answers};
 
 /// Checks a declaration, and makes no programs of it.

@@ -22,9 +22,11 @@ mod tyres;
 #[cfg(feature = "compiler")]
 mod vehicles;
 
+#[cfg(feature = "compiler")]
+use carvallo::States;
 use carvallo::{Coefficients, Matrix};
 
-/// The matrices of a compiled model at values of its parameters.
+/// The matrices of a compiled model at values of its parameters, with what of its coordinates are states.
 #[cfg(feature = "compiler")]
 fn interpreted<const N: usize>(compiled: &carvallo_compiler::Compiled, values: &[f64]) -> Coefficients<f64, N> {
     let entries = compiled.programs.matrices.interpret(values);
@@ -36,7 +38,12 @@ fn interpreted<const N: usize>(compiled: &carvallo_compiler::Compiled, values: &
             row.copy_from_slice(entries);
         }
     }
-    Coefficients::from_rows(rows)
+    let states = std::array::from_fn(|index| match compiled.model.coordinates[index].states {
+        carvallo_compiler::States::Both => States::Both,
+        carvallo_compiler::States::Position => States::Position,
+        carvallo_compiler::States::Rate => States::Rate,
+    });
+    Coefficients { states, ..Coefficients::from_rows(rows) }
 }
 
 /// What stands between the braces of a source.

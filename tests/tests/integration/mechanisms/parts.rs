@@ -6,15 +6,9 @@ use nalgebra::{Matrix2, SMatrix};
 
 use super::interpreted;
 
-fn matrices<const N: usize>(declaration: &str, values: &[f64]) -> (Coefficients<f64, N>, Vec<States>) {
+fn matrices<const N: usize>(declaration: &str, values: &[f64]) -> Coefficients<f64, N> {
     let compiled = compile(declaration.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
-    let states =
-        compiled.model.coordinates.iter().map(|coordinate| match format!("{:?}", coordinate.states).as_str() {
-            "Both" => States::Both,
-            "Rate" => States::Rate,
-            _ => States::Position,
-        });
-    (interpreted(&compiled, values), states.collect())
+    interpreted(&compiled, values)
 }
 
 fn assert_close<const N: usize>(found: &SMatrix<f64, N, N>, expected: &SMatrix<f64, N, N>) {
@@ -43,10 +37,10 @@ fn a_rotor_is_what_makes_a_wheel_resist() {
     let (inertia, speed, radius) = (0.28, 7.0, 0.35);
     let momentum = inertia * speed / radius;
     let rolling = bicycle("A", "").replace("H: N*m*s;", "");
-    let (rolling, _) = matrices::<2>(&rolling, &[inertia, 0.3, 9.81]);
+    let rolling = matrices::<2>(&rolling, &[inertia, 0.3, 9.81]);
     // Rolling forward turns it about -y.
     let turning = bicycle("0", ", momentum (0, -H, 0)").replace("A: kg*m^2;", "");
-    let (turning, _) = matrices::<2>(&turning, &[momentum, 0.3, 9.81]);
+    let turning = matrices::<2>(&turning, &[momentum, 0.3, 9.81]);
     assert!(turning.c0.norm() > 1.0 && turning.k1.norm() > 1.0, "{turning:?}");
     let [rolling, turning] = [rolling, turning].map(|matrices| matrices.at(speed, 9.81).expect("a regular system"));
     // The rotor is no mass that the wheel would have to speed up, which is no matter of lean and steer.
@@ -75,16 +69,16 @@ fn a_link_joins_two_bodies() {
         )
     };
     let values = [2.0, 0.8, 0.5, 30.0, 4.0, 9.81];
-    let (level, _) = matrices::<2>(&pendulums("(0, 1 [m], h)"), &values);
+    let level = matrices::<2>(&pendulums("(0, 1 [m], h)"), &values);
     let against = Matrix2::new(1.0, -1.0, -1.0, 1.0) * 0.25;
     assert_close(&level.kc, &(against * 30.0));
     assert_close(&level.c0, &(against * 4.0));
     // Both turn to -y below their hinges. With the end of the second one as much lower as it is apart: 45 degrees.
-    let (inclined, _) = matrices::<2>(&pendulums("(0, 1 [m], h + 1 [m])"), &values);
+    let inclined = matrices::<2>(&pendulums("(0, 1 [m], h + 1 [m])"), &values);
     let grows = nalgebra::Vector2::new(0.5, -1.5) * 0.5_f64.sqrt();
     assert_close(&inclined.kc, &(grows * grows.transpose() * 30.0));
     // To the ground only one end moves.
-    let (held, _) = matrices::<2>(&pendulums("(0, 1 [m], h)").replace("A to B", "A to ground"), &values);
+    let held = matrices::<2>(&pendulums("(0, 1 [m], h)").replace("A to B", "A to ground"), &values);
     assert_close(&held.kc, &(Matrix2::new(1.0, 0.0, 0.0, 0.0) * 0.25 * 30.0));
 }
 
@@ -93,7 +87,7 @@ fn a_link_joins_two_bodies() {
 /// mechanism is that of the point on the ground, X + r theta.
 #[test]
 fn forward_motion_takes_part_as_a_coordinate() {
-    let (found, states) = matrices::<3>(
+    let found = matrices::<3>(
         "model Segway {
             parameters { m: kg; l: m; I: kg*m^2; w: kg; J: kg*m^2; r: m, > 0; g: N/kg, gravity; }
             mechanism {
@@ -118,13 +112,13 @@ fn forward_motion_takes_part_as_a_coordinate() {
     assert_close(&block(found.m), &(to_axle.transpose() * about_axle * to_axle));
     assert_close(&block(found.k0), &Matrix2::new(0.0, 0.0, 0.0, -m * l));
     assert_eq!([found.c0, found.c1, found.kc, found.k1, found.k2].map(block), [Matrix2::zeros(); 5]);
-    assert_eq!(states[..2], [States::Rate, States::Both]);
+    assert_eq!(found.states[..2], [States::Rate, States::Both]);
 }
 
 /// A frame that pitches on a spring speeds the machine up and slows it down; with the speed held it only swings.
 #[test]
 fn a_held_speed_leaves_the_rest() {
-    let (found, _) = matrices::<1>(
+    let found = matrices::<1>(
         "model Nodding {
             parameters { m: kg; k: N*m; g: N/kg, gravity; }
             mechanism {

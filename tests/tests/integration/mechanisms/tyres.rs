@@ -3,54 +3,10 @@
 use carvallo::{Coefficients, Complex, States};
 use carvallo_compiler::compile;
 
-use super::interpreted;
+use super::{declaration, interpreted};
 
-/// A motorcycle after R. S. Sharp, The stability and control of motorcycles, J. Mech. Eng. Sci. 13 (1971): two bodies on two
-/// tyres whose side forces relax, with the parameters of case 1.
-const MOTORCYCLE: &str = include_str!("motorcycle.txt");
-
-/// The eigenvalues that he prints for it, in 1/s, by speed in ft/s: capsize, weave and wobble.
-const PRINTED: [(f64, f64, [f64; 2], [f64; 2]); 8] = [
-    (10.0, -3.56, [2.01, 1.63], [-5.20, 55.7]),
-    (20.0, -2.83, [-0.18, 2.09], [-5.91, 55.8]),
-    (30.0, -0.13, [-3.36, 4.56], [-6.42, 55.5]),
-    (50.0, 0.08, [-6.59, 11.4], [-6.52, 54.6]),
-    (70.0, 0.08, [-3.97, 16.8], [-5.70, 54.0]),
-    (100.0, 0.07, [-1.82, 19.2], [-3.94, 54.3]),
-    (130.0, 0.05, [-1.13, 20.4], [-2.24, 55.6]),
-    (160.0, 0.04, [-0.96, 21.2], [-0.82, 57.5]),
-];
-
-/// Half a unit of the last of the digits that are printed of a number: two behind the point, or three in all.
-fn half_a_unit(printed: f64) -> f64 {
-    if printed.abs() < 10.0 { 0.005 } else { 0.05 }
-}
-
-#[test]
-fn a_motorcycle_has_the_eigenvalues_that_sharp_prints() {
-    let compiled = compile(MOTORCYCLE.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error:?}"));
-    let states: Vec<_> =
-        compiled.model.coordinates.iter().map(|coordinate| format!("{:?}", coordinate.states)).collect();
-    assert_eq!(states, ["Rate", "Rate", "Both", "Both", "Position", "Position"]);
-    let set = &compiled.model.sets[0];
-    let matrices: Coefficients<f64, 6> = interpreted(&compiled, &set.values);
-    let states = [States::Rate, States::Rate, States::Both, States::Both, States::Position, States::Position];
-    let matrices = Coefficients { states, ..matrices };
-    let mut checked = 0;
-    for (speed, capsize, weave, wobble) in PRINTED {
-        let found = matrices.at(speed, 32.2).and_then(|system| system.eigenvalues()).expect("a regular system");
-        assert_eq!(found.len(), 8);
-        for (re, im) in [(capsize, 0.0), (weave[0], weave[1]), (wobble[0], wobble[1])] {
-            let expected = Complex::new(re, im);
-            let nearest = found.iter().min_by(|a, b| (*a - expected).norm().total_cmp(&(*b - expected).norm()));
-            let nearest = nearest.expect("eight of them");
-            let fits = (nearest.re - re).abs() <= half_a_unit(re) && (nearest.im - im).abs() <= half_a_unit(im);
-            assert!(fits, "at {speed} ft/s {nearest} is printed as {expected}");
-            checked += 1;
-        }
-    }
-    assert_eq!(checked, 24);
-}
+/// The motorcycle that ships.
+const MOTORCYCLE: &str = include_str!("../../../../generated/models/motorcycle.rs");
 
 /// The matrices of a mechanism whose parameters have these values, with what of its coordinates are states.
 fn compiled<const N: usize>(parameters: &[(&str, &str, f64)], rest: &str) -> Coefficients<f64, N> {
@@ -58,14 +14,13 @@ fn compiled<const N: usize>(parameters: &[(&str, &str, f64)], rest: &str) -> Coe
     let text = format!("model Vehicle {{ parameters {{ {} }} {rest} }}", declared.join(" "));
     let compiled = compile(text.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
     let values: Vec<f64> = parameters.iter().map(|(.., value)| *value).collect();
-    let states =
-        compiled.model.coordinates.iter().map(|coordinate| match format!("{:?}", coordinate.states).as_str() {
-            "Both" => States::Both,
-            "Rate" => States::Rate,
-            _ => States::Position,
-        });
-    let states: Vec<States> = states.collect();
-    Coefficients { states: states.try_into().expect("one for each coordinate"), ..interpreted(&compiled, &values) }
+    interpreted(&compiled, &values)
+}
+
+/// The matrices of a declaration at its first set.
+fn of_first_set<const N: usize>(text: &str) -> Coefficients<f64, N> {
+    let compiled = compile(text.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
+    interpreted(&compiled, &compiled.model.sets[0].values)
 }
 
 fn eigenvalues<const N: usize>(matrices: &Coefficients<f64, N>, speed: f64, gravity: f64) -> Vec<Complex<f64>> {
@@ -146,25 +101,28 @@ fn distance(found: &[Complex<f64>], expected: Complex<f64>) -> f64 {
 /// Over a relaxation length that vanishes the side forces follow at once.
 #[test]
 fn without_relaxation_is_the_limit_of_short_lengths() {
+    let text = declaration(MOTORCYCLE);
+    let without = |text: &str, part: &str| {
+        assert!(text.contains(part), "{part} is not in the motorcycle");
+        text.replacen(part, "", 1)
+    };
     // Without the coordinates of the tyres, and the rows and columns of theirs.
-    let relaxed = ["er", "ef"].map(|name| format!(", relaxation sigma, deflection {name}"));
-    let at_once = relaxed.iter().fold(MOTORCYCLE.to_owned(), |text, relaxed| text.replace(relaxed, ""));
-    let at_once = at_once.replace("sigma: m, > 0;", "").replace("sigma = 0.8;", "").replace("er: m; ef: m;", "");
+    let at_once = [
+        ", relaxation sigma, deflection er",
+        ", relaxation sigma, deflection ef",
+        "sigma \"σ\": m, > 0;",
+        "sigma = 0.8*0.3048;",
+        "/// Deflection of the rear tyre.\n            er \"rear tyre\": m;",
+        "/// Deflection of the front tyre.\n            ef \"front tyre\": m;",
+    ];
+    let at_once = at_once.iter().fold(text.to_owned(), |text, part| without(&text, part));
     let (before, added) = at_once.split_once("add symmetric K0 = [").expect("what is added");
     let (_, behind) = added.split_once("];\n\n").expect("its end");
-    let added = "[[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, (load - Zf/g)*t], [0, 0, (load - Zf/g)*t, s*(load - Zf/g)*t]]";
-    let at_once = format!("{before} add symmetric K0 = {added}; {behind}");
-    let compiled = compile(at_once.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
-    let matrices: Coefficients<f64, 4> = interpreted(&compiled, &compiled.model.sets[0].values);
-    let states = [States::Rate, States::Rate, States::Both, States::Both];
-    let at_once = Coefficients { states, ..matrices };
-    let short = MOTORCYCLE.replace("sigma = 0.8;", "sigma = 1e-7;");
-    let compiled = compile(short.parse().expect("tokens")).unwrap_or_else(|error| panic!("{error}"));
-    let matrices: Coefficients<f64, 6> = interpreted(&compiled, &compiled.model.sets[0].values);
-    let states = [States::Rate, States::Rate, States::Both, States::Both, States::Position, States::Position];
-    let short = Coefficients { states, ..matrices };
-    for speed in [10.0, 50.0, 160.0] {
-        let (expected, found) = (eigenvalues(&at_once, speed, 32.2), eigenvalues(&short, speed, 32.2));
+    let added = "[[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, rest*t], [0, 0, rest*t, rest*t*s]]";
+    let at_once: Coefficients<f64, 4> = of_first_set(&format!("{before} add symmetric K0 = {added}; {behind}"));
+    let short: Coefficients<f64, 6> = of_first_set(&text.replace("sigma = 0.8*0.3048;", "sigma = 1e-7;"));
+    for speed in [3.0, 15.0, 50.0] {
+        let (expected, found) = (eigenvalues(&at_once, speed, 9.81456), eigenvalues(&short, speed, 9.81456));
         assert_eq!([expected.len(), found.len()], [6, 8]);
         for eigenvalue in expected {
             assert!(distance(&found, eigenvalue) < 1e-4, "{eigenvalue} is not among {found:?}");
