@@ -30,7 +30,7 @@ carvallo::model! {
             /// Lean, positive to the right.
             phi "lean": rad;
             /// Yaw, positive to the right.
-            psi "yaw": rad;
+            psi "yaw": rad, both;
         }
 
         set uniform "A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4" {

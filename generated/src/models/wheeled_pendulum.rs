@@ -22,7 +22,7 @@ use carvallo::{
 ///
 /// Derived from a mechanism: body `B` (body), wheel `L` (left wheel), wheel `R` (right wheel).
 ///
-/// The fields are the parameters. The coordinates are `x` (forward) in `m`, of which only the rate is a state; `theta` (pitch) in `rad`; `psi` (yaw) in `rad`.
+/// The fields are the parameters. The coordinates are `x` (forward) in `m`, of which only the rate is a state; `theta` (pitch) in `rad`; `psi` (yaw) in `rad`, of which only the rate is a state.
 ///
 /// <details><summary>The formulas of its matrices</summary>
 ///
@@ -378,7 +378,7 @@ impl<T: Number> WheeledPendulumMatrices<T> {
 impl<T: Scalar> From<WheeledPendulumMatrices<T>> for Coefficients<T, 3> {
     fn from(matrices: WheeledPendulumMatrices<T>) -> Self {
         Coefficients {
-            states: [States::Rate, States::Both, States::Both],
+            states: [States::Rate, States::Both, States::Rate],
             ..Coefficients::from_rows(matrices.rows())
         }
     }
@@ -429,7 +429,8 @@ impl<T: Scalar> Model<3> for WheeledPendulum<T> {
                 .docs("Pitch of the body, positive backward."),
             CoordinateInfo::new("psi", "rad")
                 .label("yaw")
-                .docs("Yaw, positive to the right."),
+                .docs("Yaw, positive to the right.")
+                .states(States::Rate),
         ],
         matrices: &[MatrixName::M, MatrixName::K0],
         entries: &[
@@ -504,7 +505,7 @@ impl<T: Scalar> Model<3> for WheeledPendulum<T> {
     #[inline]
     fn coefficients(&self) -> Coefficients<T, 3> {
         Coefficients {
-            states: [States::Rate, States::Both, States::Both],
+            states: [States::Rate, States::Both, States::Rate],
             ..Coefficients::from_rows(WheeledPendulumMatrices::rows(&self.matrices()))
         }
     }
@@ -608,7 +609,7 @@ impl<T: Scalar> Differentiable<3> for WheeledPendulum<T> {
         }
         (
             Coefficients {
-                states: [States::Rate, States::Both, States::Both],
+                states: [States::Rate, States::Both, States::Rate],
                 ..Coefficients::from_rows(WheeledPendulumMatrices::rows(&matrices))
             },
             all,

@@ -25,6 +25,7 @@ mod neighbours;
 mod pipeline;
 pub mod program;
 mod report;
+mod spread;
 mod states;
 pub mod symbolic;
 mod syntax;

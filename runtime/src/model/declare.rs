@@ -53,10 +53,13 @@
 /// set. `symmetric K = …` has every part proved symmetric.
 ///
 /// A coordinate may be one of first order, as the deflection of a tyre, an actuator or a filter, whose position is a state and
-/// whose rate is none (`s: m, only position;`, in any unit); its column of M is zero, and its
-/// equation, such as `tau*F' + F = k*x`, may be in any unit. Or only its rate matters, as those of
-/// lateral and yaw motion on slipping tyres (`psi: rad, only rate;`); its column of every stiffness matrix is zero. The state
-/// is shorter then, and no eigenvalue that is always zero stands in the way of a verdict.
+/// whose rate is none: it is where its column of M is zero for all parameters. Its equation, such as `tau*F' + F = k*x`, may
+/// be in any unit, and so may the coordinate itself. Or only the rate of a coordinate matters, as those of lateral and yaw
+/// motion on slipping tyres: it does where its column of every stiffness matrix is zero. Both are proved, of formulas and of
+/// mechanisms, so nothing need be said of them. The state is shorter then, and no eigenvalue that is always zero stands in the
+/// way of a verdict. `s: m, only position;` and `psi: rad, only rate;` say it, and are held against the matrices;
+/// `psi: rad, both;` keeps the position of a coordinate among the states though nothing depends on it, as one that a controller
+/// measures. An equation with neither an acceleration nor the rate of a coordinate of first order is refused.
 ///
 /// # Mechanisms
 /// In the place of matrices a model may have a mechanism, from which they are derived, exactly to first order, about

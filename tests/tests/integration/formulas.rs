@@ -17,7 +17,7 @@ fn declared(info: &ModelInfo) -> String {
     };
     let parameters: String = info.parameters.iter().enumerate().map(parameter).collect();
     let only = |states: States| match states {
-        States::Both => "",
+        States::Both => ", both",
         States::Position => ", only position",
         States::Rate => ", only rate",
     };

@@ -29,6 +29,8 @@ mod multibody;
 mod mutants;
 mod operations;
 mod parameters;
+#[cfg(feature = "compiler")]
+mod proved_states;
 mod published;
 mod random_systems;
 #[cfg(feature = "compiler")]

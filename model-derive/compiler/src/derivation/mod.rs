@@ -63,7 +63,7 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         matrices: checked.written.matrices.clone(),
         entries: checked.written.regions.clone(),
         symmetric,
-        states: declaration.states().collect(),
+        states: declaration.states().map(Option::unwrap_or_default).collect(),
         kinematics: None,
     };
     let Some(mechanism) = &declaration.mechanism else { return by_speed::sort_wholes(checked, written, report) };
@@ -145,7 +145,7 @@ fn adopt(
 /// What is said of the states of the coordinates, and of the others what was derived.
 fn complete_states(checked: &Checked<'_>, derived: &[States]) -> Vec<States> {
     let declared = checked.declaration.states().zip(derived);
-    declared.map(|(declared, derived)| if declared == States::Both { *derived } else { declared }).collect()
+    declared.map(|(declared, derived)| declared.unwrap_or(*derived)).collect()
 }
 
 /// Reports the first number beyond the range of `f64`: numbers that are in it can have a product that is not.

@@ -14,6 +14,7 @@ mod sets;
 mod sourced;
 mod states;
 mod unused;
+mod zero;
 
 use self::claims::Claim;
 use self::counterexample::Space;
@@ -30,7 +31,7 @@ use crate::syntax::{Expression, Matrix, Unit};
 use crate::written::write_formulas;
 
 /// Holds a declaration against its formulas, and makes the model of both. Mistakes are reported; with none it is complete.
-pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Model {
+pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) -> Model {
     let outputs: Vec<&Formula> = derived.outputs().collect();
     let used = unused::find_used(&checked, &derived.definitions, &outputs);
     // Without a mass matrix or a row formulas are missing, and what they would use is no mistake.
@@ -41,6 +42,7 @@ pub fn weigh(checked: Checked<'_>, derived: Derived, report: &mut Report) -> Mod
     }
     let (formulas, requirements) = match report.is_empty() {
         true => {
+            derived = states::settle_states(&checked, derived, report);
             let units = checked.units.with_derived(&derived.definitions);
             (write_formulas(&checked, &derived, &units), prove(&checked, &derived, &units, report))
         }
@@ -107,7 +109,6 @@ fn prove(checked: &Checked<'_>, derived: &Derived, units: &Units, report: &mut R
     let mut requirements = requirements::find_requirements(checked, derived, &formulas, report);
     requirements.iter_mut().for_each(|requirement| requirement.unit = units.of(&requirement.value));
     requirements.extend(checked.requirements.iter().cloned());
-    states::check_states(declaration, derived, report);
     let formulas_have_values = report.is_empty();
     let sets: Vec<&ParameterSet> = checked.sets.iter().map(|CheckedSet { set, .. }| set).collect();
     sets::check_sets(&sets, &derived.definitions, &requirements, report);

@@ -4,8 +4,9 @@ use super::divisors::{Need, Subject, find_needs};
 use super::intervals::Interval;
 use super::physical::{Demand, find_demands};
 use super::ranges::{Ranges, Reading};
-use super::samples::{Samples, maybe_multiples, maybe_zero};
+use super::samples::{Samples, maybe_multiples};
 use super::sourced::Sourced;
+use super::zero::is_zero;
 use crate::check::Checked;
 use crate::derivation::Derived;
 use crate::domain::{Bound, Domain};
@@ -13,7 +14,7 @@ use crate::equations::Equations;
 use crate::formula::Formula;
 use crate::model::{Origin, Requirement};
 use crate::report::{Region, Report};
-use crate::symbolic::{self, Depth, Proof, Sign};
+use crate::symbolic::{self, Sign};
 
 /// The formulas of a model, each with where it comes from.
 #[derive(Debug)]
@@ -105,7 +106,7 @@ impl<'a> Search<'a> {
             if meets(values, domain) {
                 continue;
             }
-            if domain.nonzero && self.is_zero(&value) {
+            if domain.nonzero && is_zero(&value, &self.samples, self.derived) {
                 self.report.error(region, symbolic::Undefined::DivisionByZero);
             } else if !domain.nonzero && values.is_negative() {
                 self.report.error(region, symbolic::Undefined::RootOfNegative);
@@ -119,7 +120,10 @@ impl<'a> Search<'a> {
     fn meet(&mut self, Demand { what, value, text, region, domain, whole, refusal }: Demand) {
         let values = self.ranges.of(&value);
         let sign = whole.and_then(|whole| self.find_sign(&value, &whole));
-        if meets(values, domain) || sign == Some(Sign::Positive) || !domain.excludes_zero() && self.is_zero(&value) {
+        if meets(values, domain)
+            || sign == Some(Sign::Positive)
+            || !domain.excludes_zero() && is_zero(&value, &self.samples, self.derived)
+        {
             return;
         }
         if values.is_negative() || sign == Some(Sign::Negative) {
@@ -163,15 +167,6 @@ impl<'a> Search<'a> {
                 self.report.error(region, message);
             }
         }
-    }
-
-    /// Whether a formula is proved to be zero for all parameters.
-    fn is_zero(&self, value: &Formula) -> bool {
-        if !maybe_zero(&self.samples.of(value)) {
-            return false;
-        }
-        let proofs = symbolic::prove_equal(vec![self.equations(vec![value.clone(), Formula::zero()])], Depth::Formulas);
-        proofs.is_ok_and(|proofs| proofs.contains(&Proof::Found))
     }
 
     /// Whether a formula is a multiple of one that a requirement bounds, and so has no values outside a domain.

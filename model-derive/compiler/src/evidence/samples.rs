@@ -4,18 +4,20 @@ use super::intervals::Interval;
 use super::ranges::{Ranges, Reading};
 use crate::domain::{Bound, Domain};
 use crate::formula::Formula;
+use crate::spread::fraction;
 
 /// Values of the definitions at a few parameters inside the domains.
 #[derive(Debug)]
 pub struct Samples(Vec<Ranges>);
 
 /// How many parameter values are looked at.
-const COUNT: u32 = 2;
+const COUNT: usize = 2;
 
 impl Samples {
     pub fn new(domains: &[Domain], definitions: &[Formula]) -> Self {
         let sample = |number| {
-            let parameters = domains.iter().enumerate().map(|(index, domain)| inside(domain, fraction(index, number)));
+            let first = number * domains.len();
+            let parameters = domains.iter().enumerate().map(|(index, domain)| inside(domain, fraction(first + index)));
             let mut ranges = Ranges::new(Reading::Exact, parameters.map(Interval::point).collect());
             definitions.iter().for_each(|definition| ranges.push_definition(definition));
             ranges
@@ -48,14 +50,6 @@ pub fn maybe_multiples(one: &[Interval], other: &[Interval]) -> bool {
         && !ratios.windows(2).any(|pair| pair[0].is_apart_from(pair[1]))
 }
 
-/// The golden ratio, whose multiples spread evenly between whole numbers.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
-
-/// A number between 0 and 1, another one for each parameter and sample.
-fn fraction(index: usize, number: u32) -> f64 {
-    ((index as f64 + 1.0) * GOLDEN + f64::from(number) * 0.37).fract()
-}
-
 /// A value of a domain, unless it has no more than one.
 fn inside(domain: &Domain, fraction: f64) -> f64 {
     let end = |bound| match bound {
@@ -67,5 +61,23 @@ fn inside(domain: &Domain, fraction: f64) -> f64 {
         (Some(low), None) => low + 0.5 + fraction,
         (None, Some(high)) => high - 0.5 - fraction,
         (None, None) => 0.5 + fraction,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Term;
+
+    /// What parameters have in common only by how samples are taken is no reason to look for a proof.
+    #[test]
+    fn no_parameter_is_the_mean_of_its_neighbours() {
+        let domains = [Domain::POSITIVE; 6];
+        let samples = Samples::new(&domains, &[]);
+        for middle in 1..5 {
+            let [before, at, after] = [middle - 1, middle, middle + 1].map(Formula::Parameter);
+            let sum = [Term::plus(before), Term::minus(at.clone()), Term::minus(at), Term::plus(after)];
+            assert!(!maybe_zero(&samples.of(&Formula::Sum(sum.into()))), "{middle}");
+        }
     }
 }

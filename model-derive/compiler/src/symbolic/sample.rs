@@ -4,6 +4,7 @@ use std::convert::Infallible;
 
 use crate::constant::{Constant, NoValue};
 use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
+use crate::spread::fraction;
 
 /// A value, and a bound on the error that rounding can have left in it.
 #[derive(Clone, Copy, Debug)]
@@ -16,19 +17,9 @@ pub struct Sample {
 const SAFETY: f64 = 16.0;
 
 impl Sample {
-    /// Exact values between a half and one and a half, no two of them alike.
-    ///
-    /// They are without a pattern: in steps of one size, three points whose coordinates are declared one after the other would
-    /// be on one line.
+    /// Exact values between a half and one and a half, without a pattern.
     pub fn spread(first: usize, count: usize) -> Vec<Self> {
-        // Splitmix64, by Steele, Lea & Flood (2014), and of that what a double holds.
-        let value = |index: usize| {
-            let mixed = (index as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-            let mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            0.5 + ((mixed ^ (mixed >> 31)) >> 12) as f64 / (1_u64 << 52) as f64
-        };
-        (first..first + count).map(|index| Self { value: value(index), error: 0.0 }).collect()
+        (first..first + count).map(|index| Self { value: 0.5 + fraction(index), error: 0.0 }).collect()
     }
 
     /// The value of a formula at values of its parameters and definitions.

@@ -144,7 +144,7 @@ pub fn assemble(
     let forces = forces.collect::<Option<_>>()?;
     let following = declaration.states().zip(&coordinates).filter_map(|(states, joint)| {
         let holds = matches!(tree.joints[*joint].role, Role::Deflection(_));
-        (states == States::Position && !holds).then_some(*joint)
+        (states == Some(States::Position) && !holds).then_some(*joint)
     });
     let gyrostats = momenta.into_iter().enumerate();
     let gyrostats = gyrostats.filter_map(|(body, momentum)| Some((tree.moved_by[body], momentum?))).collect();

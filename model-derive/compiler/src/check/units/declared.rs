@@ -4,7 +4,6 @@ use super::dimension::Dimension;
 use super::known;
 use crate::nearest::ask_for;
 use crate::report::{Report, error};
-use crate::states::States;
 use crate::syntax::{Declaration, Direction, Expression, Factor, Kind, Parameter, Unit, constant};
 
 /// A unit that is known.
@@ -71,11 +70,11 @@ impl Dimensions {
         let mut parameters: Vec<_> =
             parameters.map(|p| coherent(p.unit.as_ref()?, report).map(|unit| unit.directed(p.direction))).collect();
         parameters.extend(declaration.speed.as_ref().map(|speed| speed_dimension(speed, report)));
-        let coordinates = declaration.coordinates.iter().map(|coordinate| {
+        let coordinates = declaration.coordinates.iter().zip(declaration.of_first_order());
+        let coordinates = coordinates.map(|(coordinate, is_held)| {
             let unit = coordinate.unit.as_ref()?;
             let dimension = coherent(unit, report)?;
             // What a filter or an actuator holds may be in any unit.
-            let is_held = coordinate.only.is_some_and(|(_, states)| states == States::Position);
             if !is_held && !dimension.is_number() && !dimension.same_unit(Dimension::new([0, 1, 0])) {
                 let message = format!(
                     "a coordinate {}: expected an angle (`rad`) or a length (`m`), or `only position` behind it, if it is one \

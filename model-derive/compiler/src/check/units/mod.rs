@@ -21,7 +21,6 @@ use super::domains::ExactDomain;
 use super::names::Scope;
 use crate::matrix_name::MatrixName;
 use crate::report::Report;
-use crate::states::States;
 use crate::syntax::{Coordinate, Declaration, Direction, Matrix, Requirement};
 
 /// The dimensions of formulas, as far as they are known.
@@ -104,8 +103,8 @@ struct RowFactors(Vec<Option<Dimension>>);
 
 impl RowFactors {
     fn new(declaration: &Declaration) -> Self {
-        let known = |states: States| (states != States::Position).then_some(Dimension::NUMBER);
-        Self(declaration.states().map(known).collect())
+        let known = |is_first_order: bool| (!is_first_order).then_some(Dimension::NUMBER);
+        Self(declaration.of_first_order().into_iter().map(known).collect())
     }
 
     /// The factor of a row, of which an entry was found where another dimension was expected.
@@ -130,6 +129,7 @@ fn check_matrix(
     report: &mut Report,
 ) {
     let coordinates = &analysis.declaration.coordinates;
+    let of_first_order = analysis.declaration.of_first_order();
     // Which coordinates the rows and columns of another shape belong to is not known.
     let n = coordinates.len();
     let fits = matrix.rows.len() == n && matrix.rows.iter().all(|(_, row)| row.len() == n);
@@ -144,8 +144,8 @@ fn check_matrix(
             };
             let factor = factors.find(row, found, expected);
             let Some(expected) = factor.and_then(|factor| expected.times(factor)) else { continue };
+            let is_first_order = of_first_order[row];
             let (row, column) = (&coordinates[row], &coordinates[column]);
-            let is_first_order = row.only.is_some_and(|(_, states)| states == States::Position);
             if !found.same_unit(expected) {
                 let message = format!(
                     "this entry of `{name}` is {}: expected {expected}, as its row is `{}` in {} and its column `{}` in {}{}",

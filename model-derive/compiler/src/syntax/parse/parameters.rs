@@ -131,25 +131,39 @@ fn parse_after_label(input: ParseStream<'_>, coordinate: &mut Coordinate) -> syn
     parse_colon(input, "`:` and a unit")?;
     coordinate.unit = Some(parse_unit(input)?);
     while input.parse::<Option<Token![,]>>()?.is_some() {
-        if input.cursor().ident().is_some_and(|(word, _)| word == "only") {
-            let only: syn::Ident = input.parse()?;
-            let what = "`rate` or `position` behind `only`: the one of them that the motion depends on";
-            let word: syn::Ident =
-                if input.peek(syn::Ident) { input.parse()? } else { return Err(expected(input, what)) };
-            let Some(states) = States::from_name(&word.to_string()) else {
-                return Err(error(&word, format!("found `{word}`: expected {what}")));
-            };
-            if coordinate.only.replace((only.span(), states)).is_some() {
-                return Err(error(&only, "a second `only`: expected one"));
-            }
+        if input.cursor().ident().is_some_and(|(word, _)| word == "only" || word == "both") {
+            parse_states(input, coordinate)?;
             continue;
         }
         let Some((span, direction)) = parse_direction(input)? else {
-            return Err(expected(input, "a direction (`along y`, `about x`), `only rate` or `only position`"));
+            let what = "a direction (`along y`, `about x`), `only rate`, `only position` or `both`";
+            return Err(expected(input, what));
         };
         set_once(&mut coordinate.direction, direction, span)?;
     }
     parse_semicolon(input, "`,` or `;`", "the coordinate")
+}
+
+/// `only rate`, `only position` or `both`.
+fn parse_states(input: ParseStream<'_>, coordinate: &mut Coordinate) -> syn::Result<()> {
+    let first: syn::Ident = input.parse()?;
+    let states = if first == "both" {
+        States::Both
+    } else {
+        let what = "`rate` or `position` behind `only`: the one of them that the motion depends on";
+        let word: syn::Ident = if input.peek(syn::Ident) { input.parse()? } else { return Err(expected(input, what)) };
+        let states = States::from_name(&word.to_string());
+        states.ok_or_else(|| error(&word, format!("found `{word}`: expected {what}")))?
+    };
+    if let Some((_, known)) = coordinate.only.replace((first.span(), states)) {
+        let message = match (known, states) {
+            (States::Both, States::Both) => "a second `both`: expected one",
+            (States::Both, _) | (_, States::Both) => "`both` beside `only`: expected one of them",
+            _ => "a second `only`: expected one",
+        };
+        return Err(error(&first, message));
+    }
+    Ok(())
 }
 
 /// Whether a parameter or a coordinate starts here.

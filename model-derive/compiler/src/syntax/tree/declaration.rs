@@ -54,9 +54,21 @@ impl Declaration {
         self.mechanism.iter().flat_map(Mechanism::formulas).chain(added)
     }
 
-    /// Which of the position and the rate of each coordinate are states.
-    pub fn states(&self) -> impl Iterator<Item = States> {
-        self.coordinates.iter().map(|coordinate| coordinate.only.map_or(States::Both, |(_, states)| states))
+    /// What is said of each coordinate, which of its position and its rate are states.
+    pub fn states(&self) -> impl Iterator<Item = Option<States>> {
+        self.coordinates.iter().map(|coordinate| coordinate.only.map(|(_, states)| states))
+    }
+
+    /// For each coordinate whether it is one of first order as it is written: nothing multiplies its acceleration, or so it
+    /// is said.
+    pub fn of_first_order(&self) -> Vec<bool> {
+        let mass = self.matrices.iter().find(|matrix| matrix.name == MatrixName::M);
+        let is_zero = |column: usize| {
+            let entry = |row: &Vec<Expression>| row.get(column).is_some_and(Expression::is_zero);
+            mass.is_some_and(|mass| mass.rows.iter().all(|(_, row)| entry(row)))
+        };
+        let said = self.states().enumerate();
+        said.map(|(column, said)| said.map_or_else(|| is_zero(column), |states| states == States::Position)).collect()
     }
 
     /// Where a matrix is declared: under its own name, or as a part of a whole.
@@ -210,7 +222,7 @@ pub struct Coordinate {
     /// Nothing if it could not be read.
     pub unit: Option<Unit>,
     pub direction: Option<Direction>,
-    /// Which of its position and its rate are states, with the span of the word where only one is.
+    /// Which of its position and its rate are states, where that is said, with the span of the word.
     pub only: Option<(Span, States)>,
 }
 

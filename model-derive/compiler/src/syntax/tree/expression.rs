@@ -14,6 +14,11 @@ pub struct Expression {
 }
 
 impl Expression {
+    /// Whether it is the number zero.
+    pub fn is_zero(&self) -> bool {
+        matches!(&self.kind, Kind::Number(number) if number.is_zero())
+    }
+
     /// Calls `visit` with every name that is used as a value.
     pub fn names(&self, visit: &mut impl FnMut(&Ident)) {
         match &self.kind {
