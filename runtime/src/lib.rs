@@ -59,6 +59,8 @@ mod numeric;
 #[cfg(feature = "std")]
 mod sensitivity;
 #[cfg(feature = "std")]
+pub mod simulation;
+#[cfg(feature = "std")]
 mod stability;
 mod system;
 

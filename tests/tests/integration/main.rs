@@ -40,6 +40,7 @@ mod rounding;
 mod rows;
 mod sensitivity;
 mod serialization;
+mod simulation;
 mod single_precision;
 mod stability;
 mod state_space;

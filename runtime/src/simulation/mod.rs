@@ -1,0 +1,25 @@
+//! Motion in time, from an initial state and under forces.
+//!
+//! The linear equations at one speed have an exact solution, [`LinearMotion`]: nothing is integrated, steps are as long as
+//! those who ask want them, and no eigenvalue is too fast. Forces are piecewise linear in time ([`Force`]), as measured
+//! ones are.
+//!
+//! ```
+//! use carvallo::simulation::{Force, LinearMotion};
+//! use carvallo::{Matrix, System};
+//!
+//! // A mass of 1 kg on a spring of 4 N/m, pushed from rest by 8 N: q = 2 (1 - cos 2t).
+//! let system = System::new(Matrix::<f64, 1>::new(1.0), Matrix::<f64, 1>::new(0.0), Matrix::<f64, 1>::new(4.0));
+//! let rows = LinearMotion::new(&system)?.run(&[0.0], &[0.0], &[Force::constant(8.0)], &[0.0, 0.5, 1.0])?;
+//! assert!((rows[2].positions[0] - 2.0 * (1.0 - 2_f64.cos())).abs() < 1e-14);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+mod exponential;
+mod force;
+mod linear;
+
+pub use error::SimulationError;
+pub use force::{Force, ForceError};
+pub use linear::{LinearMotion, Snapshot};
