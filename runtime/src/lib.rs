@@ -26,6 +26,9 @@
 //! a model carries with it ([`ModelInfo`]). A model that was compiled with its derivatives gives those as well
 //! ([`Differentiable`]).
 //!
+//! A mechanism that was compiled with its nonlinear equations moves by them: accelerations, contact forces, energy
+//! ([`Motion`]).
+//!
 //! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
 //! Many designs at once run in the lanes of the processor ([`batch`]).
 //!
@@ -52,6 +55,7 @@ mod eigenvalues;
 #[cfg(all(any(doc, doctest), feature = "derive", feature = "std", feature = "batch"))]
 pub mod guide;
 mod model;
+pub mod motion;
 #[cfg(feature = "std")]
 mod notation;
 mod number;
@@ -66,8 +70,10 @@ mod system;
 
 pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, FormulaInfo, FormulaSubject, LengthError,
-    Model, ModelInfo, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo, WithDerivatives,
+    Model, ModelInfo, Nonlinear, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo,
+    WithDerivatives,
 };
+pub use motion::{Motion, MotionError};
 /// The library of matrices, in the version that has the types of this crate.
 pub use nalgebra;
 pub use nalgebra::Complex;

@@ -2,6 +2,7 @@
 
 use super::error::{LengthError, ParameterError};
 use super::info::ModelInfo;
+use crate::motion::{Motion, NoMotion};
 use crate::number::{Number, Scalar};
 use crate::system::Coefficients;
 
@@ -65,6 +66,14 @@ pub trait Model<const N: usize>: Copy {
     /// For code that takes any model. What needs derivatives takes a [`Differentiable`](crate::Differentiable) one.
     fn derivatives(&self) -> Option<WithDerivatives<Self, N>> {
         None
+    }
+
+    /// The nonlinear equations of motion with these parameters, as [`Nonlinear`](crate::Nonlinear) has them; nothing for a
+    /// model whose declaration does not say `nonlinear;`.
+    ///
+    /// For code that takes any model. What needs them takes a [`Nonlinear`](crate::Nonlinear) one.
+    fn nonlinear(&self) -> Option<impl Motion<Scalar = Self::Scalar>> {
+        None::<NoMotion<Self::Scalar>>
     }
 
     /// The gravitational field strength g in N/kg, if it is a parameter of the model.

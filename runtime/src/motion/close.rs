@@ -1,0 +1,59 @@
+//! Positions in which every wheel touches the ground.
+
+use super::error::MotionError;
+use super::info::MotionInfo;
+use super::traits::Unchecked;
+use crate::number::Scalar;
+
+/// No step is longer than this, in rad or m: it keeps to the solution that is near.
+const LONGEST: f64 = 0.25;
+/// With steps of that length it leads around the whole circle; near a solution a handful is enough.
+const MOST_STEPS: usize = 60;
+
+pub fn close<M: Unchecked>(
+    motion: &M,
+    info: &MotionInfo,
+    mut positions: M::Positions,
+) -> Result<M::Positions, MotionError> {
+    let scalar = <M::Scalar as Scalar>::from_f64;
+    let [zero, one] = [0.0, 1.0].map(scalar);
+    let mut shortest = scalar(f64::MAX.min(1e30));
+    for _ in 0..MOST_STEPS {
+        let (_, mut steps) = motion.closure_unchecked(&positions);
+        let longest =
+            steps.as_ref().iter().fold(zero, |longest, step| if step.abs() > longest { step.abs() } else { longest });
+        if !steps.as_ref().iter().all(|step| step.is_finite()) {
+            break;
+        }
+        if longest > scalar(LONGEST) {
+            let share = scalar(LONGEST) / longest;
+            steps.as_mut().iter_mut().for_each(|step| *step *= share);
+        }
+        for (place, step) in info.dependent.iter().zip(steps.as_ref()) {
+            positions.as_mut()[*place] += *step;
+        }
+        // Near the solution steps shrink to rounding, and then no further.
+        let rounding = scalar(4.0) * <M::Scalar as Scalar>::EPSILON;
+        let size = info.dependent.iter().fold(one, |size, place| {
+            let value = positions.as_ref()[*place].abs();
+            if value > size { value } else { size }
+        });
+        if longest <= rounding * size || longest < scalar(NEAR) && longest >= shortest {
+            return Ok(positions);
+        }
+        shortest = longest;
+    }
+    let (below, _) = motion.closure_unchecked(&positions);
+    let worst = below.as_ref().iter().enumerate().fold((0, zero), |(worst, most), (wheel, below)| {
+        if below.is_finite() && below.abs() > most { (wheel, below.abs()) } else { (worst, most) }
+    });
+    let (wheel, _) = worst;
+    let below = below.as_ref().get(wheel).map_or(0.0, |below| below.to_f64());
+    match below.is_finite() {
+        true => Err(MotionError::NotClosed { wheel: info.wheels.get(wheel + 1).map_or("", |wheel| wheel.name), below }),
+        false => Err(MotionError::Singular { quantity: "the height of a wheel" }),
+    }
+}
+
+/// Steps that no longer shrink below this are rounding; those of `f32` are larger.
+const NEAR: f64 = 1e-5;
