@@ -61,6 +61,8 @@ mod notation;
 mod number;
 mod numeric;
 #[cfg(feature = "std")]
+mod pencil;
+#[cfg(feature = "std")]
 mod sensitivity;
 #[cfg(feature = "std")]
 pub mod simulation;

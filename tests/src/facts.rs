@@ -110,6 +110,16 @@ pub fn random_systems() -> Vec<RandomSystem> {
     systems
 }
 
+/// The derivatives of the critical speeds of the random equations of motion, and of the frequencies there, by system in the
+/// order of its speeds.
+pub fn random_derivatives() -> std::collections::HashMap<&'static str, Vec<[f64; 2]>> {
+    let mut derivatives: std::collections::HashMap<_, Vec<_>> = std::collections::HashMap::new();
+    for [name, _, speed, frequency] in rows(include_str!("../data/random_systems_derivatives.tsv")) {
+        derivatives.entry(name).or_default().push([speed, frequency].map(number));
+    }
+    derivatives
+}
+
 /// Eigenvalues of the two benchmarks, ordered by real, then imaginary part.
 pub fn eigenvalues() -> Vec<Eigenvalue> {
     let row = |[bicycle, speed, re, im]: [&'static str; 4]| Eigenvalue {

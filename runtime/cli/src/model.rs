@@ -7,8 +7,8 @@ use std::fmt::Debug;
 use std::marker::PhantomData;
 
 use carvallo::{
-    Coefficients, Complex, CoordinateInfo, Matrix, MatrixName, Model, ModelInfo, Sensitivity, Stability, States,
-    SystemError,
+    Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Matrix, MatrixName, Model, ModelInfo,
+    Sensitivity, SensitivityError, Stability, States, SystemError,
 };
 use carvallo_models::Whipple;
 
@@ -37,8 +37,8 @@ pub(crate) trait Derivation: Debug + Sync {
     /// Hands the equations of motion to a visitor, where they need no place of their own in memory.
     fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String>;
 
-    /// How the equations of motion change with the parameters; `None` for other than two coordinates.
-    fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, String>;
+    /// How the equations of motion change with the parameters.
+    fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String>;
 }
 
 /// What looks at equations of motion, and may say what is wrong with them.
@@ -96,13 +96,12 @@ impl Shipped {
         self.derivation.visit(parameters, visitor)
     }
 
-    /// How the equations of motion of two coordinates change with parameters in declared order; `None` for any other
-    /// number of coordinates.
+    /// How the equations of motion change with parameters in declared order.
     ///
     /// # Errors
     /// The first of them, or of the model's requirements, that does not hold; that the model was compiled without
     /// derivatives; or that one is not finite.
-    pub fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, String> {
+    pub fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
         self.derivation.sensitivity(parameters)
     }
 
@@ -139,9 +138,9 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
         visitor(&valid::<N, M>(parameters)?.coefficients())
     }
 
-    fn sensitivity(&self, parameters: &[f64]) -> Result<Option<Sensitivity<2>>, String> {
+    fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
         let sensitivity = Sensitivity::<N>::of_any(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
-        Ok(as_of_two(&sensitivity).cloned())
+        Ok(Box::new(sensitivity))
     }
 }
 
@@ -192,6 +191,31 @@ pub trait Equations: Debug {
 
     /// Why there are no equations of motion at rest, if there are none, as the end of a sentence.
     fn without_rest(&self) -> Option<&'static str>;
+}
+
+/// How the equations of motion change with the parameters, for any number of coordinates.
+pub trait Sensitive: Debug {
+    /// The derivatives of a critical speed.
+    ///
+    /// # Errors
+    /// If one leaves the range of doubles.
+    fn critical_speed(&self, critical: &CriticalSpeed) -> Result<CriticalDerivative, SystemError>;
+
+    /// The standard deviations of the entries of the matrices, from those of the parameters in their order.
+    ///
+    /// # Errors
+    /// If one leaves the range of doubles.
+    fn matrix_deviations(&self, deviations: &[f64]) -> Result<Box<dyn Equations>, SensitivityError>;
+}
+
+impl<const N: usize> Sensitive for Sensitivity<N> {
+    fn critical_speed(&self, critical: &CriticalSpeed) -> Result<CriticalDerivative, SystemError> {
+        Sensitivity::critical_speed(self, critical)
+    }
+
+    fn matrix_deviations(&self, deviations: &[f64]) -> Result<Box<dyn Equations>, SensitivityError> {
+        Ok(Box::new(Sensitivity::matrix_deviations(self, deviations)?))
+    }
 }
 
 impl<const N: usize> Equations for Coefficients<f64, N> {

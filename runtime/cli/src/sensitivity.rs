@@ -1,13 +1,15 @@
 //! How the critical speeds of a design change with its parameters.
 
 use carvallo::{
-    Coefficients, Complex, CriticalDerivative, CriticalKind, CriticalSpeed, NotDifferentiable, ParameterInfo,
-    SensitivityError, Stability, standard_deviation, variance_shares,
+    Change, Complex, CriticalDerivative, CriticalKind, CriticalSpeed, ModelInfo, NotDifferentiable, SensitivityError,
+    Stability, standard_deviation, variance_shares,
 };
 
 use crate::analysis::extremes;
 use crate::design::Design;
 use crate::failure::Failure;
+use crate::matrices;
+use crate::model::Equations;
 
 /// A design with the derivatives of its critical speeds.
 pub struct Changes {
@@ -20,7 +22,7 @@ pub struct Changes {
     /// The standard deviations of the parameters, zero where there is none; `None` if there are none at all.
     pub deviations: Option<Vec<f64>>,
     /// The standard deviations of the entries of the matrices, if parameters have any.
-    pub matrix_deviations: Option<Coefficients<f64, 2>>,
+    pub matrix_deviations: Option<Box<dyn Equations>>,
 }
 
 /// The change of a parameter whose effect is told.
@@ -63,15 +65,13 @@ impl Step {
 
 impl Changes {
     /// # Errors
-    /// If the model has other than two coordinates, or the equations of motion have no answer.
+    /// If the equations of motion have no answer, or the model was compiled without derivatives.
     pub fn new(design: Design) -> Result<Self, Failure> {
         let run = |error: String| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
         let fail = |error: SensitivityError| run(error.to_string());
-        let Some(coefficients) = design.equations.of_two() else { return Err(not_two(&design)) };
-        let stability = Stability::new(coefficients, design.gravity().unwrap_or(0.0));
+        let stability = design.equations.stability(design.gravity().unwrap_or(0.0));
         let stability = stability.map_err(|error| fail(error.into()))?;
         let sensitivity = design.model.sensitivity(&design.values()).map_err(run)?;
-        let sensitivity = sensitivity.ok_or_else(|| not_two(&design))?;
         let deviations: Vec<f64> = design
             .parameters
             .iter()
@@ -93,17 +93,23 @@ impl Changes {
         let critical_speeds = stability.critical_speeds.iter().map(critical).collect::<Result<_, _>>().map_err(fail)?;
         let of_matrices = deviations.as_ref().map(|deviations| sensitivity.matrix_deviations(deviations));
         let matrix_deviations = of_matrices.transpose().map_err(fail)?;
-        let steps = steps(design.info().parameters, &design.values());
+        let steps = steps(design.info(), &design.values());
         Ok(Self { steps, critical_speeds, deviations, matrix_deviations, stability, design })
     }
 
-    /// The weave and capsize speeds that have derivatives, weave first, and these.
+    /// The critical speeds that have derivatives and decide about stability, weave first, and these.
     pub fn ranked(&self) -> Vec<(&CriticalSpeed, &Derivatives)> {
         let of = |kind: CriticalKind| {
             let of_kind = self.critical_speeds.iter().filter(move |critical| critical.speed.kind == kind);
-            of_kind.filter_map(|critical| Some((&critical.speed, critical.derivatives.as_ref().ok()?)))
+            let deciding = of_kind.filter(|critical| decides(&critical.speed));
+            deciding.filter_map(|critical| Some((&critical.speed, critical.derivatives.as_ref().ok()?)))
         };
-        of(CriticalKind::Weave).chain(of(CriticalKind::Capsize)).collect()
+        of(CriticalKind::Weave).chain(of(CriticalKind::Capsize)).chain(of(CriticalKind::DoubleRoot)).collect()
+    }
+
+    /// Whether the parameters are the entries of given matrices.
+    pub fn are_entries(&self) -> bool {
+        matrices::is_called(self.design.info().name)
     }
 
     /// The effect of 1 % of a parameter on a critical speed, in m/s; none if it leaves the range of doubles.
@@ -112,8 +118,8 @@ impl Changes {
         effect.is_finite().then_some(effect)
     }
 
-    /// The parameters that have an effect on weave or capsize speeds, the largest effect first; those whose 1 % is not
-    /// known come last.
+    /// The parameters that have an effect on the ranked speeds, the largest effect first; those whose 1 % is not known come
+    /// last. Of given matrices those entries are left out, of which there are many, each as good as a zero of structure.
     pub fn order(&self) -> Vec<usize> {
         let ranked = self.ranked();
         let largest = |parameter: usize| {
@@ -121,38 +127,38 @@ impl Changes {
             effects.map(f64::abs).fold(-1.0, f64::max)
         };
         let has_effect = |&parameter: &usize| ranked.iter().any(|(_, derivatives)| derivatives.speed[parameter] != 0.0);
-        let mut order: Vec<usize> = (0..self.steps.len()).filter(has_effect).collect();
+        let is_told = |&parameter: &usize| self.steps[parameter] != Step::Unknown || !self.are_entries();
+        let mut order: Vec<usize> = (0..self.steps.len()).filter(is_told).filter(has_effect).collect();
         order.sort_by(|&a, &b| largest(b).total_cmp(&largest(a)));
         order
     }
 }
 
-fn not_two(design: &Design) -> Failure {
-    let (title, n) = (design.title(), design.info().coordinates.len());
-    Failure::Run(match n {
-        2 => {
-            format!("{title}: critical speeds are not differentiated with C-1, K1 and coordinates that have one state")
-        }
-        n => format!("{title}: critical speeds are differentiated for two coordinates only; this model has {n}"),
-    })
+/// Whether eigenvalues become stable or unstable at a critical speed: not at every double root.
+pub fn decides(critical: &CriticalSpeed) -> bool {
+    critical.kind != CriticalKind::DoubleRoot || matches!(critical.change, Change::Stabilizes | Change::Destabilizes)
 }
 
-/// What 1 % of each parameter is.
-fn steps(parameters: &[ParameterInfo], values: &[f64]) -> Vec<Step> {
-    let step = |(info, &value): (&ParameterInfo, &f64)| match (value, scale(info.unit, parameters, values)) {
+/// What 1 % of each parameter is. Entries of given matrices have no units to find others by.
+fn steps(info: &ModelInfo, values: &[f64]) -> Vec<Step> {
+    let step = |(index, &value): (usize, &f64)| match (value, scale(info, index, values)) {
         (0.0, Some(scale)) => Step::OfScale(scale / 100.0),
         (0.0, None) => Step::Unknown,
         (value, _) => Step::OfValue(value / 100.0),
     };
-    parameters.iter().zip(values).map(step).collect()
+    values.iter().enumerate().map(step).collect()
 }
 
-/// What a parameter in a unit may be measured by: the median size of those in it that are not zero; of angles a radian.
-fn scale(unit: &str, parameters: &[ParameterInfo], values: &[f64]) -> Option<f64> {
+/// What a parameter may be measured by: the median size of those in its unit that are not zero; of angles a radian.
+fn scale(info: &ModelInfo, parameter: usize, values: &[f64]) -> Option<f64> {
+    let unit = info.parameters[parameter].unit;
+    if matrices::is_called(info.name) {
+        return None;
+    }
     if unit == "rad" {
         return Some(1.0);
     }
-    let of_unit = parameters.iter().zip(values).filter(|(info, value)| info.unit == unit && **value != 0.0);
+    let of_unit = info.parameters.iter().zip(values).filter(|(info, value)| info.unit == unit && **value != 0.0);
     let mut sizes: Vec<f64> = of_unit.map(|(_, value)| value.abs()).collect();
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).copied()

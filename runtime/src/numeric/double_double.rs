@@ -2,6 +2,8 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+#[cfg(feature = "std")]
+use super::scale::ldexp;
 use crate::number::Number;
 use crate::number::real::Real;
 
@@ -40,6 +42,11 @@ impl DoubleDouble {
     pub(crate) fn times(self, factor: f64) -> Self {
         let product = Self::product(self.hi, factor);
         quick_sum(product.hi, product.lo + self.lo * factor)
+    }
+
+    /// Times a power of two, exactly.
+    pub(crate) fn ldexp(self, e: i32) -> Self {
+        Self { hi: ldexp(self.hi, e), lo: ldexp(self.lo, e) }
     }
 
     /// Twice the number, exactly.

@@ -1,16 +1,14 @@
 //! The derivatives of critical speeds.
 
+use core::any::Any;
 use core::fmt;
 
 use nalgebra::Complex;
 
-use super::Sensitivity;
-use super::condition::Condition;
-use super::scaled::Scaled;
-use crate::characteristic::determinant::{ByPower, Rows};
-use crate::numeric::{ComplexDoubleDouble, DoubleDouble, ldexp};
-use crate::stability::{CriticalKind, CriticalSpeed};
-use crate::system::SystemError;
+use super::{Sensitivity, implicit};
+use crate::pencil::Equations;
+use crate::stability::CriticalSpeed;
+use crate::system::{States, SystemError};
 
 /// How a critical speed changes with each parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +20,7 @@ pub enum CriticalDerivative {
         /// The derivatives of the eigenvalue at the critical speed, which changes along with it, in 1/s per unit: zero for
         /// capsize, i times that of the frequency omega for weave.
         eigenvalue: Vec<Complex<f64>>,
-        /// By how much rounding of the terms of the characteristic polynomial moves the speed, both relative: between
+        /// By how much rounding of the terms that the condition is summed from moves the speed, both relative: between
         /// `log10(condition)` and twice as many digits of the derivatives depend on digits that rounding of the matrices
         /// to `f64` takes.
         condition: f64,
@@ -54,99 +52,47 @@ impl fmt::Display for NotDifferentiable {
 }
 
 /// From this condition on two critical speeds cannot be told from one.
-const MEETING: f64 = (1u64 << 24) as f64;
+pub(super) const MEETING: f64 = (1u64 << 24) as f64;
 /// What is smaller than this, relative to the terms that it was computed from, counts as zero.
-const NEGLIGIBLE: f64 = 1.0 / (1u64 << 40) as f64;
+pub(super) const NEGLIGIBLE: f64 = 1.0 / (1u64 << 40) as f64;
 
-impl Sensitivity<2> {
+/// Newton's iteration doubles the digits of a critical speed: it starts with those of `f64`, or half of them where rounding
+/// was large.
+pub(super) const STEPS: usize = 2;
+/// After a step as small as this, relative, all digits of `f64` are right.
+pub(super) const SMALL: f64 = 1e-12;
+/// What moves farther than this, relative, is not converging.
+pub(super) const NEAR: f64 = 1e-6;
+
+impl<const N: usize> Sensitivity<N> {
     /// The derivatives of a critical speed of the same coefficients at the same gravity, as
     /// [`Stability`](crate::Stability) finds it.
     ///
-    /// They are those of the coefficients as given: speed and eigenvalue are first polished in double-double arithmetic.
+    /// They are those of the coefficients as given: speed and eigenvalue are first polished in double-double arithmetic. Of
+    /// two coordinates with the quartic they follow from its coefficients, of all others from the left and right null vectors
+    /// of Q(s) at the critical eigenvalue.
     ///
     /// # Errors
     /// If a derivative leaves the range of `f64`.
     pub fn critical_speed(&self, critical: &CriticalSpeed) -> Result<CriticalDerivative, SystemError> {
-        let scaled = Scaled::new(&self.coefficients, self.gravity)?;
-        let (condition, speed) = match find_condition(&scaled, critical) {
-            Ok(found) => found,
-            Err(reason) => return Ok(CriticalDerivative::None(reason)),
-        };
-        let finite = |value: f64, unit: i32| {
-            let value = ldexp(value, unit);
-            let error = SystemError::OutOfRange { quantity: "a derivative of a critical speed" };
-            if value.is_finite() { Ok(value) } else { Err(error) }
-        };
-        let answers = condition.answers(&scaled, speed);
-        let (mut speeds, mut eigenvalues) = (Vec::new(), Vec::new());
-        for (parameter, derivative) in self.derivatives.iter().enumerate() {
-            let mut direction = *derivative;
+        let has_quartic = !self.coefficients.has_odd_powers() && self.coefficients.states == [States::Both; N];
+        match (self as &dyn Any).downcast_ref::<Sensitivity<2>>() {
+            Some(two) if has_quartic => two.of_quartic(critical),
+            _ => self.implicit(critical),
+        }
+    }
+
+    /// What [`critical_speed`](Self::critical_speed) gives for other than two coordinates.
+    #[doc(hidden)]
+    pub fn implicit(&self, critical: &CriticalSpeed) -> Result<CriticalDerivative, SystemError> {
+        let equations = Equations::new(&self.coefficients, self.gravity);
+        let direction = |parameter: usize| {
+            let mut direction = self.derivatives[parameter];
             if self.gravity_parameter == Some(parameter) {
                 direction.kc += self.coefficients.k0;
             }
-            let direction = scaled.units.scale_coefficients(&direction);
-            let keeps_zeros = scaled.keeps_zeros(condition.zeros, &direction, speed);
-            let direction = scaled.direction(&direction, speed.to_f64());
-            let (by_speed, size) = dot(&answers.speed, &direction);
-            if !keeps_zeros || by_speed.im.abs() > NEGLIGIBLE * size {
-                return Ok(CriticalDerivative::None(NotDifferentiable::Coincidence));
-            }
-            speeds.push(finite(by_speed.re, scaled.units.speed)?);
-            let (eigenvalue, _) = dot(&answers.eigenvalue, &direction);
-            let part = |part: f64| finite(part, scaled.units.time);
-            eigenvalues.push(Complex::new(part(eigenvalue.re)?, part(eigenvalue.im)?));
-        }
-        Ok(CriticalDerivative::Smooth { speed: speeds, eigenvalue: eigenvalues, condition: condition.condition() })
+            Equations::new(&direction, self.gravity)
+        };
+        implicit::differentiate(&equations, critical, self.derivatives.len(), &direction)
     }
-}
-
-/// The sum of derivatives times changes, and the size of its terms.
-fn dot(derivatives: &ByPower<Rows<Complex<f64>>>, changes: &ByPower<Rows>) -> (Complex<f64>, f64) {
-    let pairs = derivatives.as_flattened().as_flattened().iter().zip(changes.as_flattened().as_flattened());
-    pairs.fold((Complex::new(0.0, 0.0), 0.0), |(sum, size), (derivative, change)| {
-        let term = derivative * *change;
-        (sum + term, size + term.l1_norm())
-    })
-}
-
-/// The condition of a critical speed at the speed itself, which is polished, in the units of the condition.
-fn find_condition(scaled: &Scaled, critical: &CriticalSpeed) -> Result<(Condition, DoubleDouble), NotDifferentiable> {
-    /// Newton's iteration doubles the digits: it starts with those of `f64`, or half of them where rounding was large.
-    const STEPS: usize = 2;
-    /// After a step as small as this, relative, all digits of `f64` are right.
-    const SMALL: f64 = 1e-12;
-    /// What moves farther than this, relative, is not converging.
-    const NEAR: f64 = 1e-6;
-    let kind = critical.kind;
-    let mut speed = DoubleDouble::from(ldexp(critical.speed, -scaled.units.speed));
-    let part = |part: f64| DoubleDouble::from(ldexp(part, -scaled.units.time));
-    let mut s = match kind {
-        CriticalKind::Capsize => ComplexDoubleDouble::ZERO,
-        _ => ComplexDoubleDouble { re: part(critical.eigenvalue.re), im: part(critical.eigenvalue.im) },
-    };
-    // Eigenvalues are measured in a unit of which the largest terms are about one.
-    if s.norm() < NEGLIGIBLE {
-        s = ComplexDoubleDouble::ZERO;
-    }
-    let is_zero = s == ComplexDoubleDouble::ZERO;
-    let zeros = if is_zero { scaled.zeros(speed) } else { 0 };
-    let at = |speed: DoubleDouble, s: ComplexDoubleDouble| {
-        let condition = Condition::new(scaled, kind, speed, s, zeros);
-        if condition.condition() < MEETING { Ok(condition) } else { Err(NotDifferentiable::Meeting) }
-    };
-    for _ in 0..STEPS {
-        let step = at(speed, s)?.residual();
-        let relative = step.speed.norm() / speed.to_f64();
-        if relative > NEAR {
-            return Err(NotDifferentiable::Meeting);
-        }
-        speed = speed + step.speed.re;
-        if !is_zero {
-            s = s + step.eigenvalue;
-        }
-        if relative <= SMALL && step.eigenvalue.norm() <= SMALL * s.norm() {
-            break;
-        }
-    }
-    Ok((at(speed, s)?, speed))
 }

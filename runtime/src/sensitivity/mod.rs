@@ -5,8 +5,10 @@ mod critical;
 mod deviation;
 mod eigenvalue;
 mod error;
+mod implicit;
 mod null_vectors;
 mod pencil;
+mod quartic;
 mod scaled;
 #[cfg(test)]
 mod tests;

@@ -17,8 +17,9 @@ its unit, or of a radian, and marked *.
 Standard deviations of parameters, where the file has them, propagate to first order to every critical speed and matrix
 entry, with the shares of the variance that come from each parameter.
 
-DESIGN and MODEL are as for `carvallo analyze`, of models with two coordinates. JSON and CSV have all critical speeds,
-those of double roots too; their layout is in docs/sensitivity.md, beside the source of this program.
+DESIGN and MODEL are as for `carvallo analyze`. Of other models than bicycles and motorcycles flutter and divergence speeds
+are ranked, and double roots at which stability changes. Of a file with matrices each entry is a parameter. JSON and CSV
+have all critical speeds; their layout is in docs/sensitivity.md, beside the source of this program.
 
 Examples:
   carvallo sensitivity                          The benchmark bicycle
@@ -27,6 +28,7 @@ Examples:
                                                 bar chart of the effects of 1 %
   carvallo sensitivity --set c=0                Without trail
   carvallo sensitivity my-bike.toml --format csv
+  carvallo sensitivity --model CarTrailer       When a caravan snakes
 
 Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2 wrong usage or input.";
 

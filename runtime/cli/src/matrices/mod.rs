@@ -10,7 +10,7 @@ use carvallo::{
 
 use self::check::check;
 pub use self::check::{dependent_column, free};
-use crate::model::{Derivation, Equations, Shipped, Visitor};
+use crate::model::{Derivation, Equations, Sensitive, Shipped, Visitor};
 
 /// What the model of given matrices is called.
 pub const NAME: &str = "Matrices";
@@ -125,8 +125,21 @@ impl<const N: usize> Derivation for Given<N> {
         visitor(&self.coefficients(parameters)?)
     }
 
-    fn sensitivity(&self, _: &[f64]) -> Result<Option<Sensitivity<2>>, String> {
-        Err("matrices that are given themselves have no parameters that their critical speeds could depend on"
-            .to_owned())
+    /// Each entry by itself: one, where the parameter is it, in the matrix of the derivatives by it.
+    fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
+        let coefficients = self.coefficients(parameters)?;
+        let place = |index: usize| (index / (N * N), index / N % N, index % N);
+        let by_entry = |index: usize| {
+            let (matrix, row, column) = place(index);
+            let mut derivative = Coefficients { states: coefficients.states, ..Default::default() };
+            derivative.matrix_mut(self.info.matrices[matrix])[(row, column)] = 1.0;
+            derivative
+        };
+        let mut derivatives: Vec<_> = (0..N * N * self.info.matrices.len()).map(by_entry).collect();
+        // Gravity, the last parameter, is in no matrix.
+        let gravity = derivatives.len();
+        derivatives.push(Coefficients { states: coefficients.states, ..Default::default() });
+        let sensitivity = Sensitivity::new(&coefficients, &derivatives, parameters[gravity], Some(gravity));
+        Ok(Box::new(sensitivity.map_err(|error| error.to_string())?))
     }
 }

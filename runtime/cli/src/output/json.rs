@@ -2,38 +2,24 @@
 
 use std::io::{Result, Write};
 
-use carvallo::{
-    Complex, CoordinateInfo, CriticalSpeed, ModeValue, ModelInfo, Stability, StableRange, States, UndecidedRange,
-};
+use carvallo::{Complex, CriticalSpeed, ModeValue, ModelInfo, Stability, StableRange, UndecidedRange};
 use serde::Serialize;
 
 use super::equations::{Matrix, matrices};
 use super::head::Head;
 use super::layout::{Line, Members, Parts, write_document};
 use crate::analysis::{Analysis, Eigenvalues, Row, Rows, kind};
-use crate::matrices::NAME;
 
 #[derive(Serialize)]
 struct Document<'a> {
     #[serde(flatten)]
     head: Head<'a>,
-    /// Of given matrices, so that the output is such a file, too.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    coordinates: Option<Vec<Line<Coordinate>>>,
     parameters: Members<Line<f64>>,
     matrices: Members<Line<Vec<Vec<f64>>>>,
     critical_speeds: Vec<Line<Event>>,
     stable_ranges: Vec<Line<Range>>,
     undecided_ranges: Vec<Line<(f64, f64)>>,
     eigenvalues: Vec<Line<AtSpeed>>,
-}
-
-/// A coordinate of given matrices.
-#[derive(Serialize)]
-struct Coordinate {
-    name: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    only: Option<&'static str>,
 }
 
 /// The ends of a stable range; there may be no upper one.
@@ -75,7 +61,6 @@ pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> R
     let matrices = matrices(design).into_iter();
     let document = Document {
         head: Head::of(design),
-        coordinates: (info.name == NAME).then(|| info.coordinates.iter().map(coordinate).map(Line).collect()),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         matrices: Members(matrices.map(|Matrix { name, rows, .. }| (name, Line(rows))).collect()),
         critical_speeds: events(stability, info),
@@ -90,15 +75,6 @@ pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> R
         },
     };
     write_document(&document, output)
-}
-
-fn coordinate(CoordinateInfo { name, states, .. }: &CoordinateInfo) -> Coordinate {
-    let only = match states {
-        States::Both => None,
-        States::Position => Some("position"),
-        States::Rate => Some("rate"),
-    };
-    Coordinate { name, only }
 }
 
 fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {

@@ -105,10 +105,11 @@ fn rows(changes: &Changes) -> Vec<Row> {
 fn series(changes: &Changes) -> Vec<(String, Color)> {
     let ranked = changes.ranked();
     let entry = |(index, (critical, _)): (usize, &(&carvallo::CriticalSpeed, _))| {
-        let name = kind(critical.kind, changes.design.info());
+        let name = kind(critical.kind, changes.design.info()).replace('_', "-");
         let color = match critical.kind {
             CriticalKind::Weave => color(Mode::Weave),
-            _ => CAPSIZE,
+            CriticalKind::Capsize => CAPSIZE,
+            CriticalKind::DoubleRoot => INK.lighter(0.3),
         };
         let before = ranked[..index].iter().filter(|(other, _)| other.kind == critical.kind).count();
         let color = color.lighter((0.4 * before as f32).min(0.8));

@@ -258,11 +258,73 @@ fn other_models_of_two_coordinates_have_theirs() {
         assert!((term("r") + 2.0 * inertias - 0.5 * speed).abs() <= 1e-13 * speed, "{critical}");
         assert!(inertias.abs() > 0.01 * speed, "{critical}");
     }
-    let message =
-        "error: ThreePipes hose: critical speeds are differentiated for two coordinates only; this model has 3\n";
-    directory.run(&["sensitivity", "--model", "ThreePipes"]).fails(1, message);
     let text = directory.run(&["sensitivity", "--model", "DoublePendulum"]).ok();
     assert!(text.contains("there is no such speed"), "{text}");
+}
+
+/// A car that oversteers diverges at the root of `L^2 Cf Cr / (m (a Cf - b Cr))` (Riekert & Schunck 1940).
+#[test]
+fn coordinates_by_their_rates_have_the_derivatives_of_the_closed_form() {
+    let directory = Directory::of_this_test();
+    let json = directory.run(&["sensitivity", "--model", "Car", "oversteering", "--format", "json"]).json();
+    let value = |name: &str| json["parameters"][name]["value"].as_f64().unwrap();
+    let [a, b, m, cf, cr] = ["a", "b", "m", "Cf", "Cr"].map(value);
+    let critical = &json["critical_speeds"][0];
+    let speed = critical["speed"].as_f64().unwrap();
+    let excess = a * cf - b * cr;
+    // Of the logarithm of the square.
+    let relative = [
+        ("m", -1.0 / m),
+        ("a", 2.0 / (a + b) - cf / excess),
+        ("b", 2.0 / (a + b) + cr / excess),
+        ("Cf", 1.0 / cf - a / excess),
+        ("Cr", 1.0 / cr + b / excess),
+        ("I", 0.0),
+    ];
+    for (name, relative) in relative {
+        let (found, expected) = (critical["derivatives"][name].as_f64().unwrap(), 0.5 * speed * relative);
+        assert!((found - expected).abs() <= 1e-12 * expected.abs(), "{name}: {found} is not {expected}");
+    }
+}
+
+/// The speeds of a motorcycle stay as they are if masses, inertias, stiffnesses and damping grow alike; the undamped section
+/// of a wing is driven by the air, and its stiffnesses alone scale the square of the speed.
+#[test]
+fn any_number_of_coordinates_has_them() {
+    let directory = Directory::of_this_test();
+    let of = |json: &Value, index: usize, names: &[&str]| -> (f64, f64) {
+        let critical = &json["critical_speeds"][index];
+        let term = |name: &&str| {
+            let value = json["parameters"][name]["value"].as_f64().unwrap();
+            value * critical["derivatives"][name].as_f64().unwrap()
+        };
+        (critical["speed"].as_f64().unwrap(), names.iter().map(term).sum())
+    };
+    let json = directory.run(&["sensitivity", "--model", "Motorcycle", "--format", "json"]).json();
+    let forces: Vec<&str> = "Mr Mf Irx Irz Crxz Ifx Ifz iry ify K Cr1 Cr2 Cf1 Cf2 Zf".split(' ').collect();
+    for index in 0..4 {
+        let (speed, sum) = of(&json, index, &forces);
+        assert!(sum.abs() <= 1e-11 * speed, "{speed}: {sum}");
+    }
+    let json = directory.run(&["sensitivity", "--model", "TypicalSection", "--format", "json"]).json();
+    let flutter = (0..4).find(|&index| json["critical_speeds"][index]["change"] == "destabilizes").unwrap();
+    let (speed, sum) = of(&json, flutter, &["kh", "ktheta"]);
+    assert!((sum - 0.5 * speed).abs() <= 1e-11 * speed, "{speed}: {sum}");
+}
+
+/// 2 q'' + q' + (9 - v^2) q = 0 diverges at the root of -Kc/K2.
+#[test]
+fn given_matrices_have_them_by_each_entry() {
+    let directory = Directory::of_this_test();
+    directory.write("one.json", r#"{"M": [[2]], "C0": [[1]], "Kc": [[9]], "K2": [[-1]], "K0": [[0]], "g": 9.81}"#);
+    let critical = &directory.run(&["sensitivity", "one.json", "--format", "json"]).json()["critical_speeds"][0];
+    for (name, expected) in [("Kc_11", 1.0 / 6.0), ("K2_11", 1.5), ("K0_11", 9.81 / 6.0), ("M_11", 0.0), ("g", 0.0)] {
+        let found = critical["derivatives"][name].as_f64().unwrap();
+        assert!((found - expected).abs() <= 1e-15, "{name}: {found} is not {expected}");
+    }
+    let text = directory.run(&["sensitivity", "one.json"]).ok();
+    assert!(text.contains("each entry by itself") && !text.contains("without effect"), "{text}");
+    assert!(text.contains("Kc_11") && !text.contains("K0_11"), "{text}");
 }
 
 #[test]

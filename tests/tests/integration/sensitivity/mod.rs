@@ -4,6 +4,7 @@
 mod critical;
 mod deviations;
 mod eigenvalues;
+mod implicit;
 
 use carvallo::Sensitivity;
 use carvallo_models::Whipple;

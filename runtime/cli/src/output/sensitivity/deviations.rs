@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use crate::analysis::kind;
-use crate::model::Equations;
 use crate::number::shortest;
 use crate::output::columns::width;
 use crate::output::{FAINT, HEADING, equations};
@@ -28,7 +27,7 @@ pub fn write_deviations(changes: &Changes, text: &mut String) {
         .collect();
     let column = width(&speeds, 20);
     for ((critical, derivatives), speed) in ranked.iter().zip(&speeds) {
-        let kind = kind(critical.kind, changes.design.info());
+        let kind = kind(critical.kind, changes.design.info()).replace('_', " ");
         let parts = contributions(changes, derivatives);
         let _ = writeln!(text, "  {kind:<10}{speed:<column$}m/s   {FAINT}{parts}{FAINT:#}");
     }
@@ -46,7 +45,7 @@ fn contributions(changes: &Changes, derivatives: &Derivatives) -> String {
 }
 
 fn write_matrices(changes: &Changes, text: &mut String) {
-    let found = changes.matrix_deviations.iter().flat_map(Equations::matrices);
+    let found = changes.matrix_deviations.iter().flat_map(|deviations| deviations.matrices());
     let matrices = equations::matrices(&changes.design);
     let rows: Vec<Vec<Vec<String>>> = matrices
         .iter()

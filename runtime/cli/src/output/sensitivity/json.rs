@@ -6,7 +6,6 @@ use carvallo::Complex;
 use serde::Serialize;
 
 use crate::analysis::kind;
-use crate::model::Equations;
 use crate::output::equations::{Matrix, matrices};
 use crate::output::head::Head;
 use crate::output::layout::{Line, Members, Parts, write_document};

@@ -11,7 +11,7 @@ use crate::output::columns::width;
 use crate::output::ranges::write_ranges;
 use crate::output::table::{describe_effect, write_heading};
 use crate::output::{FAINT, HEADING};
-use crate::sensitivity::{Changes, Step};
+use crate::sensitivity::{Changes, Step, decides};
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn render_table(changes: &Changes) -> String {
@@ -34,13 +34,13 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
     let first = weave[..1].to_uppercase() + &weave[1..];
     let _ = writeln!(text, "\n{HEADING}{first} and {capsize} speeds{HEADING:#} (m/s)");
     let none = |kind: CriticalKind| !changes.critical_speeds.iter().any(|critical| critical.speed.kind == kind);
-    let all = changes.critical_speeds.iter().filter(|critical| critical.speed.kind != CriticalKind::DoubleRoot);
+    let all = changes.critical_speeds.iter().filter(|critical| decides(&critical.speed));
     let values: Vec<String> = all.clone().map(|critical| shortest(critical.speed.speed)).collect();
     let column = width(&values, 20);
     for (critical, value) in all.zip(&values) {
         let reason = critical.derivatives.as_ref().err();
         let reason = reason.map(|reason| format!("; not ranked: {reason}")).unwrap_or_default();
-        let kind = kind(critical.speed.kind, info);
+        let kind = kind(critical.speed.kind, info).replace('_', " ");
         let effect = describe_effect(&changes.stability, &critical.speed);
         let _ = writeln!(text, "  {kind:<13}{value:<column$}{FAINT}{effect}{reason}{FAINT:#}");
     }
@@ -83,7 +83,8 @@ fn write_ranking(changes: &Changes, text: &mut String) {
         ("unit".to_owned(), lines(&|i| unit(info.parameters[i].unit))),
     ];
     for (critical, derivatives) in &ranked {
-        let name = format!("{} {}", kind(critical.kind, changes.design.info()), fixed(critical.speed, 4));
+        let kind = kind(critical.kind, changes.design.info()).replace('_', " ");
+        let name = format!("{kind} {}", fixed(critical.speed, 4));
         let effect = |i| changes.effect(derivatives, i).map_or("-".to_owned(), |effect| signed(effect, 6));
         columns.push((name, lines(&effect)));
         columns.push(("per unit".to_owned(), lines(&|i| signed(derivatives.speed[i], 6))));
@@ -108,7 +109,9 @@ fn write_ranking(changes: &Changes, text: &mut String) {
     }
     let without: Vec<&str> =
         (0..values.len()).filter(|i| !order.contains(i)).map(|i| info.parameters[i].name).collect();
-    if !without.is_empty() {
+    if changes.are_entries() {
+        let _ = writeln!(text, "  each entry by itself; the derivatives by entries that are zero are in CSV and JSON");
+    } else if !without.is_empty() {
         let _ = writeln!(text, "  without effect: {}", without.join(", "));
     }
     if order.iter().any(|&i| matches!(changes.steps[i], Step::OfScale(_))) {
