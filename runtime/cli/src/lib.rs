@@ -18,6 +18,7 @@ mod output;
 mod plot;
 mod quantity;
 mod sensitivity;
+mod simulate;
 mod speeds;
 mod sweep;
 mod terminal;

@@ -6,6 +6,7 @@ use std::fmt;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
+use carvallo::simulation::LinearMotion;
 use carvallo::{
     Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Matrix, MatrixName, Model, ModelInfo,
     Sensitivity, SensitivityError, Stability, States, SystemError,
@@ -179,6 +180,12 @@ pub trait Equations: Debug {
     /// If there are none, as for a singular mass matrix.
     fn eigenvalues(&self, speed: f64, gravity: f64) -> Result<Vec<Complex<f64>>, SystemError>;
 
+    /// The motion at a speed in m/s and a gravitational field strength in N/kg.
+    ///
+    /// # Errors
+    /// If there is none, as for a singular mass matrix.
+    fn motion(&self, speed: f64, gravity: f64) -> Result<LinearMotion, SystemError>;
+
     /// The critical speeds and stable ranges at a gravitational field strength in N/kg.
     ///
     /// # Errors
@@ -226,6 +233,10 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
 
     fn eigenvalues(&self, speed: f64, gravity: f64) -> Result<Vec<Complex<f64>>, SystemError> {
         self.at(speed, gravity)?.eigenvalues()
+    }
+
+    fn motion(&self, speed: f64, gravity: f64) -> Result<LinearMotion, SystemError> {
+        LinearMotion::new(&self.at(speed, gravity)?)
     }
 
     fn stability(&self, gravity: f64) -> Result<Stability, SystemError> {

@@ -17,8 +17,8 @@ use clap::error::{ContextKind, ContextValue};
 use clap::{Parser, Subcommand};
 
 use crate::failure::{Failure, Place, Problem};
-use crate::sweep;
 use crate::terminal::{ERROR, note};
+use crate::{simulate, sweep};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -32,6 +32,8 @@ Examples:
   carvallo show browser --plot browser.svg     Parameters, and a side view to scale
   carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
                                                Many designs, with a map of their stability
+  carvallo simulate --speed 4.6 --initial phi_rate=0.5 --duration 10
+                                               The motion of the benchmark bicycle after a push
   carvallo equations --format latex            The equations of motion, with all definitions
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set
 
@@ -64,6 +66,7 @@ enum Command {
     Models,
     Show(show::Options),
     Equations(equations::Options),
+    Simulate(Box<simulate::Options>),
     Sweep(Box<sweep::Options>),
 }
 
@@ -87,6 +90,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Models) => lists::models(),
         Some(Command::Show(options)) => show::run(&options),
         Some(Command::Equations(options)) => equations::run(&options),
+        Some(Command::Simulate(options)) => simulate::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
     }
 }

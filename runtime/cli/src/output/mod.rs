@@ -9,6 +9,7 @@ mod json;
 mod layout;
 mod list;
 mod models;
+pub mod motion;
 mod parameters;
 mod ranges;
 pub mod sensitivity;

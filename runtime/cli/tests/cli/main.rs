@@ -16,6 +16,7 @@ mod readings;
 mod sensitivity;
 mod shapes;
 mod show;
+mod simulate;
 mod sweep;
 
 use std::io::Write as _;

@@ -1,0 +1,65 @@
+//! A motion as it is told, whichever equations it is of.
+
+use crate::design::Design;
+
+/// Something that moves, with its symbol, what it is, and the unit of its position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quantity {
+    pub name: &'static str,
+    pub label: &'static str,
+    pub unit: &'static str,
+}
+
+impl Quantity {
+    pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
+        Self { name, label, unit }
+    }
+
+    /// The unit of its rate, or with `power` 2 of its acceleration.
+    pub fn unit_per_time(&self, power: u32) -> String {
+        let unit = if self.unit.is_empty() { "1" } else { self.unit };
+        if power == 1 { format!("{unit}/s") } else { format!("{unit}/s^{power}") }
+    }
+}
+
+/// A motion, row by row.
+#[derive(Debug)]
+pub struct Motion {
+    pub design: Design,
+    pub is_linear: bool,
+    /// In the order in which they are told.
+    pub quantities: Vec<Quantity>,
+    /// The wheels that touch the ground, where the forces on them are known.
+    pub wheels: Vec<&'static str>,
+    pub rows: Vec<Row>,
+    /// Why it ended before its time, if it did.
+    pub end: Option<String>,
+}
+
+/// A motion at one time, in SI units.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// In s.
+    pub t: f64,
+    /// Of each quantity.
+    pub positions: Vec<f64>,
+    pub rates: Vec<f64>,
+    pub accelerations: Vec<f64>,
+    /// Kinetic and potential, in J.
+    pub energy: Option<[f64; 2]>,
+    /// The force of the ground on each wheel, in N.
+    pub contact_forces: Vec<[f64; 3]>,
+}
+
+impl Motion {
+    /// Where a quantity stands in the rows.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        self.quantities.iter().position(|quantity| quantity.name == name)
+    }
+
+    /// The forward speed in m/s, of bicycles that of the rear wheel: -rR thetaR'.
+    pub fn speed(&self, row: &Row) -> Option<f64> {
+        let (radius, wheel) = (self.design.value("rR")?, self.position("thetaR")?);
+        Some(-radius * row.rates[wheel])
+    }
+}

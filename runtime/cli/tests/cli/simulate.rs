@@ -1,0 +1,199 @@
+//! Motions in time.
+
+use serde_json::Value;
+
+use crate::Directory;
+
+/// Runs `carvallo simulate`.
+fn simulate(directory: &Directory, arguments: &[&str]) -> crate::Run {
+    directory.run(&[&["simulate"], arguments].concat())
+}
+
+#[track_caller]
+fn assert_near(found: &Value, expected: f64, bound: f64) {
+    let found = found.as_f64().expect("a number");
+    assert!((found - expected).abs() <= bound * expected.abs().max(1.0), "{found} is not {expected}");
+}
+
+/// The benchmark bicycle at 4.6 m/s after a push of 0.5 rad/s, linear: lean, steer, their rates, yaw and y, by the exponential
+/// of the printed matrices at 60 digits (mpmath).
+const PUSHED: [(f64, [f64; 6]); 3] = [
+    (
+        1.0,
+        [
+            -0.05295142942004998,
+            -0.04375017636808926,
+            -0.24956773931553197,
+            -0.37639700887986005,
+            0.3019227417451028,
+            0.7988782020833841,
+        ],
+    ),
+    (
+        2.0,
+        [
+            0.06227863682512368,
+            0.07048234036612427,
+            0.013321568143755926,
+            0.09278363039827259,
+            0.15850496842629055,
+            1.5568421872741014,
+        ],
+    ),
+    (
+        4.0,
+        [
+            0.008085626405648172,
+            0.018217325677948048,
+            -0.11062659748184872,
+            -0.12664641099428336,
+            0.2324322656445748,
+            3.4285774728323264,
+        ],
+    ),
+];
+
+#[test]
+fn a_push_is_that_of_sixty_digits() {
+    let directory = Directory::of_this_test();
+    let pushed = ["--linear", "--speed", "4.6", "--initial", "phi_rate=0.5", "--duration", "4", "--format", "json"];
+    let json = simulate(&directory, &pushed).json();
+    let rows = json["rows"].as_array().expect("rows");
+    assert_eq!((rows.len(), json["equations"].as_str()), (101, Some("linear")));
+    for (time, expected) in PUSHED {
+        let row = &rows[(time * 25.0) as usize];
+        assert_eq!(row["t"], time);
+        let (positions, rates) = (&row["positions"], &row["rates"]);
+        let found = [
+            &positions["phi"],
+            &positions["delta"],
+            &rates["phi"],
+            &rates["delta"],
+            &positions["psi"],
+            &positions["y"],
+        ];
+        found.into_iter().zip(expected).for_each(|(found, expected)| assert_near(found, expected, 2e-12));
+        assert_near(&positions["x"], 4.6 * time, 1e-14);
+        assert_near(&rates["thetaR"], -4.6 / 0.3, 1e-15);
+    }
+}
+
+/// M^-1 (f - K q) at 4.6 m/s, a lean of 0.1 rad and a steer torque of 2 N m, from the printed matrices.
+#[test]
+fn no_duration_gives_the_accelerations_of_a_state() {
+    let directory = Directory::of_this_test();
+    let state = ["--linear", "--speed", "4.6", "--initial", "lean=0.1", "--force", "Tdelta=2 N m", "--duration", "0"];
+    let json = simulate(&directory, &[&state[..], &["--format", "json"]].concat()).json();
+    let rows = json["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 1);
+    assert_near(&rows[0]["accelerations"]["phi"], 0.7007933938542075, 2e-13);
+    assert_near(&rows[0]["accelerations"]["delta"], 9.819628048804782, 2e-13);
+}
+
+/// A pendulum, `m l² theta'' + c theta' + g m l theta = 0`, let go: exp(-a t) (cos w t + (a/w) sin w t).
+#[test]
+fn other_models_move_as_well() {
+    let directory = Directory::of_this_test();
+    let pendulum =
+        ["--linear", "--model", "Pendulum", "--initial", "theta=20 deg", "--duration", "3 s", "--step", "0.75"];
+    let text = simulate(&directory, &[&pendulum[..], &["--format", "csv"]].concat()).ok();
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    assert!(text.starts_with("t (s),theta (rad),theta_rate (rad/s),theta_acceleration (rad/s^2)\n"), "{text}");
+    let show = directory.run(&["show", "--model", "Pendulum"]).ok();
+    let value = |name: &str| -> f64 {
+        let line = show.lines().find(|line| line.starts_with(&format!("{name} = "))).expect("a parameter");
+        line.split([' ', '#']).nth(2).and_then(|value| value.parse().ok()).expect("a number")
+    };
+    let a = value("c") / (2.0 * value("m") * value("l").powi(2));
+    let w = (value("g") / value("l") - a * a).sqrt();
+    for row in rows {
+        let t = row[0];
+        let expected = 20_f64.to_radians() * (-a * t).exp() * ((w * t).cos() + a / w * (w * t).sin());
+        assert!((row[1] - expected).abs() < 1e-13, "{row:?}");
+    }
+}
+
+/// A mass that nothing holds, by its matrix: q'' = f/m.
+#[test]
+fn forces_come_from_files() {
+    let directory = Directory::of_this_test();
+    directory.write("mass.json", r#"{"M": [[2]], "C0": [[0]], "coordinates": [{"name": "q1", "only": "rate"}]}"#);
+    directory.write("push.csv", "t (s),force (N)\n# a jump\n0,0\n1,0\n1,6\n3,6\n3,0\n10,0\n");
+    let run =
+        ["mass.json", "--linear", "--force", "q1=push.csv", "--duration", "10", "--step", "1", "--format", "json"];
+    let json = simulate(&directory, &run).json();
+    for (time, expected) in [(1, 0.0), (2, 1.5), (3, 6.0), (10, 48.0)] {
+        assert_near(&json["rows"][time]["positions"]["q1"], expected, 1e-13);
+    }
+}
+
+#[test]
+fn results_go_to_files() {
+    let directory = Directory::of_this_test();
+    let ride = ["--linear", "--speed", "5", "--initial", "phi=0.1", "--duration", "2"];
+    for format in ["table", "csv", "json"] {
+        let printed = simulate(&directory, &[&ride[..], &["--format", format]].concat()).ok();
+        let written = simulate(&directory, &[&ride[..], &["--format", format, "--output", "ride.txt"]].concat());
+        assert_eq!(
+            (written.code, written.stdout.as_str(), written.stderr.as_str()),
+            (Some(0), "", "wrote: ride.txt\n")
+        );
+        assert_eq!(std::fs::read_to_string(directory.0.join("ride.txt")).expect("a file"), printed);
+    }
+}
+
+#[test]
+fn all_mistakes_are_told_at_once() {
+    let directory = Directory::of_this_test();
+    let wrong = ["--duration", "-1", "--step", "0", "--speed", "fast", "--initial", "ph=1", "--force", "q=1"];
+    simulate(&directory, &wrong).fails(
+        2,
+        "error: 5 problems\n\
+         --duration -1: the duration is -1 s; it must be >= 0\n\
+         --step 0: the step is 0 s; it must be > 0\n\
+         --speed fast: the speed must be a finite number: `fast` is not known\n\
+         --initial ph=1: `ph` is no position or rate of Whipple; did you mean `phi`?\n\
+         they are phi, delta, psi, x, y, thetaR, thetaF, phi_rate, delta_rate\n\
+         --force q=1: `q` is no force on Whipple\n\
+         they are phi, delta\n",
+    );
+    simulate(&directory, &["--duration", "1"])
+        .fails(2, "error: expected --speed V, which the motion depends on, such as --speed 4.6\n");
+    simulate(&directory, &["--linear", "--speed", "5", "--initial", "thetaR_rate=1", "--duration", "1"])
+        .fails(2, "error: --initial thetaR_rate=1: the rate of `thetaR` cannot be given: it follows from --speed\n");
+}
+
+#[test]
+fn force_files_are_read_with_care() {
+    let directory = Directory::of_this_test();
+    for (text, message) in [
+        ("0,1\n2,1\n1,1\n", "force.csv:3: the time 1 s comes behind 2 s; times must ascend"),
+        ("0,1\n1,2\n1,3\n1,4\n5,0\n", "force.csv:4: it is the third line at 1 s; a jump has two"),
+        ("0,1\n1,\n5,1\n", "force.csv:2: there is a gap; expected a time in s and a force"),
+        ("0,1\n1,2,3\n5,1\n", "force.csv:2: the line has 3 fields; expected a time in s and a force"),
+        ("0,1\n1,x\n5,1\n", "force.csv:2: `x` must be a finite number: `x` is not known"),
+        ("t,T\n", "force.csv: there is no line with a time and a force"),
+        ("1,0\n5,1\n", "force.csv: the first time is 1 s; it must begin at 0 s, where the motion does"),
+        ("0,0\n3,1\n", "force.csv: the last time is 3 s; it must reach 5 s, where the motion ends"),
+    ] {
+        directory.write("force.csv", text);
+        let ride = ["--linear", "--speed", "5", "--force", "delta=force.csv", "--duration", "5"];
+        simulate(&directory, &ride).fails(2, &format!("error: {message}\n"));
+    }
+}
+
+/// What grows for ever leaves the range of doubles: what there is until then is told, and that it ends.
+#[test]
+fn what_leaves_the_range_of_doubles_ends_early() {
+    let directory = Directory::of_this_test();
+    directory.write("fall.json", r#"{"M": [[1]], "Kc": [[-1]]}"#);
+    let run = ["fall.json", "--linear", "--initial", "q1=1", "--duration", "1000", "--step", "100", "--format", "csv"];
+    let run = simulate(&directory, &run);
+    let reason = "the motion then leaves the range of floating-point numbers";
+    assert_eq!((run.code, run.stderr.as_str()), (Some(0), &*format!("note: the motion ends before 800 s: {reason}\n")));
+    assert_eq!(run.stdout.lines().count(), 9);
+}
