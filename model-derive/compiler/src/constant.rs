@@ -10,8 +10,9 @@ use crate::formula::{Algebra, Decimal, Factor, Formula, Function, Term, Values};
 /// Bits of the calculation: enough that the nearest `f64` of the result is the nearest of the exact value.
 const PRECISION: usize = 320;
 const ROUNDING: RoundingMode = RoundingMode::ToEven;
-/// Binary digits behind the point of a cosine that is taken for zero.
-const POLE: i32 = 256;
+/// A sine or cosine that has the first digit so many binary places behind that of its argument is nothing but the rounding of
+/// π, and is taken for zero.
+const ROUNDED: i32 = 256;
 
 /// A constant, finite unless an operation says otherwise.
 #[derive(Clone, Debug)]
@@ -116,12 +117,15 @@ impl Constant {
     /// If it is not real and finite.
     pub fn call(&self, function: Function) -> Result<Self, NoValue> {
         let (p, rm) = (PRECISION, ROUNDING);
+        let settled = |value: BigFloat| {
+            let is_rounding = value.exponent().zip(self.0.exponent()).is_some_and(|(own, of)| own < of - ROUNDED);
+            if is_rounding { BigFloat::from_word(0, p) } else { value }
+        };
         finite(with_digits(|digits| match function {
-            Function::Sin => self.0.sin(p, rm, digits),
-            Function::Cos => self.0.cos(p, rm, digits),
-            // At a pole the cosine is nothing but the rounding of π.
-            Function::Tan if self.0.cos(p, rm, digits).exponent().is_some_and(|e| e < -POLE) => astro_float::NAN,
-            Function::Tan => self.0.tan(p, rm, digits),
+            Function::Sin => settled(self.0.sin(p, rm, digits)),
+            Function::Cos => settled(self.0.cos(p, rm, digits)),
+            Function::Tan if settled(self.0.cos(p, rm, digits)).is_zero() => astro_float::NAN,
+            Function::Tan => settled(self.0.tan(p, rm, digits)),
             Function::Sqrt => self.0.sqrt(p, rm),
         }))
     }
@@ -282,5 +286,42 @@ impl Algebra for Constants {
 
     fn call(&self, function: Function, argument: Constant) -> Result<Constant, NoValue> {
         argument.call(function)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn multiple_of_pi(numerator: &str, denominator: &str) -> Constant {
+        let [above, below] = [numerator, denominator].map(|text| Constant::parse(text).expect("a number"));
+        Constant::product([Factor::times(Constant::pi()), Factor::times(above), Factor::over(below)]).expect("finite")
+    }
+
+    #[test]
+    fn what_is_zero_at_multiples_of_pi_is_zero() {
+        for (numerator, function) in [
+            ("2", Function::Sin),
+            ("-14", Function::Sin),
+            ("1", Function::Cos),
+            ("-7", Function::Cos),
+            ("2", Function::Tan),
+        ] {
+            let value = multiple_of_pi(numerator, "2").call(function).expect("a value");
+            assert!(value.is_zero(), "{function:?} of {numerator} pi/2");
+            assert_eq!(value.power(4).expect("finite").to_f64(), Ok(0.0));
+            assert!(value.power(-1).is_err());
+        }
+        assert_eq!(multiple_of_pi("1", "2").call(Function::Tan).err(), Some(NoValue));
+    }
+
+    #[test]
+    fn what_is_small_for_another_reason_is_not_zero() {
+        let small = Constant::parse("1e-200").expect("a number");
+        for function in [Function::Sin, Function::Tan] {
+            assert_eq!(small.call(function).expect("a value").to_f64(), Ok(1e-200));
+            let nearly = Constant::parse("3.14159265358979323846").expect("a number");
+            assert!(nearly.call(function).expect("a value").to_f64().is_ok_and(|value| value.abs() > 1e-21));
+        }
     }
 }
