@@ -68,7 +68,13 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
     };
     let Some(mechanism) = &declaration.mechanism else { return by_speed::sort_wholes(checked, written, report) };
     // Declared matrices beside a mechanism are a mistake.
-    let nothing = Derived { matrices: Vec::new(), entries: Vec::new(), symmetric: Vec::new(), ..written };
+    let nothing = Derived {
+        matrices: Vec::new(),
+        entries: Vec::new(),
+        symmetric: Vec::new(),
+        kinematics: Some(rates::outline_rates(declaration, mechanism)),
+        ..written
+    };
     let Some(assembly) = &checked.assembly else { return nothing };
     let declared = Declared {
         parameters: declaration.parameters.len(),

@@ -6,7 +6,7 @@ use crate::check::{Role, Tree};
 use crate::formula::Formula;
 use crate::kinematics::{Kinematics, Rate};
 use crate::mechanics::{self, Derivation};
-use crate::syntax::{Freedom, JointKind, Mechanism};
+use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
 
 /// The rates and forces of a derivation, with names and documentation for generated code.
 pub fn name_rates(derivation: &Derivation, mechanism: &Mechanism, tree: &Tree) -> Kinematics<Formula> {
@@ -15,22 +15,59 @@ pub fn name_rates(derivation: &Derivation, mechanism: &Mechanism, tree: &Tree) -
         let mechanics::Rate { speed, rates, coordinates, heading, .. } = rate.clone();
         Some(Rate { name, docs, speed, rates, coordinates, heading })
     });
+    Kinematics {
+        parts: name_parts(mechanism),
+        rates: rates.collect(),
+        applied: name_forces(mechanism),
+        forces: derivation.forces.clone(),
+    }
+}
+
+/// The same of a mechanism from which nothing was derived, for the types that the rest of a file uses: rates of all that is no
+/// coordinate, in which every formula is zero.
+pub fn outline_rates(declaration: &Declaration, mechanism: &Mechanism) -> Kinematics<Formula> {
+    let zeros = |count: usize| vec![Formula::zero(); count];
+    let n = declaration.coordinates.len();
+    let is_coordinate = |name: &Ident| declaration.coordinates.iter().any(|coordinate| coordinate.name == *name);
+    let joints = (0..mechanism.joints.len()).filter(|joint| !is_coordinate(&mechanism.joints[*joint].name));
+    let spins = (0..mechanism.wheels.len()).filter(|wheel| mechanism.wheels[*wheel].carrier.is_some());
+    let named = |freedom: &Freedom| {
+        let mut names = mechanism.free.iter().flat_map(|free| &free.names);
+        names.any(|(known, name)| known == freedom && is_coordinate(name))
+    };
+    let freedoms = Freedom::ALL.into_iter().filter(|freedom| !mechanism.free.is_empty() && !named(freedom));
+    let roles = freedoms.map(Role::Freedom).chain(joints.map(Role::Joint)).chain(spins.map(Role::Spin));
+    let rates = roles.filter_map(|role| {
+        let (name, docs) = name_rate(role, mechanism)?;
+        let zero = Formula::zero();
+        Some(Rate { name, docs, speed: zero.clone(), rates: zeros(n), coordinates: zeros(n), heading: zero })
+    });
+    Kinematics {
+        parts: name_parts(mechanism),
+        rates: rates.collect(),
+        applied: name_forces(mechanism),
+        forces: vec![zeros(mechanism.forces.len()); n],
+    }
+}
+
+/// The forces that are applied, each with what it is and its unit.
+fn name_forces(mechanism: &Mechanism) -> Vec<[String; 3]> {
     let applied = mechanism.forces.iter().map(|force| {
         let label = force.label.clone().unwrap_or_else(|| force.name.to_string());
         [force.name.to_string(), label, force_unit(mechanism, &force.on).into()]
     });
+    applied.collect()
+}
+
+/// The bodies and wheels, each with what it is.
+fn name_parts(mechanism: &Mechanism) -> Vec<String> {
     let labelled = |name: &Ident, label: &Option<String>| match label {
         Some(label) => format!("`{name}` ({label})"),
         None => format!("`{name}`"),
     };
     let bodies = mechanism.bodies.iter().map(|body| format!("body {}", labelled(&body.name, &body.label)));
     let wheels = mechanism.wheels.iter().map(|wheel| format!("wheel {}", labelled(&wheel.name, &wheel.label)));
-    Kinematics {
-        parts: bodies.chain(wheels).collect(),
-        rates: rates.collect(),
-        applied: applied.collect(),
-        forces: derivation.forces.clone(),
-    }
+    bodies.chain(wheels).collect()
 }
 
 /// The unit of a force or torque on a joint.
