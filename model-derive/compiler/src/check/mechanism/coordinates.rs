@@ -22,8 +22,11 @@ pub fn find_joints<'a>(
     let deflections = mechanism.wheels.iter().enumerate();
     let deflections = deflections.filter_map(|(index, wheel)| Some((wheel.deflection()?, Role::Deflection(index))));
     let mut named: Vec<(&Ident, Role)> = Vec::new();
+    let mut complete = complete;
     for (name, role) in joints.chain(freedoms).chain(deflections) {
         if named.iter().any(|(known, _)| *known == name) {
+            // The one that it should have been may be a coordinate.
+            complete = false;
             report.error(name, format!("`{name}` is the coordinate of two joints: expected one of each name"));
         } else if named.iter().any(|(_, known)| *known == role) {
             report.error(name, format!("a second name, `{name}`, of one freedom: expected one"));
