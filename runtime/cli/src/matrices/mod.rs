@@ -75,7 +75,7 @@ fn of<const N: usize>(form: &Form) -> &'static Shipped {
         }
     }
     let gravity = Some(parameters.len());
-    let g = ParameterInfo::new("g", "N/kg", Domain::FINITE).docs("Gravitational field strength.");
+    let g = ParameterInfo::new("g", "N/kg", Domain::NONNEGATIVE).docs("Gravitational field strength.");
     parameters.push(if form.matrices.contains(&MatrixName::K0) { g } else { g.unused() });
     let info = Box::leak(Box::new(ModelInfo {
         name: NAME,

@@ -59,7 +59,7 @@ fn near_misses_of_matrices_are_refused() {
     let expected = "expected `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`";
     for (other, message) in [
         (r#""G": [[0, 1], [1, 0]]"#, format!("`G` is no matrix; {expected}")),
-        (r#""c1": [[0, 1], [1, 0]]"#, format!("`c1` is no matrix; {expected}; did you mean `C1`?")),
+        (r#""Kcc": [[0, 1], [1, 0]]"#, format!("`Kcc` is no matrix; {expected}; did you mean `Kc`?")),
         (r#""C1": 3"#, "`C1` has 1 row; expected 2 rows of 2 numbers, as `M` has".to_owned()),
     ] {
         check_file("a.json", format!("{{{matrices}, {other}}}"), &format!("a.json:1: {message}"));

@@ -7,7 +7,7 @@ mod text;
 
 use carvallo::MatrixName;
 
-use self::names::{COORDINATES, entry, is_plain, matrix, no_matrix};
+use self::names::{COORDINATES, entry, is_plain, matrix, matrix_of_rows, no_matrix};
 use self::shape::{Given, Row, shape};
 use super::document::{Document, Entry, Written};
 use super::names::is_gravity;
@@ -21,12 +21,19 @@ pub use self::text::is_open;
 /// Whether a name of a file is for matrices: a matrix by its rows, unless parameters are in a group of their own, or what the
 /// coordinates are.
 pub fn is_part(name: &str, value: &Value, has_parameters: bool) -> bool {
-    name == COORDINATES || !has_parameters && matches!(value, Value::List(_)) && matrix(name).is_some()
+    let Value::List(list) = value else { return name == COORDINATES };
+    let has_rows = list.iter().any(|row| matches!(row.value, Value::List(_)));
+    name == COORDINATES || !has_parameters && is_named(name, has_rows)
 }
 
 /// Whether a text under a name is a matrix, as scripts have it, or the names of the coordinates.
 pub fn is_text(name: &str, text: &str) -> bool {
-    (name == COORDINATES || matrix(name).is_some()) && text::is_list(text)
+    text::is_list(text) && (name == COORDINATES || is_named(name, text::has_rows(text)))
+}
+
+/// Whether a list is a matrix by its name: one in lower case may be a parameter, measured several times, unless it has rows.
+fn is_named(name: &str, has_rows: bool) -> bool {
+    matrix(name).is_some() || has_rows && matrix_of_rows(name).is_some()
 }
 
 impl Document {
@@ -61,7 +68,8 @@ impl Document {
         let mut given = Vec::new();
         for Named { name, node: Node { place, value } } in lists {
             if let Value::List(rows) = value
-                && let Some(matrix) = self.new_matrix(&name, &place, &given)
+                && let Some(matrix) = matrix_of_rows(&name)
+                && self.is_new(matrix, &name, &place, &given)
             {
                 let rows = self.rows_of(matrix, rows, words);
                 given.push(Given { matrix, place, rows });
@@ -71,7 +79,9 @@ impl Document {
         let is_matrix = |entry: &mut Entry| matrix(&entry.name).is_some();
         for entry in self.entries.extract_if(.., is_matrix).collect::<Vec<_>>() {
             let place = entry.place.clone();
-            if let Some(matrix) = self.new_matrix(&entry.name, &place, &given) {
+            if let Some(matrix) = matrix(&entry.name)
+                && self.is_new(matrix, &entry.name, &place, &given)
+            {
                 let rows = Ok(vec![Row { place: place.clone(), entries: vec![entry] }]);
                 given.push(Given { matrix, place, rows });
             }
@@ -96,19 +106,20 @@ impl Document {
         self.model.is_none() && self.entries.iter().any(is_m) && self.entries.iter().all(is_one)
     }
 
-    /// The matrix of a name, unless it is given already.
-    fn new_matrix(&mut self, name: &str, place: &Place, given: &[Given]) -> Option<MatrixName> {
-        let matrix = matrix(name)?;
+    /// Whether a matrix is not given already; if it has another name in the file, that is told.
+    fn is_new(&mut self, matrix: MatrixName, name: &str, place: &Place, given: &[Given]) -> bool {
         if let Some(Given { place: first, .. }) = given.iter().find(|given| given.matrix == matrix) {
             let which = if name == matrix.to_string() { "" } else { &format!(" is `{matrix}`, which") };
             self.problem(place.clone(), format!("`{name}`{which} is given twice; first at {first}"));
-            return None;
+            return false;
         }
         if is_plain(name) {
             let why = "which depends on neither gravity nor speed";
             self.notes.push(format!("{place}: `{name}` is taken for `{matrix}`, {why}"));
+        } else if matrix_of_rows(name) != names::matrix(name) {
+            self.notes.push(format!("{place}: `{name}` is taken for `{matrix}`, as it has rows"));
         }
-        Some(matrix)
+        true
     }
 
     /// An array that is no matrix under any name would be lost.

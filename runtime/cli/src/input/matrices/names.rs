@@ -30,9 +30,19 @@ pub fn matrix(name: &str) -> Option<MatrixName> {
     MatrixName::ALL.into_iter().find(|matrix| matrix.name() == usual)
 }
 
+/// The matrix of a name that has rows behind it, in letters of either case.
+pub fn matrix_of_rows(name: &str) -> Option<MatrixName> {
+    let capitalized = || {
+        let name = without_owner(name);
+        let first = name.chars().next()?;
+        matrix(&format!("{}{}", first.to_ascii_uppercase(), &name[first.len_utf8()..]))
+    };
+    matrix(name).or_else(capitalized)
+}
+
 /// Whether a name is that of damping or of stiffness without a word on the speed and gravity.
 pub fn is_plain(name: &str) -> bool {
-    ["C", "D", "K"].contains(&without_owner(name))
+    ["C", "D", "K"].iter().any(|plain| plain.eq_ignore_ascii_case(without_owner(name)))
 }
 
 /// The entry of a matrix that a parameter is: `M_12`, or `M_1_12`; its row and its column, from one.

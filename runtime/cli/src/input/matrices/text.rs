@@ -11,6 +11,13 @@ pub fn is_list(value: &str) -> bool {
     without_call(value).is_some_and(|text| text.starts_with('[')) || made(value).is_some()
 }
 
+/// Whether it has several rows, or one in brackets of its own.
+pub fn has_rows(value: &str) -> bool {
+    let several = matches!(list(value, &|_| Place::Nowhere), Some(Value::List(rows)) if rows.len() > 1);
+    let first = without_call(value).and_then(|text| text.strip_prefix('['));
+    several || first.is_some_and(|row| row.trim_start().starts_with('['))
+}
+
 /// Whether a list that has begun has no end yet.
 pub fn is_open(value: &str) -> bool {
     is_list(value) && depth(value) > 0

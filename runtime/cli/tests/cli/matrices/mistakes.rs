@@ -33,6 +33,7 @@ fn mistakes_are_told_at_their_place() {
             format!("{both}, \"gravty\": 4"),
             format!("1: `gravty` is not known beside matrices; {known}; did you mean `gravity`?"),
         ),
+        (format!("{both},\n \"g\": -9.81"), "2: `g` is -9.81 N/kg; it must be >= 0".to_owned()),
         (
             format!("{both},\n \"K\": [[1, 0], [0, 1]]"),
             "2: `K` is `Kc`, which is given twice; first at a.json:1".to_owned(),

@@ -98,3 +98,34 @@ fn matrices_that_scripts_make_are_read() {
     let message = "error: a.m:2: `Kc` has 3 rows; expected 2 rows of 2 numbers, as `M` has\n";
     directory.run(&["analyze", "a.m"]).fails(2, message);
 }
+
+/// A list of rows is no parameter, whatever the case of its name; one of numbers may be.
+#[test]
+fn names_of_matrices_may_be_in_lower_case() {
+    let directory = Directory::new("matrices-lower-case");
+    let names = ["M", "C1", "C_1", "K0", "K_0", "K2", "K_2"];
+    for (file, text) in SCRIPTS {
+        // With the number m in the place of its name: beside a matrix it would be a second one.
+        let text = text.replace("m = 80.81722\n", "").replace("[[m,", "[[80.81722,");
+        let lower = names.iter().fold(text, |text, name| {
+            let assigned = [format!("{name} ="), format!("{name}:"), format!("\"{name}\"")];
+            assigned.iter().fold(text, |text, name| text.replace(name, &name.to_lowercase()))
+        });
+        let run = directory.write(file, &lower).run(&["analyze", file, "--format", "json"]);
+        let json: serde_json::Value = serde_json::from_str(&run.stdout).expect(&run.stderr);
+        let range = &json["stable_ranges"][0];
+        assert!((range[0].as_f64().unwrap() - 4.29238253634111).abs() < 1e-13, "{file}: {range}");
+        assert!(run.stderr.contains("`m` is taken for `M`, as it has rows"), "{}", run.stderr);
+    }
+    directory.write("a.json", r#"{"M": [[1]], "m": [[2]]}"#);
+    let message = "error: a.json:1: `m` is `M`, which is given twice; first at a.json:1\n";
+    directory.run(&["analyze", "a.json"]).fails(2, message);
+    directory.write("a.json", r#"{"M": [[1]], "m": 2, "Kc": [["m"]]}"#);
+    let json = directory.run(&["analyze", "a.json", "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json.stdout).expect(&json.stderr);
+    assert_eq!(json["matrices"]["Kc"], serde_json::json!([[2.0]]));
+    directory.write("a.json", r#"{"m": [1, 2], "M": [[1]]}"#);
+    let message = "error: a.json:1: `m` is no matrix; expected `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`";
+    let run = directory.run(&["analyze", "a.json"]);
+    assert!(run.stderr.starts_with(message), "{}", run.stderr);
+}
