@@ -29,7 +29,7 @@
 //! | `batch` (default) | many designs in the lanes of the processor |
 //! | `approx` | coefficients, systems and state spaces in `assert_relative_eq!` and the like of the crate `approx` |
 //! | `rayon` | batches by all cores |
-//! | `serde` | critical speeds, ranges, verdicts and modes to and from JSON and the like, as the command line writes them |
+//! | `serde` | coefficient matrices, systems, critical speeds, ranges, verdicts and modes to and from JSON and the like, as the command line writes them |
 //! | `derive` | the macro `model!`, which builds Symbolica |
 
 // The pages name items of the crate.

@@ -8,6 +8,8 @@ mod error;
 mod rows;
 mod state_space;
 mod states;
+#[cfg(all(feature = "serde", feature = "std"))]
+mod written;
 
 pub use at_speed::System;
 #[cfg(feature = "std")]

@@ -5,6 +5,7 @@
 /// Of N coordinates of which the positions and the rates are states there are 2N states, and as many eigenvalues; each
 /// coordinate of which only one is makes that one less.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum States {
     /// Its position and its rate.
     #[default]

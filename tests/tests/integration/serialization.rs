@@ -2,8 +2,8 @@
 
 use std::fmt::Debug;
 
-use carvallo::{CriticalSpeed, Mode, Model, Stability, StableRange, Verdict};
-use carvallo_models::{RollingDisc, Whipple, each_model};
+use carvallo::{Coefficients, CriticalSpeed, Mode, Model, Stability, StableRange, States, System, Verdict};
+use carvallo_models::{Car, RollingDisc, Whipple, each_model};
 use carvallo_tests::published::CRITICAL_SPEEDS_2007;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -82,6 +82,44 @@ fn stability_has_the_words_of_the_command_line() {
     assert_eq!(serde_json::from_value::<Vec<StableRange>>(ranges).unwrap(), stability.stable_ranges);
     let words = |verdict: Verdict, mode: Mode| serde_json::to_string(&(verdict, mode)).unwrap();
     assert_eq!(words(Verdict::Marginal, Mode::Castering), r#"["marginal","castering"]"#);
+}
+
+/// The names and rows of `runtime/cli/docs/files.md`.
+#[test]
+fn matrices_have_the_names_of_files() {
+    let car = Car::OVERSTEERING.coefficients();
+    let json = serde_json::to_value(car).unwrap();
+    let names: Vec<&str> = json.as_object().unwrap().keys().map(String::as_str).collect();
+    assert_eq!(names, ["C-1", "C1", "M", "states"]);
+    assert_eq!(json["C-1"][0][1], car.cm1[(0, 1)]);
+    assert_ne!(json["C-1"][0][1], 0.0);
+    assert_eq!(json["states"], serde_json::json!(["rate", "rate"]));
+    assert_eq!(serde_json::from_value::<Coefficients<f64, 2>>(json).unwrap(), car);
+    let toml = "M = [[2.0, 0.0], [0.0, 1.0]]\nK0 = [[-9.0, 1.5], [0.5, -3.0]]\n";
+    let read: Coefficients<f32, 2> = toml::from_str(toml).unwrap();
+    assert_eq!((read.k0[(0, 1)], read.k0[(1, 0)], read.states), (1.5, 0.5, [States::Both; 2]));
+    assert_eq!(toml::from_str::<Coefficients<f32, 2>>(&toml_of(&read)).unwrap(), read);
+    let system = car.at(20.0, 0.0).unwrap();
+    let json = serde_json::to_value(system).unwrap();
+    assert_eq!((&json["C"][0][1], json.get("K")), (&system.c[(0, 1)].into(), None));
+    assert_eq!(serde_json::from_value::<System<2>>(json).unwrap(), system);
+}
+
+#[test]
+fn matrices_of_another_size_are_refused() {
+    for (text, expected) in [
+        (r#"{"M": [[1.0]]}"#, "`M` has 1 rows: expected 2, one for each coordinate"),
+        (r#"{"M": [[1, 0], [0]]}"#, "`M` has 1 entries in row 2: expected 2, one for each coordinate"),
+        (r#"{"K0": [[1, 0], [0, 1]]}"#, "missing field `M`"),
+        (r#"{"M": [[1, 0], [0, 1]], "K3": [[1]]}"#, "unknown field `K3`"),
+        (
+            r#"{"M": [[1, 0], [0, 1]], "states": ["rate"]}"#,
+            "`states` has 1 members: expected 2, one for each coordinate",
+        ),
+    ] {
+        let error = serde_json::from_str::<Coefficients<f64, 2>>(text).unwrap_err().to_string();
+        assert!(error.starts_with(expected), "{error}");
+    }
 }
 
 /// JSON with its names outside of quotes is TOML.
