@@ -122,14 +122,11 @@ fn half(exponent: i32) -> i32 {
 ///
 /// # Errors
 /// If one leaves the range of `f64`.
-pub(crate) fn to_per_second<const N: usize>(
-    eigenvalues: [[Complex<f64>; 2]; N],
-    unit: i32,
-) -> Result<[[Complex<f64>; 2]; N], SystemError> {
-    let eigenvalues = eigenvalues.map(|two| two.map(|value| ldexp_complex(value, unit)));
-    let is_finite = |value: &Complex<f64>| value.re.is_finite() && value.im.is_finite();
-    if eigenvalues.as_flattened().iter().all(is_finite) {
-        Ok(eigenvalues)
+#[inline]
+pub(crate) fn to_per_second(eigenvalues: &mut [Complex<f64>], unit: i32) -> Result<(), SystemError> {
+    eigenvalues.iter_mut().for_each(|value| *value = ldexp_complex(*value, unit));
+    if eigenvalues.iter().all(|value| value.re.is_finite() && value.im.is_finite()) {
+        Ok(())
     } else {
         Err(SystemError::OutOfRange { quantity: "an eigenvalue" })
     }

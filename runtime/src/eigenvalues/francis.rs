@@ -2,8 +2,8 @@
 
 use nalgebra::Complex;
 
-use super::hessenberg::Row;
 use crate::number::Number;
+use crate::numeric::Square;
 
 /// The bound on the sweeps per eigenvalue that LAPACK uses; two or three are usual.
 pub(super) const SWEEPS_PER_EIGENVALUE: usize = 30;
@@ -26,19 +26,19 @@ struct Shifts {
 ///
 /// `None` if the bound on the sweeps is exceeded. The matrix is overwritten.
 #[inline]
-pub(super) fn find_eigenvalues<R: Row>(h: &mut [R], mut found: impl FnMut(Complex<f64>)) -> Option<()> {
-    let mut end = h.len();
+pub(super) fn find_eigenvalues(h: &mut Square<f64>, mut found: impl FnMut(Complex<f64>)) -> Option<()> {
+    let mut end = h.size();
     let (mut sweeps, mut since_last) = (0, 0);
     while end > 0 {
         let last = end - 1;
         let start = (1..end).rev().find(|&i| splits(h, i)).unwrap_or(0);
         if start == last {
-            found(Complex::new(h[last].at(last) + 0.0, 0.0));
+            found(Complex::new(h[last][last] + 0.0, 0.0));
         } else if start + 1 == last {
-            let pair = block([[h[start].at(start), h[start].at(last)], [h[last].at(start), h[last].at(last)]]);
+            let pair = block([[h[start][start], h[start][last]], [h[last][start], h[last][last]]]);
             pair.into_iter().for_each(&mut found);
         } else {
-            if sweeps == SWEEPS_PER_EIGENVALUE * h.len() {
+            if sweeps == SWEEPS_PER_EIGENVALUE * h.size() {
                 return None;
             }
             sweeps += 1;
@@ -54,13 +54,13 @@ pub(super) fn find_eigenvalues<R: Row>(h: &mut [R], mut found: impl FnMut(Comple
 
 /// Whether the entry to the left of the diagonal in row i is negligible (Ahues & Tisseur 1997).
 #[inline(always)]
-fn splits<R: Row>(h: &[R], i: usize) -> bool {
-    let (above, below) = (h[i - 1].at(i - 1), h[i].at(i));
-    let (left, right) = (h[i].at(i - 1).abs(), h[i - 1].at(i).abs());
+fn splits(h: &Square<f64>, i: usize) -> bool {
+    let (above, below) = (h[i - 1][i - 1], h[i][i]);
+    let (left, right) = (h[i][i - 1].abs(), h[i - 1][i].abs());
     let mut size = above.abs() + below.abs();
     if size == 0.0 {
-        let before = if i > 1 { h[i - 1].at(i - 2).abs() } else { 0.0 };
-        size = before + if i + 1 < h.len() { h[i + 1].at(i).abs() } else { 0.0 };
+        let before = if i > 1 { h[i - 1][i - 2].abs() } else { 0.0 };
+        size = before + if i + 1 < h.size() { h[i + 1][i].abs() } else { 0.0 };
     }
     if left <= TINY {
         return true;
@@ -92,9 +92,9 @@ fn block([[a, b], [c, d]]: [[f64; 2]; 2]) -> [Complex<f64>; 2] {
 
 /// The eigenvalues of the last block of two rows; if they are real, twice the one that is closer to the last entry.
 #[inline]
-fn usual_shifts<R: Row>(h: &[R], last: usize) -> Shifts {
-    let (x, y) = (h[last].at(last), h[last - 1].at(last - 1));
-    let w = h[last].at(last - 1) * h[last - 1].at(last);
+fn usual_shifts(h: &Square<f64>, last: usize) -> Shifts {
+    let (x, y) = (h[last][last], h[last - 1][last - 1]);
+    let w = h[last][last - 1] * h[last - 1][last];
     let half = 0.5 * (y - x);
     let discriminant = half * half + w;
     if discriminant < 0.0 {
@@ -107,21 +107,21 @@ fn usual_shifts<R: Row>(h: &[R], last: usize) -> Shifts {
 
 /// A pair about the last entry, as far away as the entries below the diagonal are large (Wilkinson & Reinsch 1971).
 #[cold]
-fn exceptional_shifts<R: Row>(h: &[R], last: usize) -> Shifts {
-    let size = h[last].at(last - 1).abs() + h[last - 1].at(last - 2).abs();
-    let x = 0.75 * size + h[last].at(last);
+fn exceptional_shifts(h: &Square<f64>, last: usize) -> Shifts {
+    let size = h[last][last - 1].abs() + h[last - 1][last - 2].abs();
+    let x = 0.75 * size + h[last][last];
     Shifts { x, y: x, w: -0.4375 * size * size }
 }
 
 /// One step for both shifts, in the rows from `start` to `last`: three of them or more.
 #[inline(always)]
-fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
+fn sweep(h: &mut Square<f64>, start: usize, last: usize, shifts: Shifts) {
     // Where two entries below the diagonal are small together, the sweep may start after them.
     let mut first = last - 2;
     let mut column = first_column(h, first, shifts);
     while first > start {
-        let diagonal = h[first - 1].at(first - 1).abs() + h[first].at(first).abs() + h[first + 1].at(first + 1).abs();
-        let moved = h[first].at(first - 1).abs() * (column[1].abs() + column[2].abs());
+        let diagonal = h[first - 1][first - 1].abs() + h[first][first].abs() + h[first + 1][first + 1].abs();
+        let moved = h[first][first - 1].abs() * (column[1].abs() + column[2].abs());
         if moved <= f64::EPSILON * column[0].abs() * diagonal {
             break;
         }
@@ -130,15 +130,15 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
     }
     for k in first..last - 1 {
         let Some(reflection) = Reflection::new(column) else {
-            column = [h[k + 1].at(k), h[k + 2].at(k), 0.0];
+            column = [h[k + 1][k], h[k + 2][k], 0.0];
             continue;
         };
         if k > first {
-            *h[k].at_mut(k - 1) = reflection.head;
-            *h[k + 1].at_mut(k - 1) = 0.0;
-            *h[k + 2].at_mut(k - 1) = 0.0;
+            h[k][k - 1] = reflection.head;
+            h[k + 1][k - 1] = 0.0;
+            h[k + 2][k - 1] = 0.0;
         } else if first > start {
-            *h[k].at_mut(k - 1) *= 1.0 - reflection.along[0] * reflection.across[0];
+            h[k][k - 1] *= 1.0 - reflection.along[0] * reflection.across[0];
         }
         column = reflection.apply(h, k, start, last);
     }
@@ -147,16 +147,16 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
     let Some(Reflection { along, across, head }) = Reflection::new([column[0], column[1], 0.0]) else {
         return;
     };
-    *h[k].at_mut(k - 1) = head;
-    *h[last].at_mut(k - 1) = 0.0;
+    h[k][k - 1] = head;
+    h[last][k - 1] = 0.0;
     for column in [k, last] {
-        let (upper, lower) = (h[k].at(column), h[last].at(column));
+        let (upper, lower) = (h[k][column], h[last][column]);
         let sum = upper * along[0] + lower * along[1];
-        *h[k].at_mut(column) = upper - sum * across[0];
-        *h[last].at_mut(column) = lower - sum * across[1];
+        h[k][column] = upper - sum * across[0];
+        h[last][column] = lower - sum * across[1];
     }
-    for row in &mut h[start..last + 1] {
-        if let [left, right] = &mut row.entries_mut()[k..last + 1] {
+    for row in h.rows_mut().take(last + 1).skip(start) {
+        if let [left, right] = &mut row[k..last + 1] {
             let sum = *left * along[0] + *right * along[1];
             *left -= sum * across[0];
             *right -= sum * across[1];
@@ -166,13 +166,13 @@ fn sweep<R: Row>(h: &mut [R], start: usize, last: usize, shifts: Shifts) {
 
 /// The first column of `(H - s1) (H - s2)` from row k on.
 #[inline(always)]
-fn first_column<R: Row>(h: &[R], k: usize, Shifts { x, y, w }: Shifts) -> [f64; 3] {
-    let (z, below) = (h[k].at(k), h[k + 1].at(k));
+fn first_column(h: &Square<f64>, k: usize, Shifts { x, y, w }: Shifts) -> [f64; 3] {
+    let (z, below) = (h[k][k], h[k + 1][k]);
     let (from_x, from_y) = (x - z, y - z);
     [
-        (from_x * from_y - w) + below * h[k].at(k + 1),
-        below * (h[k + 1].at(k + 1) - z - from_x - from_y),
-        below * h[k + 2].at(k + 1),
+        (from_x * from_y - w) + below * h[k][k + 1],
+        below * (h[k + 1][k + 1] - z - from_x - from_y),
+        below * h[k + 2][k + 1],
     ]
 }
 
@@ -207,9 +207,9 @@ impl Reflection {
 
     /// Reflects three rows from k on, and the same columns; what column k is then below the diagonal.
     #[inline(always)]
-    fn apply<R: Row>(&self, h: &mut [R], k: usize, start: usize, last: usize) -> [f64; 3] {
+    fn apply(&self, h: &mut Square<f64>, k: usize, start: usize, last: usize) -> [f64; 3] {
         // What both change is kept in registers: the next reflection waits for it.
-        let at = |i: usize| [h[k + i].at(k), h[k + i].at(k + 1), h[k + i].at(k + 2)];
+        let at = |i: usize| [h[k + i][k], h[k + i][k + 1], h[k + i][k + 2]];
         let [upper, middle, lower] = [at(0), at(1), at(2)];
         let (u0, m0, l0) = self.mirrored(upper[0], middle[0], lower[0]);
         let (u1, m1, l1) = self.mirrored(upper[1], middle[1], lower[1]);
@@ -217,19 +217,17 @@ impl Reflection {
         let upper = self.mirrored(u0, u1, u2);
         let middle = self.mirrored(m0, m1, m2);
         let lower = self.mirrored(l0, l1, l2);
-        if let [first, second, third] = &mut h[k..k + 3] {
-            let rest = k + 3..last + 1;
-            let [first, second, third] = [first, second, third].map(R::entries_mut);
-            let others = first[rest.clone()].iter_mut().zip(&mut second[rest.clone()]).zip(&mut third[rest]);
-            for ((first, second), third) in others {
-                (*first, *second, *third) = self.mirrored(*first, *second, *third);
-            }
-            for (row, (x, y, z)) in [(first, upper), (second, middle), (third, lower)] {
-                row[k..k + 3].copy_from_slice(&[x, y, z]);
-            }
+        let [first, second, third] = h.several_rows_mut(k);
+        let rest = k + 3..last + 1;
+        let others = first[rest.clone()].iter_mut().zip(&mut second[rest.clone()]).zip(&mut third[rest]);
+        for ((first, second), third) in others {
+            (*first, *second, *third) = self.mirrored(*first, *second, *third);
         }
-        for row in &mut h[start..k] {
-            if let [left, middle, right] = &mut row.entries_mut()[k..k + 3] {
+        for (row, (x, y, z)) in [(first, upper), (second, middle), (third, lower)] {
+            row[k..k + 3].copy_from_slice(&[x, y, z]);
+        }
+        for row in h.rows_mut().take(k).skip(start) {
+            if let [left, middle, right] = &mut row[k..k + 3] {
                 (*left, *middle, *right) = self.mirrored(*left, *middle, *right);
             }
         }
@@ -237,10 +235,10 @@ impl Reflection {
             return [middle.0, lower.0, 0.0];
         }
         // Here there is only the entry below the diagonal so far.
-        if let [left, middle, right] = &mut h[k + 3].entries_mut()[k..k + 3] {
+        if let [left, middle, right] = &mut h[k + 3][k..k + 3] {
             (*left, *middle, *right) = self.mirrored(0.0, 0.0, *right);
         }
-        [middle.0, lower.0, h[k + 3].at(k)]
+        [middle.0, lower.0, h[k + 3][k]]
     }
 
     #[inline(always)]

@@ -3,12 +3,13 @@
 use nalgebra::Complex;
 
 use super::francis::{self, SWEEPS_PER_EIGENVALUE};
-use super::hessenberg::{Row, balance, reduce};
+use super::hessenberg::{balance, reduce};
 use super::quadratic::Quadratic;
+use super::state_matrix::{Layout, solve};
 use crate::characteristic::units::{time_unit, to_per_second};
 use crate::number::{Number, Scalar};
-use crate::numeric::{exponent, ldexp};
-use crate::system::{Matrix, States, System, SystemError, require_in_range};
+use crate::numeric::{Square, exponent, ldexp};
+use crate::system::{Matrix, States, System, SystemError, require_finite};
 
 impl<const N: usize, T: Scalar> System<N, T> {
     /// The eigenvalues in 1/s, one for each [state](States), so 2N where all positions and rates are, sorted by real part, then
@@ -29,128 +30,89 @@ impl<const N: usize, T: Scalar> System<N, T> {
             let system = System::new(two(&self.m), two(&self.c), two(&self.k));
             return Ok(system.quartic_eigenvalues()?.to_vec());
         }
-        let found = self.widened(eigenvalues_of_state_matrix)?;
-        let absent = self.states.iter().filter(|states| **states != States::Both).count();
-        let mut eigenvalues = found.as_flattened()[..2 * N - absent].to_vec();
-        eigenvalues.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
-        Ok(eigenvalues)
+        let square = |matrix: &Matrix<T, N>| Square::from_fn(N, |row, column| matrix[(row, column)].to_f64());
+        eigenvalues_of([&self.m, &self.c, &self.k].map(square), &self.states)
     }
 }
 
-/// The eigenvalues, in no order; behind them zeros in the places of what is no state.
-fn eigenvalues_of_state_matrix<const N: usize>(system: &System<N>) -> Result<[[Complex<f64>; 2]; N], SystemError> {
-    system.require_finite()?;
-    let [stiffness, damping] = system.solve(system.with_columns_of_states([-system.k, -system.c]))?;
-    require_in_range("M^-1 K", &stiffness)?;
-    require_in_range("M^-1 C", &damping)?;
+/// The eigenvalues of M, C and K, sorted.
+fn eigenvalues_of(
+    [mut m, mut c, mut k]: [Square<f64>; 3],
+    states: &[States],
+) -> Result<Vec<Complex<f64>>, SystemError> {
+    for (quantity, matrix) in [("M", &m), ("C", &c), ("K", &k)] {
+        matrix.entries().iter().try_for_each(|&entry| require_finite(quantity, entry))?;
+    }
+    // Rows of these give a rate instead of an acceleration.
+    let is_rate = |row: usize| states[row] == States::Position;
+    for column in 0..states.len() {
+        match states[column] {
+            States::Both => {}
+            // What is no state is multiplied by nothing.
+            States::Position => (0..states.len()).for_each(|row| m[row][column] = core::mem::take(&mut c[row][column])),
+            States::Rate => k.rows_mut().for_each(|row| row[column] = 0.0),
+        }
+    }
+    let mut sides = [k, c];
+    sides.iter_mut().flat_map(Square::entries_mut).for_each(|entry| *entry = -*entry);
+    solve(m, &mut sides)?;
+    let [mut stiffness, mut damping] = sides;
+    for (quantity, matrix) in [("M^-1 K", &stiffness), ("M^-1 C", &damping)] {
+        if !matrix.entries().iter().all(|entry| entry.is_finite()) {
+            return Err(SystemError::OutOfRange { quantity });
+        }
+    }
     // Time in units that bring stiffness and damping to at most one. A row that gives a rate is per second once less.
-    let is_rate = |row: usize| system.states[row] == States::Position;
-    let largest = |matrix: &Matrix<f64, N>, of_rates: bool| {
-        let rows = (0..N).filter(|&row| is_rate(row) == of_rates);
-        let entries = rows.flat_map(|row| (0..N).map(move |column| matrix[(row, column)].abs()));
-        exponent(entries.fold(0.0, f64::max))
+    let largest = |matrix: &Square<f64>, of_rates: bool| {
+        let rows = matrix.rows().enumerate().filter(|(row, _)| is_rate(*row) == of_rates);
+        exponent(rows.flat_map(|(_, row)| row).fold(0.0, |largest: f64, entry| largest.max(entry.abs())))
     };
     let returning = largest(&damping, false).max(largest(&stiffness, true));
     let unit = time_unit(returning, largest(&stiffness, false));
-    let scale = |matrix: &Matrix<f64, N>, power: i32| -> Matrix<f64, N> {
-        Matrix::from_fn(|i, j| ldexp(matrix[(i, j)], -(power - i32::from(is_rate(i))) * unit))
-    };
-    let (stiffness, damping) = (scale(&stiffness, 2), scale(&damping, 1));
-    let mut found = [[Complex::new(0.0, 0.0); 2]; N];
-    if N == 1 && system.states == [States::Both; N] {
-        found[0] = Quadratic { p: 0.0 - damping[(0, 0)], q: 0.0 - stiffness[(0, 0)] }.complex_roots();
-    } else if system.states == [States::Both; N] && damping.iter().all(|&entry| entry == 0.0) {
-        undamped(&stiffness, found.as_flattened_mut())?;
+    for (matrix, power) in [(&mut stiffness, 2), (&mut damping, 1)] {
+        for (i, row) in matrix.rows_mut().enumerate() {
+            row.iter_mut().for_each(|entry| *entry = ldexp(*entry, -(power - i32::from(is_rate(i))) * unit));
+        }
+    }
+    let has_both = states.iter().all(|states| *states == States::Both);
+    let mut found = if has_both && states.len() == 1 {
+        Quadratic { p: 0.0 - damping[0][0], q: 0.0 - stiffness[0][0] }.complex_roots().to_vec()
+    } else if has_both && damping.entries().iter().all(|&entry| entry == 0.0) {
+        undamped(stiffness)?
     } else {
-        damped(&stiffness, &damping, &system.states, found.as_flattened_mut())?;
-    }
-    to_per_second(found, unit)
-}
-
-/// Of `q'' = D q' + S q`, from the transposed state matrix with each coordinate next to its rate, (q1, q1', q2, q2', ...):
-/// its first column is in Hessenberg form already.
-fn damped<const N: usize>(
-    stiffness: &Matrix<f64, N>,
-    damping: &Matrix<f64, N>,
-    states: &[States; N],
-    found: &mut [Complex<f64>],
-) -> Result<(), SystemError> {
-    let mut rows = [[[[0.0; 2]; N]; 2]; N];
-    for i in 0..N {
-        for j in 0..N {
-            // What is solved for is the rate of a coordinate of first order, the acceleration of any other.
-            let solved = if states[j] == States::Position { 0 } else { 1 };
-            rows[i][0][j][solved] = stiffness[(j, i)];
-            rows[i][1][j][solved] = damping[(j, i)];
-        }
-        rows[i][1][i][0] = 1.0;
-    }
-    let rows = without_absent(rows.as_flattened_mut(), states);
-    balance(rows);
-    // Without the position of the first coordinate its first column is not in that form.
-    reduce(rows, usize::from(states[0] == States::Both));
-    collect(rows, found)
-}
-
-/// The rows and columns of states alone.
-fn without_absent<'a, const N: usize>(rows: &'a mut [[[f64; 2]; N]], states: &[States; N]) -> &'a mut [[[f64; 2]; N]] {
-    if *states == [States::Both; N] {
-        return rows;
-    }
-    let kept = |place: usize| match states[place / 2] {
-        States::Both => true,
-        States::Position => place.is_multiple_of(2),
-        States::Rate => !place.is_multiple_of(2),
+        let layout = Layout::new(states.iter().map(|states| [*states != States::Rate, *states != States::Position]));
+        let rows = layout.transposed(&stiffness, &damping, 1.0);
+        Spectrum::of(rows, layout.reduced_columns())?.values
     };
-    let kept = || (0..2 * N).filter(|&place| kept(place));
-    for (row, from) in kept().enumerate() {
-        rows[row] = rows[from];
-        let entries = rows[row].as_flattened_mut();
-        for (column, from) in kept().enumerate() {
-            entries[column] = entries[from];
-        }
-    }
-    &mut rows[..kept().count()]
+    to_per_second(&mut found, unit)?;
+    found.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+    Ok(found)
 }
 
 /// Of `q'' = S q`: both square roots of the eigenvalues of S, half as many.
-fn undamped<const N: usize>(stiffness: &Matrix<f64, N>, found: &mut [Complex<f64>]) -> Result<(), SystemError> {
-    let mut rows: [[f64; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| stiffness[(i, j)]));
-    balance(&mut rows);
-    reduce(&mut rows, 0);
-    let (squares, _) = found.split_at_mut(N);
-    collect(&mut rows, squares)?;
-    for i in (0..N).rev() {
-        [found[2 * i], found[2 * i + 1]] = square_roots(found[i]);
+fn undamped(stiffness: Square<f64>) -> Result<Vec<Complex<f64>>, SystemError> {
+    Ok(Spectrum::of(stiffness, 0)?.values.into_iter().flat_map(square_roots).collect())
+}
+
+/// Eigenvalues in no order, but with the halves of each pair next to each other.
+pub(crate) struct Spectrum {
+    pub(crate) values: Vec<Complex<f64>>,
+    /// The norm of the matrix once it is balanced: what they err by is its rounding.
+    pub(crate) norm: f64,
+}
+
+impl Spectrum {
+    /// The eigenvalues of a matrix, transposed or not, so many of whose first columns are in Hessenberg form.
+    pub(crate) fn of(mut rows: Square<f64>, reduced_columns: usize) -> Result<Self, SystemError> {
+        balance(&mut rows);
+        let norm = rows.rows().map(|row| row.iter().map(|entry| entry.abs()).sum()).fold(0.0, f64::max);
+        reduce(&mut rows, reduced_columns);
+        let mut values = Vec::with_capacity(rows.size());
+        let iterations = SWEEPS_PER_EIGENVALUE * rows.size();
+        francis::find_eigenvalues(&mut rows, |value| values.push(value))
+            .ok_or(SystemError::NotConverged { iterations })?;
+        Ok(Self { values, norm })
     }
-    Ok(())
-}
-
-/// The eigenvalues of a matrix of any size given by its rows, transposed or not, whose columns before `first` are in
-/// Hessenberg form, and the norm of the matrix once it is balanced: what they err by is its rounding. The rows are
-/// overwritten.
-pub(crate) fn eigenvalues_of_rows<R: Row>(
-    rows: &mut [R],
-    first: usize,
-    found: &mut [Complex<f64>],
-) -> Result<f64, SystemError> {
-    balance(rows);
-    let sum = |row: &R| row.entries()[..found.len()].iter().map(|entry| entry.abs()).sum();
-    let norm = rows.iter().map(sum).fold(0.0, f64::max);
-    reduce(rows, first);
-    collect(rows, found)?;
-    Ok(norm)
-}
-
-fn collect<R: Row>(rows: &mut [R], found: &mut [Complex<f64>]) -> Result<(), SystemError> {
-    let mut next = found.iter_mut();
-    let put = |eigenvalue| {
-        if let Some(place) = next.next() {
-            *place = eigenvalue;
-        }
-    };
-    let iterations = SWEEPS_PER_EIGENVALUE * rows.len();
-    francis::find_eigenvalues(rows, put).ok_or(SystemError::NotConverged { iterations })
 }
 
 /// Both square roots. Those of conjugate numbers are exactly conjugate.

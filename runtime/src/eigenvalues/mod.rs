@@ -12,13 +12,17 @@ mod hessenberg;
 mod quadratic;
 mod quartic;
 mod resolvent;
+#[cfg(feature = "std")]
+mod state_matrix;
 mod two_coordinates;
 
 #[cfg(feature = "batch")]
 pub(crate) use four::Four;
 #[cfg(feature = "std")]
-pub(crate) use general::eigenvalues_of_rows;
+pub(crate) use general::Spectrum;
 #[cfg(feature = "std")]
 pub(crate) use quartic::Quartic;
+#[cfg(feature = "std")]
+pub(crate) use state_matrix::{Layout, solve};
 #[cfg(feature = "batch")]
 pub(crate) use two_coordinates::quick_eigenvalues;

@@ -122,7 +122,9 @@ fn regular_quartic(m: Rows, c: Rows, k: Rows) -> Result<Quartic, SystemError> {
 fn scaled_eigenvalues(system: &System<2>) -> Result<[[Complex<f64>; 2]; 2], SystemError> {
     let units = Units::of_system(system)?;
     let System { m, c, k, .. } = units.scale_system(system);
-    to_per_second(regular_quartic(rows(&m), rows(&c), rows(&k))?.roots(), units.time)
+    let mut roots = regular_quartic(rows(&m), rows(&c), rows(&k))?.roots();
+    to_per_second(roots.as_flattened_mut(), units.time)?;
+    Ok(roots)
 }
 
 #[inline]

@@ -23,6 +23,8 @@ mod roots;
 #[cfg(feature = "std")]
 pub(crate) mod rounded;
 #[cfg(feature = "std")]
+mod square;
+#[cfg(feature = "std")]
 mod taylor;
 #[cfg(feature = "std")]
 mod tracked;
@@ -31,6 +33,8 @@ mod tracked;
 pub(crate) use polynomial::Polynomial;
 #[cfg(feature = "std")]
 pub(crate) use roots::{Root, candidates, positive_roots};
+#[cfg(feature = "std")]
+pub(crate) use square::Square;
 #[cfg(feature = "std")]
 pub(crate) use taylor::expand_taylor;
 #[cfg(feature = "std")]

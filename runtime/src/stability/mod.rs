@@ -116,7 +116,7 @@ impl Stability {
     /// which only the position or the rate is a state.
     #[doc(hidden)]
     pub fn general<const N: usize>(coefficients: &Coefficients<f64, N>, gravity: f64) -> Result<Self, SystemError> {
-        let Answer { critical_speeds, verdicts, undecided } = general::find_stability(coefficients, gravity)?;
+        let Answer { critical_speeds, verdicts, undecided } = general::find_stability(&coefficients.into(), gravity)?;
         Ok(Self { undecided, ..Self::from_verdicts((critical_speeds, verdicts)) })
     }
 

@@ -4,6 +4,7 @@
 mod approximate;
 mod at_speed;
 mod coefficients;
+mod elimination;
 mod error;
 mod rows;
 mod state_space;
@@ -13,8 +14,10 @@ mod written;
 
 pub use at_speed::System;
 #[cfg(feature = "std")]
-pub(crate) use at_speed::{require_finite, require_in_range, require_speed};
+pub(crate) use at_speed::{require_finite, require_speed};
 pub use coefficients::{Coefficients, Matrix, MatrixName, rows};
+#[cfg(feature = "std")]
+pub(crate) use elimination::solve_in_place;
 pub use error::SystemError;
 pub use rows::Rows;
 pub use state_space::StateSpace;

@@ -4,6 +4,7 @@ use nalgebra::{Matrix4, Matrix4x2};
 
 use super::at_speed::{System, require_in_range};
 use super::coefficients::Matrix;
+use super::elimination::solve_in_place;
 use super::error::SystemError;
 use super::states::States;
 use crate::number::Scalar;
@@ -60,69 +61,26 @@ impl<const N: usize, T: Scalar> System<N, T> {
         Ok(StateSpace { stiffness, damping, input, states: self.states })
     }
 
-    /// Matrices that positions and rates are multiplied by, and perhaps others, without the columns of what is no state.
-    pub(crate) fn with_columns_of_states<const COUNT: usize>(
-        &self,
-        mut matrices: [Matrix<T, N>; COUNT],
-    ) -> [Matrix<T, N>; COUNT] {
+    /// Without the columns of what is no state.
+    fn with_columns_of_states(&self, [mut stiffness, mut damping, input]: [Matrix<T, N>; 3]) -> [Matrix<T, N>; 3] {
         for (column, states) in self.states.iter().enumerate() {
             match states {
                 States::Both => {}
-                States::Position => matrices[1].column_mut(column).fill(T::from_f64(0.0)),
-                States::Rate => matrices[0].column_mut(column).fill(T::from_f64(0.0)),
+                States::Position => damping.column_mut(column).fill(T::from_f64(0.0)),
+                States::Rate => stiffness.column_mut(column).fill(T::from_f64(0.0)),
             }
         }
-        matrices
+        [stiffness, damping, input]
     }
 
-    /// The solutions X of `M X = B` for several B, with columns of C in the place of those of M for coordinates of first
-    /// order, by elimination with pivots that are the largest relative to their rows.
-    ///
-    /// M is singular if a pivot is no more than the rounding of the terms that were subtracted to form it, whatever the
-    /// scale of its rows and columns.
-    #[inline]
-    pub(crate) fn solve<const COUNT: usize>(
-        &self,
-        mut x: [Matrix<T, N>; COUNT],
-    ) -> Result<[Matrix<T, N>; COUNT], SystemError> {
-        let zero = T::from_f64(0.0);
-        let mut m = self.leading();
-        let mut terms = m.map(Scalar::abs);
-        for step in 0..N {
-            let relative = |row: usize| {
-                let sizes = (step..N).map(|column| m[(row, column)].abs());
-                let largest = sizes.fold(zero, |largest, size| if size > largest { size } else { largest });
-                if largest > zero { m[(row, step)].abs() / largest } else { zero }
-            };
-            let (mut pivot, mut size) = (step, relative(step));
-            for row in step + 1..N {
-                let candidate = relative(row);
-                if candidate >= size {
-                    (pivot, size) = (row, candidate);
-                }
-            }
-            m.swap_rows(step, pivot);
-            terms.swap_rows(step, pivot);
-            x.iter_mut().for_each(|x| x.swap_rows(step, pivot));
-            if m[(step, step)].abs() <= T::from_f64(8.0) * T::EPSILON * terms[(step, step)] {
-                return Err(SystemError::SingularMass);
-            }
-            for row in (0..N).filter(|&row| row != step) {
-                let factor = m[(row, step)] / m[(step, step)];
-                for column in step + 1..N {
-                    let product = factor * m[(step, column)];
-                    m[(row, column)] -= product;
-                    terms[(row, column)] += product.abs();
-                }
-                for x in &mut x {
-                    for column in 0..N {
-                        let product = factor * x[(step, column)];
-                        x[(row, column)] -= product;
-                    }
-                }
-            }
-        }
-        Ok(x.map(|x| Matrix::from_fn(|row, column| x[(row, column)] / m[(row, row)])))
+    /// The [solutions](solve_in_place) X of `M X = B` for several B, with columns of C in the place of those of M for
+    /// coordinates of first order.
+    fn solve<const COUNT: usize>(&self, mut x: [Matrix<T, N>; COUNT]) -> Result<[Matrix<T, N>; COUNT], SystemError> {
+        let (mut m, mut terms) = (self.leading(), self.m);
+        let at = |row: usize, column: usize| row + N * column;
+        let mut columns = x.each_mut().map(|x| x.as_mut_slice());
+        solve_in_place(N, at, [m.as_mut_slice(), terms.as_mut_slice()], &mut columns)?;
+        Ok(x)
     }
 }
 

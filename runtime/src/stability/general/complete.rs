@@ -27,7 +27,7 @@ const GAPS: usize = 16;
 /// Speeds that differ by less, relative to them, are the same.
 const SAME: f64 = 1e-11;
 
-impl<const N: usize> Equations<N> {
+impl Equations {
     /// Sorts what was found, and finds what counts of unstable eigenvalues show to be missing.
     pub(super) fn complete(&self, Findings { found, samples }: Findings) -> Result<Course, SystemError> {
         let mut course = self.course(found)?;

@@ -2,9 +2,10 @@
 
 use core::cell::RefCell;
 
-use super::equations::{Equations, Spectrum};
+use super::equations::Equations;
 use super::inverse::determinant;
 use super::product::Product;
+use crate::eigenvalues::Spectrum;
 use crate::system::SystemError;
 
 /// What eigenvalues err by, relative to the norm of the balanced state matrix.
@@ -16,9 +17,9 @@ pub(super) trait Condition {
 }
 
 /// `det K`, without the columns that are zero: the product of all eigenvalues, up to a factor.
-pub(super) struct Divergence<'a, const N: usize>(pub(super) &'a Equations<N>);
+pub(super) struct Divergence<'a>(pub(super) &'a Equations);
 
-impl<const N: usize> Condition for Divergence<'_, N> {
+impl Condition for Divergence<'_> {
     fn at(&self, v: f64) -> Result<Product, SystemError> {
         let (value, error) = determinant(self.0.pencil(0.0, v).value);
         Ok(Product::ONE.times(value, error))
@@ -26,15 +27,15 @@ impl<const N: usize> Condition for Divergence<'_, N> {
 }
 
 /// The same where `det K` is zero at all speeds: the product of the eigenvalues without so many of the smallest.
-pub(super) struct Drifting<'a, const N: usize> {
-    pub(super) equations: &'a Equations<N>,
+pub(super) struct Drifting<'a> {
+    pub(super) equations: &'a Equations,
     pub(super) drifts: usize,
 }
 
-impl<const N: usize> Condition for Drifting<'_, N> {
+impl Condition for Drifting<'_> {
     fn at(&self, v: f64) -> Result<Product, SystemError> {
         let spectrum = self.equations.spectrum(v)?;
-        let mut values = spectrum.values().to_vec();
+        let mut values = spectrum.values.to_vec();
         values.sort_by(|x, y| x.norm().total_cmp(&y.norm()));
         let error = ROUNDING * spectrum.norm;
         Ok(values.into_iter().skip(self.drifts).fold(Product::ONE, |product, value| {
@@ -46,8 +47,8 @@ impl<const N: usize> Condition for Drifting<'_, N> {
 }
 
 /// How many eigenvalues vanish in rounding.
-pub(super) fn count_zeros<const N: usize>(spectrum: &Spectrum<N>) -> usize {
-    spectrum.values().iter().filter(|value| value.norm() <= VANISHING * spectrum.norm).count()
+pub(super) fn count_zeros(spectrum: &Spectrum) -> usize {
+    spectrum.values.iter().filter(|value| value.norm() <= VANISHING * spectrum.norm).count()
 }
 
 /// Two eigenvalues that nearly coincide come out with half of the digits.
@@ -57,8 +58,8 @@ const VANISHING: f64 = 1e-7;
 ///
 /// Where some of the sums are zero at all speeds, so many of the smallest are left out. Without damping, where the
 /// spectrum is symmetric about the imaginary axis, the others make the discriminant of the polynomial in s^2.
-pub(super) struct Flutter<'a, const N: usize> {
-    pub(super) equations: &'a Equations<N>,
+pub(super) struct Flutter<'a> {
+    pub(super) equations: &'a Equations,
     pub(super) left_out: usize,
     /// How many eigenvalues are zero at all speeds.
     pub(super) drifts: usize,
@@ -74,7 +75,7 @@ pub(super) struct Sum {
     pub(super) is_negative: bool,
 }
 
-impl<const N: usize> Condition for Flutter<'_, N> {
+impl Condition for Flutter<'_> {
     fn at(&self, v: f64) -> Result<Product, SystemError> {
         let spectrum = self.equations.spectrum(v)?;
         self.samples
@@ -99,9 +100,9 @@ impl<const N: usize> Condition for Flutter<'_, N> {
 }
 
 /// All sums of two eigenvalues.
-pub(super) fn each_sum<const N: usize>(spectrum: &Spectrum<N>, mut with: impl FnMut(Sum)) {
+pub(super) fn each_sum(spectrum: &Spectrum, mut with: impl FnMut(Sum)) {
     // Of a pair only the half with the positive imaginary part.
-    let halves = || spectrum.values().iter().filter(|value| value.im >= 0.0).enumerate();
+    let halves = || spectrum.values.iter().filter(|value| value.im >= 0.0).enumerate();
     for (i, s) in halves() {
         if s.im > 0.0 {
             with(Sum { size: 2.0 * s.re.abs(), is_negative: s.re < 0.0 });
@@ -124,7 +125,7 @@ pub(super) fn each_sum<const N: usize>(spectrum: &Spectrum<N>, mut with: impl Fn
 }
 
 /// How many sums of two eigenvalues vanish in rounding.
-pub(super) fn count_zero_sums<const N: usize>(spectrum: &Spectrum<N>) -> usize {
+pub(super) fn count_zero_sums(spectrum: &Spectrum) -> usize {
     let mut count = 0;
     each_sum(spectrum, |sum| count += usize::from(sum.size <= VANISHING * spectrum.norm));
     count

@@ -2,7 +2,8 @@
 
 use nalgebra::Complex;
 
-use super::equations::{Equations, Spectrum};
+use super::equations::Equations;
+use crate::eigenvalues::Spectrum;
 use crate::stability::verdict::Verdict;
 use crate::system::SystemError;
 
@@ -20,12 +21,12 @@ const CLEAR: f64 = 1e-6;
 /// Where eigenvalues on the axis nearly coincide, rounding moves them off it by less than so much of the norm.
 const COARSE: f64 = 1e-4;
 
-impl<const N: usize> Equations<N> {
+impl Equations {
     /// Counts the eigenvalues at a scaled speed; real parts that rounding may have made are found with more digits.
     pub(super) fn count(&self, v: f64) -> Result<Count, SystemError> {
         let spectrum = self.spectrum(v)?;
         let mut count = Count { unstable: 0, marginal: self.zeros };
-        for &s in spectrum.values() {
+        for &s in &spectrum.values {
             let (re, error) = if s.re.abs() > CLEAR * spectrum.norm {
                 (s.re, 0.0)
             } else {
@@ -52,7 +53,7 @@ impl Count {
     }
 }
 
-impl<const N: usize> Spectrum<N> {
+impl Spectrum {
     /// How many eigenvalues are unstable, if no real part is so small that rounding may have made its sign; where
     /// eigenvalues are symmetric about the imaginary axis, if those that are not on it are clearly off it.
     pub(super) fn clear_count(&self, drifts: usize, is_symmetric: bool) -> Option<usize> {
@@ -60,7 +61,7 @@ impl<const N: usize> Spectrum<N> {
         let is_unclear = |value: &&Complex<f64>| near.contains(&(value.re.abs() / self.norm));
         let is_unstable = |value: &&Complex<f64>| value.re > CLEAR * self.norm;
         // Those that are zero at all speeds are on the axis.
-        let unclear = self.values().iter().filter(is_unclear).count();
-        (unclear <= if is_symmetric { 0 } else { drifts }).then(|| self.values().iter().filter(is_unstable).count())
+        let unclear = self.values.iter().filter(is_unclear).count();
+        (unclear <= if is_symmetric { 0 } else { drifts }).then(|| self.values.iter().filter(is_unstable).count())
     }
 }

@@ -5,10 +5,11 @@ use core::cell::RefCell;
 use nalgebra::Complex;
 
 use super::condition::{Divergence, Drifting, Flutter, count_zero_sums, count_zeros};
-use super::equations::{Equations, Spectrum};
+use super::equations::Equations;
 use super::isolation::{Bracket, isolate};
 use super::newton::Crossing;
 use super::polynomial::Normalized;
+use crate::eigenvalues::Spectrum;
 use crate::stability::critical::{Change, CriticalKind};
 use crate::system::SystemError;
 
@@ -45,7 +46,7 @@ const CLOSE: f64 = 1e-4;
 /// Scaled speeds, none of them special, at which is seen what holds at all speeds.
 const SAMPLES: [f64; 5] = [0.137, 0.613, 1.291, 3.17, 11.9];
 
-impl<const N: usize> Equations<N> {
+impl Equations {
     /// All critical speeds, in no order.
     pub(super) fn find_crossings(&self) -> Result<Findings, SystemError> {
         let mut found = Vec::new();
@@ -78,7 +79,7 @@ impl<const N: usize> Equations<N> {
     }
 
     /// The least number of something at speeds of which none is special.
-    fn least_at_samples(&self, count: impl Fn(&Spectrum<N>) -> usize) -> Result<usize, SystemError> {
+    fn least_at_samples(&self, count: impl Fn(&Spectrum) -> usize) -> Result<usize, SystemError> {
         let mut least = usize::MAX;
         for v in SAMPLES {
             least = least.min(count(&self.spectrum(v)?));
@@ -151,7 +152,7 @@ impl<const N: usize> Equations<N> {
         let follow = |v: f64| -> Result<Option<(Complex<f64>, f64)>, SystemError> {
             let spectrum = self.spectrum(v)?;
             let distance = |value: &&Complex<f64>| (**value - s).norm();
-            let nearest = spectrum.values().iter().min_by(|x, y| distance(x).total_cmp(&distance(y))).copied();
+            let nearest = spectrum.values.iter().min_by(|x, y| distance(x).total_cmp(&distance(y))).copied();
             Ok(nearest.map(|nearest| (nearest, self.rate(nearest, v).re)))
         };
         let [mut low, mut high] = [bracket.low, bracket.high];
@@ -188,7 +189,7 @@ impl<const N: usize> Equations<N> {
     fn find_meetings(&self, bracket: &Bracket, found: &mut Vec<Found>) -> Result<(), SystemError> {
         let start = bracket.start();
         let spectrum = self.spectrum(start)?;
-        let halves: Vec<Complex<f64>> = spectrum.values().iter().copied().filter(|value| value.im > 0.0).collect();
+        let halves: Vec<Complex<f64>> = spectrum.values.iter().copied().filter(|value| value.im > 0.0).collect();
         let gap = |[s, t]: &[Complex<f64>; 2]| (s - t).norm() / (s + t).norm();
         let pairs = halves.iter().enumerate().flat_map(|(i, s)| halves[..i].iter().map(move |t| [*s, *t]));
         let mut pairs: Vec<[Complex<f64>; 2]> = pairs.collect();
@@ -226,8 +227,8 @@ impl<const N: usize> Equations<N> {
 }
 
 /// The upper halves of the pairs, those nearest to the axis first.
-fn pairs_by_real_part<const N: usize>(spectrum: &Spectrum<N>) -> Vec<Complex<f64>> {
-    let mut pairs: Vec<_> = spectrum.values().iter().copied().filter(|value| value.im > 0.0).collect();
+fn pairs_by_real_part(spectrum: &Spectrum) -> Vec<Complex<f64>> {
+    let mut pairs: Vec<_> = spectrum.values.iter().copied().filter(|value| value.im > 0.0).collect();
     pairs.sort_by(|x, y| x.re.abs().total_cmp(&y.re.abs()));
     pairs
 }

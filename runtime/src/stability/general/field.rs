@@ -16,8 +16,6 @@ pub(super) trait RealField:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The product of two `f64`, as exact as the numbers are.
-    fn product(a: f64, b: f64) -> Self;
     fn to_f64(self) -> f64;
 }
 
@@ -44,20 +42,12 @@ pub(super) trait Imaginary: ComplexField {
 
 impl RealField for f64 {
     #[inline]
-    fn product(a: f64, b: f64) -> Self {
-        a * b
-    }
-    #[inline]
     fn to_f64(self) -> f64 {
         self
     }
 }
 
 impl RealField for DoubleDouble {
-    #[inline]
-    fn product(a: f64, b: f64) -> Self {
-        DoubleDouble::product(a, b)
-    }
     #[inline]
     fn to_f64(self) -> f64 {
         DoubleDouble::to_f64(self)

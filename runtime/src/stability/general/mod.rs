@@ -4,7 +4,8 @@
 //! that of all sums of two of them. Up to a known power of the speed both are polynomials in `v / (1 + v)` of known degree,
 //! so that interpolation has them exactly; how often they are zero in an interval is read from their coefficients.
 //!
-//! - [`units`], [`equations`]: the equations in scaled units, their eigenvalues and their pencil at a speed;
+//! - [`units`], [`functions`], [`combination`], [`equations`], [`pencil`]: the equations in scaled units, their
+//!   eigenvalues and their pencil at a speed;
 //! - [`condition`], [`product`], [`polynomial`]: the conditions, and what they are as polynomials;
 //! - [`samples`], [`bernstein`], [`isolation`]: all of their zeros, each in an interval of its own;
 //! - [`field`], [`inverse`], [`newton`]: critical speeds and eigenvalues to all digits;
@@ -12,15 +13,18 @@
 //! - [`count`], [`complete`]: whether the numbers of unstable eigenvalues between them agree, and the search where not.
 
 mod bernstein;
+mod combination;
 mod complete;
 mod condition;
 mod count;
 mod crossings;
 mod equations;
 mod field;
+mod functions;
 mod inverse;
 mod isolation;
 mod newton;
+mod pencil;
 mod polynomial;
 mod product;
 mod samples;
@@ -33,10 +37,11 @@ use nalgebra::Complex;
 use self::complete::Course;
 use self::count::Count;
 use self::equations::Equations;
+pub(super) use self::equations::Matrices;
 use super::critical::{Change, CriticalKind, CriticalSpeed};
 use super::ranges::{Stretch, UndecidedRange, Verdicts};
 use super::verdict::Verdict;
-use crate::system::{Coefficients, SystemError};
+use crate::system::SystemError;
 
 /// What is known along the speed.
 pub(super) struct Answer {
@@ -47,11 +52,8 @@ pub(super) struct Answer {
 }
 
 /// All critical speeds, ascending, and the verdicts between and at them.
-pub(super) fn find_stability<const N: usize>(
-    coefficients: &Coefficients<f64, N>,
-    gravity: f64,
-) -> Result<Answer, SystemError> {
-    let equations = Equations::new(coefficients, gravity)?;
+pub(super) fn find_stability(matrices: &Matrices, gravity: f64) -> Result<Answer, SystemError> {
+    let equations = Equations::new(matrices, gravity)?;
     let course = equations.complete(equations.find_crossings()?)?;
     let critical_speeds = critical_speeds(&equations, &course)?;
     let undecided = course
@@ -70,10 +72,7 @@ pub(super) fn find_stability<const N: usize>(
     Ok(Answer { critical_speeds, verdicts: Verdicts { stretches: verdicts }, undecided })
 }
 
-fn critical_speeds<const N: usize>(
-    equations: &Equations<N>,
-    course: &Course,
-) -> Result<Vec<CriticalSpeed>, SystemError> {
+fn critical_speeds(equations: &Equations, course: &Course) -> Result<Vec<CriticalSpeed>, SystemError> {
     let critical = course.found.iter().map(|found| {
         let speed = equations.speed(found.crossing.v);
         let error = equations.units.speed(found.crossing.error) + 0.5 * f64::EPSILON * speed;

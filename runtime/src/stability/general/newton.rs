@@ -29,7 +29,7 @@ const FINE_STEPS: usize = 3;
 /// The last step in `f64`, relative to the speed, from where on there are digits to be doubled.
 const CLOSE: f64 = 1e-9;
 
-impl<const N: usize> Equations<N> {
+impl Equations {
     /// The speed and the frequency near given ones at which a pair is on the imaginary axis.
     pub(super) fn find_flutter(&self, v: f64, omega: f64) -> Option<Crossing> {
         let (mut v, mut omega) = (v, omega);

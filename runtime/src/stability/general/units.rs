@@ -2,42 +2,43 @@
 
 use nalgebra::Complex;
 
+use super::equations::Matrices;
 use crate::characteristic::units::{ldexp_complex, time_unit};
-use crate::numeric::{exponent, ldexp};
-use crate::system::{Coefficients, Matrix, States, SystemError};
+use crate::numeric::{Square, exponent, ldexp};
+use crate::system::{States, SystemError};
 
 /// The exponents of the units.
-pub(super) struct Units<const N: usize> {
-    rows: [i32; N],
-    columns: [i32; N],
+pub(super) struct Units {
+    rows: Vec<i32>,
+    columns: Vec<i32>,
     time: i32,
     speed: i32,
     gravity: i32,
 }
 
-impl<const N: usize> Units<N> {
+impl Units {
     /// Rows and columns bring the largest entry of what each column is solved for, M or the damping of a coordinate of
     /// first order, to about one; then time brings damping and stiffness to at most one, and speed what depends on it.
-    pub(super) fn new(coefficients: &Coefficients<f64, N>, gravity: f64) -> Result<Self, SystemError> {
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = coefficients;
+    pub(super) fn new(Matrices { all, states }: &Matrices, gravity: f64) -> Result<Self, SystemError> {
+        let ([m, cm1, c0, c1, kc, k0, k1, k2], size) = (all, states.len());
         let is_first_order = |j: usize| states[j] == States::Position;
         let leading = |i: usize, j: usize| {
             let matrices = if is_first_order(j) { [cm1, c0, c1] } else { [m; 3] };
-            matrices.into_iter().filter_map(|matrix| exponent(matrix[(i, j)])).max()
+            matrices.into_iter().filter_map(|matrix| exponent(matrix[i][j])).max()
         };
-        let mut units =
-            Self { rows: [0; N], columns: [0; N], time: 0, speed: 0, gravity: exponent(gravity).unwrap_or(0) };
-        for i in 0..N {
-            units.rows[i] = -(0..N).filter_map(|j| leading(i, j)).max().ok_or(SystemError::SingularMass)?;
+        let (rows, columns) = (vec![0; size], vec![0; size]);
+        let mut units = Self { rows, columns, time: 0, speed: 0, gravity: exponent(gravity).unwrap_or(0) };
+        for i in 0..size {
+            units.rows[i] = -(0..size).filter_map(|j| leading(i, j)).max().ok_or(SystemError::SingularMass)?;
         }
-        for j in 0..N {
-            let largest = (0..N).filter_map(|i| Some(leading(i, j)? + units.rows[i])).max();
+        for j in 0..size {
+            let largest = (0..size).filter_map(|i| Some(leading(i, j)? + units.rows[i])).max();
             units.columns[j] = -largest.ok_or(SystemError::SingularMass)?;
         }
-        let largest = |matrix: &Matrix<f64, N>, first_order: bool| {
-            let columns = (0..N).filter(|&j| is_first_order(j) == first_order);
-            let places = columns.flat_map(|j| (0..N).map(move |i| (i, j)));
-            places.filter_map(|(i, j)| Some(exponent(matrix[(i, j)])? + units.rows[i] + units.columns[j])).max()
+        let largest = |matrix: &Square<f64>, first_order: bool| {
+            let columns = (0..size).filter(|&j| is_first_order(j) == first_order);
+            let places = columns.flat_map(|j| (0..size).map(move |i| (i, j)));
+            places.filter_map(|(i, j)| Some(exponent(matrix[i][j])? + units.rows[i] + units.columns[j])).max()
         };
         let weight = |first_order: bool| match gravity {
             0.0 => None,
@@ -51,30 +52,29 @@ impl<const N: usize> Units<N> {
         let rising = [largest(c1, false), largest(k1, false).map(|e| e - time), largest(k2, false).map(half)];
         let per_speed = rising.into_iter().max().flatten().or_else(|| largest(cm1, false).map(|e| 2 * time - e));
         // Columns of first order are solved for a rate, not an acceleration.
-        for j in (0..N).filter(|&j| is_first_order(j)) {
+        for j in (0..size).filter(|&j| is_first_order(j)) {
             units.columns[j] += time;
         }
         Ok(Self { time, speed: time - per_speed.unwrap_or(time), ..units })
     }
 
-    /// The coefficients in these units.
-    pub(super) fn scale(&self, coefficients: &Coefficients<f64, N>) -> Coefficients<f64, N> {
-        let scale = |matrix: &Matrix<f64, N>, [s, v]: [i32; 2], rest: i32| {
+    /// The coefficient matrices in these units.
+    pub(super) fn scale(&self, [m, cm1, c0, c1, kc, k0, k1, k2]: &[Square<f64>; 8]) -> [Square<f64>; 8] {
+        let scale = |matrix: &Square<f64>, [s, v]: [i32; 2], rest: i32| {
             let power = v * self.speed - (2 - s) * self.time + rest;
-            Matrix::from_fn(|i, j| ldexp(matrix[(i, j)], self.rows[i] + self.columns[j] + power))
+            let entry = |i: usize, j: usize| ldexp(matrix[i][j], self.rows[i] + self.columns[j] + power);
+            Square::from_fn(matrix.size(), entry)
         };
-        let Coefficients { m, cm1, c0, c1, kc, k0, k1, k2, states } = coefficients;
-        Coefficients {
-            m: scale(m, [2, 0], 0),
-            cm1: scale(cm1, [1, -1], 0),
-            c0: scale(c0, [1, 0], 0),
-            c1: scale(c1, [1, 1], 0),
-            kc: scale(kc, [0, 0], 0),
-            k0: scale(k0, [0, 0], self.gravity),
-            k1: scale(k1, [0, 1], 0),
-            k2: scale(k2, [0, 2], 0),
-            states: *states,
-        }
+        [
+            scale(m, [2, 0], 0),
+            scale(cm1, [1, -1], 0),
+            scale(c0, [1, 0], 0),
+            scale(c1, [1, 1], 0),
+            scale(kc, [0, 0], 0),
+            scale(k0, [0, 0], self.gravity),
+            scale(k1, [0, 1], 0),
+            scale(k2, [0, 2], 0),
+        ]
     }
 
     /// A gravitational field strength in these units.

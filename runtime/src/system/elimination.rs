@@ -1,0 +1,70 @@
+//! Systems of linear equations, whatever the order of their entries in memory.
+
+use super::error::SystemError;
+use crate::number::Scalar;
+
+/// The solutions X of `M X = B` for several B, in their place, by elimination with pivots that are the largest relative to
+/// their rows. M is overwritten, and so is a second matrix, whatever it is.
+///
+/// All matrices are of one size, with their entries at the place that a function gives for row and column.
+///
+/// # Errors
+/// M is singular if a pivot is no more than the rounding of the terms that were subtracted to form it, whatever the scale
+/// of its rows and columns.
+#[inline]
+pub(crate) fn solve_in_place<T: Scalar>(
+    size: usize,
+    at: impl Fn(usize, usize) -> usize,
+    [m, terms]: [&mut [T]; 2],
+    x: &mut [impl AsMut<[T]>],
+) -> Result<(), SystemError> {
+    let zero = T::from_f64(0.0);
+    terms.iter_mut().zip(&*m).for_each(|(term, entry)| *term = entry.abs());
+    for step in 0..size {
+        let relative = |row: usize| {
+            let sizes = (step..size).map(|column| m[at(row, column)].abs());
+            let largest = sizes.fold(zero, |largest, size| if size > largest { size } else { largest });
+            if largest > zero { m[at(row, step)].abs() / largest } else { zero }
+        };
+        let (mut pivot, mut pivot_size) = (step, relative(step));
+        for row in step + 1..size {
+            let candidate = relative(row);
+            if candidate >= pivot_size {
+                (pivot, pivot_size) = (row, candidate);
+            }
+        }
+        for column in 0..size {
+            let (from, to) = (at(pivot, column), at(step, column));
+            m.swap(from, to);
+            terms.swap(from, to);
+            x.iter_mut().for_each(|x| x.as_mut().swap(from, to));
+        }
+        if m[at(step, step)].abs() <= T::from_f64(8.0) * T::EPSILON * terms[at(step, step)] {
+            return Err(SystemError::SingularMass);
+        }
+        for row in (0..size).filter(|&row| row != step) {
+            let factor = m[at(row, step)] / m[at(step, step)];
+            for column in step + 1..size {
+                let product = factor * m[at(step, column)];
+                m[at(row, column)] -= product;
+                terms[at(row, column)] += product.abs();
+            }
+            for x in &mut *x {
+                let x = x.as_mut();
+                for column in 0..size {
+                    let product = factor * x[at(step, column)];
+                    x[at(row, column)] -= product;
+                }
+            }
+        }
+    }
+    for x in x {
+        let x = x.as_mut();
+        for row in 0..size {
+            for column in 0..size {
+                x[at(row, column)] /= m[at(row, row)];
+            }
+        }
+    }
+    Ok(())
+}
