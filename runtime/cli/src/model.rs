@@ -257,7 +257,8 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
         for (column, _) in self.states.iter().enumerate().filter(|(_, states)| **states == States::Position) {
             leading.set_column(column, &self.c0.column(column));
         }
-        let is_singular = self.states.contains(&States::Position) && dependent_column(&leading, |_| true).is_some();
+        let is_singular =
+            self.states.contains(&States::Position) && dependent_column(leading.as_slice(), N, |_| true).is_some();
         is_singular.then_some("the rate of a coordinate of first order is multiplied by the speed alone")
     }
 }

@@ -1,17 +1,20 @@
 //! Whether given matrices are equations of motion, and the coordinate for which they are none.
 
-use carvallo::{Coefficients, Matrix, MatrixName, ModelInfo, States};
+use carvallo::{MatrixName, ModelInfo, States};
 
 use super::entry_name;
 use crate::model::Equations;
 use crate::number::shortest;
 
+/// All matrices, each column by column.
+pub type Matrices<'a> = [(MatrixName, &'a [f64]); 8];
+
 /// # Errors
 /// If M is singular, or if what is said to be no state has an entry that is not zero.
-pub fn check<const N: usize>(coefficients: &Coefficients<f64, N>, info: &ModelInfo) -> Result<(), String> {
+pub fn check(matrices: &Matrices, info: &ModelInfo) -> Result<(), String> {
     for (column, coordinate) in info.coordinates.iter().enumerate() {
         let name = coordinate.name;
-        let first = |matrices: &[MatrixName]| first_entry(coefficients, matrices, column);
+        let first = |names: &[MatrixName]| first_entry(matrices, names, column);
         match coordinate.states {
             States::Both => {}
             States::Position => {
@@ -38,9 +41,10 @@ pub fn check<const N: usize>(coefficients: &Coefficients<f64, N>, info: &ModelIn
             }
         }
     }
-    match dependent_column(&coefficients.m, |column| info.coordinates[column].states != States::Position) {
+    let (_, m) = matrices[0];
+    match dependent_column(m, info.coordinates.len(), |column| info.coordinates[column].states != States::Position) {
         None => Ok(()),
-        Some(column) => Err(singular(&coefficients.m, column, info)),
+        Some(column) => Err(singular(m, column, info)),
     }
 }
 
@@ -57,23 +61,21 @@ pub fn free<'a>(equations: &dyn Equations, info: &'a ModelInfo) -> Vec<&'a str> 
 }
 
 /// The first entry of a column that is not zero, and its value.
-fn first_entry<const N: usize>(
-    coefficients: &Coefficients<f64, N>,
-    matrices: &[MatrixName],
-    column: usize,
-) -> Option<(String, String)> {
-    matrices.iter().find_map(|&name| {
-        let entries = coefficients.matrix(name).column(column);
+fn first_entry(matrices: &Matrices, names: &[MatrixName], column: usize) -> Option<(String, String)> {
+    matrices.iter().filter(|(name, _)| names.contains(name)).find_map(|&(name, entries)| {
+        let count = entries.len().isqrt();
+        let entries = &entries[count * column..count * (column + 1)];
         let row = entries.iter().position(|&entry| entry != 0.0)?;
-        Some((entry_name(name, row, column, N), shortest(entries[row])))
+        Some((entry_name(name, row, column, count), shortest(entries[row])))
     })
 }
 
 /// That M is singular, by the coordinate whose column depends on others.
-fn singular<const N: usize>(m: &Matrix<f64, N>, column: usize, info: &ModelInfo) -> String {
+fn singular(m: &[f64], column: usize, info: &ModelInfo) -> String {
+    let count = info.coordinates.len();
     let name = info.coordinates[column].name;
     let is_singular = "`M` is singular, and it must be invertible:";
-    if m.column(column).iter().all(|&entry| entry == 0.0) {
+    if m[count * column..count * (column + 1)].iter().all(|&entry| entry == 0.0) {
         return format!(
             "{is_singular} its column of `{name}` is zero; where only the position of `{name}` is a state, `coordinates` \
              says so by `only = \"position\"`"
@@ -81,7 +83,7 @@ fn singular<const N: usize>(m: &Matrix<f64, N>, column: usize, info: &ModelInfo)
     }
     // The equation of a coordinate of first order may have no acceleration.
     let has_order_one = info.coordinates.iter().any(|coordinate| coordinate.states == States::Position);
-    match m.row_iter().position(|row| row.iter().all(|&entry| entry == 0.0)) {
+    match (0..count).position(|row| m.iter().skip(row).step_by(count).all(|&entry| entry == 0.0)) {
         Some(row) if !has_order_one => format!("{is_singular} its row of `{}` is zero", info.coordinates[row].name),
         _ => format!("{is_singular} its column of `{name}` depends on those before it"),
     }
@@ -90,27 +92,31 @@ fn singular<const N: usize>(m: &Matrix<f64, N>, column: usize, info: &ModelInfo)
 /// The first of the columns that count which depends on those before it, by elimination with pivots that are the largest
 /// relative to their rows. As for the library, a pivot is zero if it is no more than the rounding of the terms that were
 /// subtracted to form it.
-pub fn dependent_column<const N: usize>(m: &Matrix<f64, N>, counts: impl Fn(usize) -> bool) -> Option<usize> {
-    let mut m = *m;
-    let mut terms = m.abs();
-    let columns: Vec<usize> = (0..N).filter(|&column| counts(column)).collect();
+pub fn dependent_column(m: &[f64], count: usize, counts: impl Fn(usize) -> bool) -> Option<usize> {
+    let at = |row: usize, column: usize| row + count * column;
+    let mut m = m.to_vec();
+    let mut terms: Vec<f64> = m.iter().map(|entry| entry.abs()).collect();
+    let columns: Vec<usize> = (0..count).filter(|&column| counts(column)).collect();
     for (step, &column) in columns.iter().enumerate() {
         let relative = |row: usize| {
-            let largest = columns[step..].iter().fold(0.0, |largest: f64, &column| largest.max(m[(row, column)].abs()));
-            if largest > 0.0 { m[(row, column)].abs() / largest } else { 0.0 }
+            let largest =
+                columns[step..].iter().fold(0.0, |largest: f64, &column| largest.max(m[at(row, column)].abs()));
+            if largest > 0.0 { m[at(row, column)].abs() / largest } else { 0.0 }
         };
-        let pivot = (step..N).max_by(|&a, &b| relative(a).total_cmp(&relative(b)))?;
-        m.swap_rows(step, pivot);
-        terms.swap_rows(step, pivot);
-        if m[(step, column)].abs() <= 8.0 * f64::EPSILON * terms[(step, column)] {
+        let pivot = (step..count).max_by(|&a, &b| relative(a).total_cmp(&relative(b)))?;
+        for column in 0..count {
+            m.swap(at(step, column), at(pivot, column));
+            terms.swap(at(step, column), at(pivot, column));
+        }
+        if m[at(step, column)].abs() <= 8.0 * f64::EPSILON * terms[at(step, column)] {
             return Some(column);
         }
-        for row in step + 1..N {
-            let factor = m[(row, column)] / m[(step, column)];
+        for row in step + 1..count {
+            let factor = m[at(row, column)] / m[at(step, column)];
             for &column in &columns[step..] {
-                let product = factor * m[(step, column)];
-                m[(row, column)] -= product;
-                terms[(row, column)] += product.abs();
+                let product = factor * m[at(step, column)];
+                m[at(row, column)] -= product;
+                terms[at(row, column)] += product.abs();
             }
         }
     }

@@ -63,6 +63,12 @@ pub fn model(form: &Form) -> &'static Shipped {
 }
 
 fn of<const N: usize>(form: &Form) -> &'static Shipped {
+    let info = info(form);
+    Box::leak(Box::new(Shipped::new(info, Box::leak(Box::new(Given::<N> { info })))))
+}
+
+fn info(form: &Form) -> &'static ModelInfo {
+    let count = form.coordinates.len();
     let coordinates: Vec<CoordinateInfo> = form
         .coordinates
         .iter()
@@ -70,14 +76,14 @@ fn of<const N: usize>(form: &Form) -> &'static Shipped {
         .collect();
     let mut parameters: Vec<ParameterInfo> = Vec::new();
     for matrix in &form.matrices {
-        for (row, column) in (0..N * N).map(|index| (index / N, index % N)) {
-            parameters.push(ParameterInfo::new(leak(entry_name(*matrix, row, column, N)), "1", Domain::FINITE));
+        for (row, column) in (0..count * count).map(|index| (index / count, index % count)) {
+            parameters.push(ParameterInfo::new(leak(entry_name(*matrix, row, column, count)), "1", Domain::FINITE));
         }
     }
     let gravity = Some(parameters.len());
     let g = ParameterInfo::new("g", "N/kg", Domain::NONNEGATIVE).docs("Gravitational field strength.");
     parameters.push(if form.matrices.contains(&MatrixName::K0) { g } else { g.unused() });
-    let info = Box::leak(Box::new(ModelInfo {
+    Box::leak(Box::new(ModelInfo {
         name: NAME,
         docs: "Matrices that are given themselves.",
         source: "",
@@ -89,8 +95,7 @@ fn of<const N: usize>(form: &Form) -> &'static Shipped {
         requirements: &[],
         formulas: &[],
         gravity,
-    }));
-    Box::leak(Box::new(Shipped::new(info, Box::leak(Box::new(Given::<N> { info })))))
+    }))
 }
 
 fn leak(text: String) -> &'static str {
@@ -107,11 +112,11 @@ impl<const N: usize> Given<N> {
     /// The matrices with these entries; those that are not given are zero.
     fn coefficients(&self, entries: &[f64]) -> Result<Coefficients<f64, N>, String> {
         let states = array::from_fn(|index| self.info.coordinates[index].states);
-        let mut coefficients = Coefficients { states, ..Default::default() };
+        let mut coefficients = Coefficients::<f64, N> { states, ..Default::default() };
         for (name, entries) in self.info.matrices.iter().zip(entries.chunks_exact(N * N)) {
             *coefficients.matrix_mut(*name) = Matrix::from_row_slice(entries);
         }
-        check(&coefficients, self.info)?;
+        check(&MatrixName::ALL.map(|name| (name, coefficients.matrix(name).as_slice())), self.info)?;
         Ok(coefficients)
     }
 }
