@@ -43,6 +43,8 @@ pub struct Model {
     pub symmetric: Vec<MatrixName>,
     /// The definitions that the matrices depend on, and their entries, as people read them.
     pub formulas: Vec<Written>,
+    /// Forces and torques that follow from the motion, which are in the matrices.
+    pub feedback: Vec<Feedback>,
     /// Rates and forces, of a model that is a mechanism.
     pub kinematics: Option<Kinematics<Formula>>,
     /// Where the derivatives of the matrices are asked for.
@@ -133,6 +135,21 @@ pub struct Coordinate {
     pub docs: String,
     /// The unit in its canonical spelling.
     pub unit: String,
+}
+
+/// A force or torque that follows from the motion.
+#[derive(Debug)]
+pub struct Feedback {
+    /// What it is called.
+    pub name: String,
+    /// What it is; the name where nothing is declared.
+    pub label: String,
+    /// The coordinate, joint or wheel that it acts on.
+    pub on: String,
+    /// What it is in, where it is a force or a torque.
+    pub unit: Option<&'static str>,
+    /// What it is, as it is declared.
+    pub law: String,
 }
 
 /// One named parameter set.

@@ -67,7 +67,10 @@ pub fn write_formulas(checked: &Checked<'_>, derived: &Derived, units: &Units) -
                     Some(States::Position) => units.of(entry),
                     _ => units.of_entry(*name, row, column),
                 },
-                text: declared.map_or_else(|| text(entry), |matrix| matrix.rows[row].1[column].to_string()),
+                text: match declared.filter(|_| !derived.fed.contains(&(*name, row, column))) {
+                    Some(matrix) => matrix.rows[row].1[column].to_string(),
+                    None => text(entry),
+                },
             }
         }));
     }

@@ -3,6 +3,7 @@
 mod constants;
 mod definitions;
 mod domains;
+mod feedback;
 mod matrices;
 mod mechanism;
 mod names;
@@ -18,6 +19,7 @@ use std::collections::HashSet;
 use proc_macro2::Ident;
 
 use self::domains::ExactDomain;
+pub use self::feedback::{Law, Term};
 pub use self::matrices::WrittenMatrices;
 pub use self::mechanism::{Assembly, Role, Tree};
 use self::names::Scope;
@@ -61,6 +63,8 @@ pub struct Checked<'a> {
     pub written: WrittenMatrices,
     /// What equations of motion are derived from, as [`Declaration::attributes`].
     pub attributes: Vec<Formula>,
+    /// What follows from the motion.
+    pub feedback: Vec<Law>,
     /// The mechanism, if there is one, and nothing that its derivation depends on is a mistake.
     pub assembly: Option<Assembly>,
     /// The parameter sets.
@@ -114,6 +118,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     matrices::check_added(declaration, &mut scope, report);
     let (attributes, assembly) = check_mechanism(declaration, tree, &dimensions, &defined, &mut scope, report);
 
+    let feedback = feedback::read_feedback(declaration, &mut scope, report);
     let requirements = resolve_requirements(declaration, &allowed, &required, &mut scope, report);
     let (assertions, asserted) = resolve_assertions(declaration, &mut scope, report);
     let written = matrices::resolve_matrices(declaration, is_complete, &mut scope, report);
@@ -140,6 +145,7 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
         asserted,
         written,
         attributes,
+        feedback,
         assembly,
         sets,
         gravity,

@@ -15,7 +15,8 @@ pub fn check_powers(declaration: &Declaration, report: &mut Report) {
     let wholes = declaration.wholes.iter().map(|(_, matrix)| matrix);
     let matrices = declaration.matrices.iter().chain(&declaration.asserted).chain(wholes);
     let entries = matrices.flat_map(|matrix| matrix.rows.iter().flat_map(|(_, row)| row));
-    let attributes = declaration.attributes();
+    let laws = declaration.feedback.iter().map(|feedback| &feedback.law);
+    let attributes = declaration.attributes().chain(laws);
     for formula in definitions.chain(requirements).chain(assertions).chain(entries).chain(attributes) {
         find_exponent(formula, report);
     }

@@ -38,8 +38,9 @@ fn own_matrices(declaration: &Declaration) -> &[Matrix] {
 }
 
 fn formulas(declaration: &Declaration) -> Vec<&Expression> {
-    let Declaration { definitions, requirements, assertions, asserted, wholes, .. } = declaration;
+    let Declaration { definitions, requirements, assertions, asserted, wholes, feedback, .. } = declaration;
     let formulas = declaration.attributes().chain(definitions.iter().map(|definition| &definition.value));
+    let formulas = formulas.chain(feedback.iter().map(|feedback| &feedback.law));
     let formulas = formulas.chain(requirements.iter().map(|requirement| &requirement.value));
     let formulas = formulas.chain(assertions.iter().flat_map(|assertion| [&assertion.left, &assertion.right]));
     let wholes = wholes.iter().map(|(_, matrix)| matrix);
@@ -54,13 +55,16 @@ fn find_uses(declaration: &Declaration, formulas: &[&Expression], scope: &Scope)
         Some(Meaning::Parameter(_)) => uses.push((Target::Parameter, name.clone())),
         Some(Meaning::Definition(_) | Meaning::Speed(_)) => uses.push((Target::Definition, name.clone())),
         None => uses.push((Target::Definition, name.clone())),
-        Some(Meaning::Coordinate | Meaning::Refused) => {}
+        Some(Meaning::Coordinate) => uses.push((Target::Coordinate, name.clone())),
+        Some(Meaning::Refused) => {}
     };
     formulas.iter().for_each(|formula| formula.names(&mut note));
     for entry in declaration.sets.iter().flat_map(|set| &set.values) {
         // In a set a name is a parameter's.
         uses.push((Target::Parameter, entry.name.clone()));
     }
+    let fed = declaration.feedback.iter().map(|feedback| (Target::Coordinate, feedback.on.clone()));
+    uses.extend(fed);
     let Some(mechanism) = &declaration.mechanism else { return uses };
     let moved = mechanism.joints.iter().map(|joint| &joint.name).chain(mechanism.forces.iter().map(|force| &force.on));
     let moved = moved.chain(mechanism.free.iter().flat_map(|free| free.names.iter().map(|(_, name)| name)));

@@ -1,6 +1,7 @@
 //! Names in formulas to what they stand for.
 
 use super::constants;
+use super::feedback::RATE;
 use super::names::{Meaning, Scope, unknown_function};
 use super::units::declared::Quantity;
 use crate::formula::{Factor, Formula, Function, Term};
@@ -20,6 +21,17 @@ pub fn resolve_in_speed(expression: &Expression, scope: &mut Scope, report: &mut
 }
 
 fn resolve_names(expression: &Expression, in_speed: bool, scope: &mut Scope, report: &mut Report) -> Formula {
+    if let Kind::Call(name, argument) = &expression.kind
+        && name == RATE
+        && scope.get(name).is_none()
+    {
+        let message = format!(
+            "`{RATE}({argument})` where nothing moves: expected parameters and definitions; the rate of a coordinate may stand \
+             in a `feedback T on q = …;`"
+        );
+        report.error(expression.region, message);
+        return Formula::Pi;
+    }
     let mut inner = |value: &Expression| resolve_names(value, in_speed, scope, report);
     match &expression.kind {
         Kind::Number(number) => Formula::Number(number.clone()),
@@ -61,16 +73,16 @@ fn resolve_names(expression: &Expression, in_speed: bool, scope: &mut Scope, rep
         Kind::Name(name) => match scope.get(name) {
             Some(Meaning::Speed(_)) if !in_speed => {
                 let message = format!(
-                    "`{name}` is the speed, which `C` and `K` may depend on, and definitions that only they use: expected \
-                     parameters and definitions"
+                    "`{name}` is the speed, which `C`, `K` and a `feedback` may depend on, and definitions that only they use: \
+                     expected parameters and definitions"
                 );
                 report.error(name, message);
                 Formula::Pi
             }
             Some(Meaning::Definition(index)) if !in_speed && index >= scope.steady => {
                 let message = format!(
-                    "`{name}` depends on the speed, which only `C` and `K` may: expected parameters and definitions that do \
-                     not"
+                    "`{name}` depends on the speed, which only `C`, `K` and a `feedback` may: expected parameters and definitions \
+                     that do not"
                 );
                 report.error(name, message);
                 Formula::Pi

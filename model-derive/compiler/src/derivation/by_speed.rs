@@ -8,7 +8,7 @@ use crate::matrix_name::{MatrixName, Whole};
 use crate::model::Matrices;
 use crate::report::{Region, Report};
 use crate::symbolic::{self, Failure, Place, PowerTerm, Sorted};
-use crate::syntax::Matrix;
+use crate::syntax::{Declaration, Matrix};
 
 /// Sorts the matrices with the speed in them, exactly, and puts their parts among the others.
 pub fn sort_wholes(checked: &Checked<'_>, derived: Derived, report: &mut Report) -> Derived {
@@ -18,7 +18,7 @@ pub fn sort_wholes(checked: &Checked<'_>, derived: Derived, report: &mut Report)
     let definitions: Vec<Formula> = checked.definitions.iter().chain(&checked.unsteady).cloned().collect();
     let mut matrices = derived.matrices;
     let mut symmetric = derived.symmetric;
-    let speed = checked.declaration.speed.as_ref().map_or_else(|| "v".into(), |speed| speed.name.to_string());
+    let speed = speed_name(checked.declaration);
     for ((whole, rows), (_, written)) in checked.written.wholes.iter().zip(&checked.declaration.wholes) {
         let equations = Equations {
             parameters: checked.domains.len() + 1,
@@ -43,6 +43,11 @@ pub fn sort_wholes(checked: &Checked<'_>, derived: Derived, report: &mut Report)
     let declared = matrices.iter().filter_map(|(name, _)| checked.declaration.find_declared(*name));
     let entries = declared.flat_map(Matrix::entries).map(|entry| entry.region).collect();
     Derived { matrices, symmetric, entries, ..derived }
+}
+
+/// What the speed is called.
+pub fn speed_name(declaration: &Declaration) -> String {
+    declaration.speed.as_ref().map_or_else(|| "v".into(), |speed| speed.name.to_string())
 }
 
 /// Where in the declaration a failure of the engine belongs.
@@ -114,7 +119,7 @@ fn describe_not_sorted(sorted: &Sorted, whole: Whole, speed: &str) -> String {
 }
 
 /// The terms that a matrix may have.
-fn describe_powers(whole: Whole, speed: &str) -> String {
+pub fn describe_powers(whole: Whole, speed: &str) -> String {
     match whole {
         Whole::Damping => format!("formulas without `{speed}`, times `1/{speed}`, 1 or `{speed}`"),
         Whole::Stiffness => format!("formulas without `{speed}`, times 1, `{speed}` or `{speed}^2`"),
@@ -122,7 +127,7 @@ fn describe_powers(whole: Whole, speed: &str) -> String {
 }
 
 /// A power as it would be written: `1/v^2`, `sqrt(v)`.
-fn describe_power((above, below): (i64, i64), speed: &str) -> String {
+pub fn describe_power((above, below): (i64, i64), speed: &str) -> String {
     let power = match (above.abs(), below) {
         (1, 1) => speed.to_string(),
         (1, 2) => format!("sqrt({speed})"),

@@ -260,15 +260,8 @@ impl Faulty<'_> {
 
     /// The name of the coordinate that is the motion of a joint.
     fn coordinate(&self, joint: usize) -> Option<&Ident> {
-        match self.tree.joints[joint].role {
-            Role::Joint(index) => Some(&self.mechanism.joints[index].name),
-            Role::Freedom(freedom) => {
-                let names = &self.mechanism.free.first()?.names;
-                names.iter().find(|(known, _)| *known == freedom).map(|(_, name)| name)
-            }
-            Role::Deflection(index) => self.mechanism.wheels[index].deflection(),
-            Role::Spin(_) => None,
-        }
+        let is_spin = matches!(self.tree.joints[joint].role, Role::Spin(_));
+        self.tree.name(self.mechanism, joint).filter(|_| !is_spin)
     }
 
     fn turns(&self, joint: usize) -> bool {

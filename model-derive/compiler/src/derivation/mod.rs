@@ -2,6 +2,7 @@
 
 mod by_speed;
 mod faults;
+mod feedback;
 mod rates;
 
 use std::collections::HashSet;
@@ -33,6 +34,8 @@ pub struct Derived {
     pub matrices: Matrices,
     /// Where the entries of the matrices stand, row by row: those that are derived stand at the mechanism.
     pub entries: Vec<Region>,
+    /// Entries of written matrices, by rows and columns, that are not as they are written: feedback is a part of them.
+    pub fed: Vec<(MatrixName, usize, usize)>,
     /// The matrices that are said to be symmetric, or are derived so.
     pub symmetric: Vec<MatrixName>,
     /// For each coordinate which of its position and its rate are states.
@@ -62,11 +65,16 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         names,
         matrices: checked.written.matrices.clone(),
         entries: checked.written.regions.clone(),
+        fed: Vec::new(),
         symmetric,
         states: declaration.states().map(Option::unwrap_or_default).collect(),
         kinematics: None,
     };
-    let Some(mechanism) = &declaration.mechanism else { return by_speed::sort_wholes(checked, written, report) };
+    let fed = if report.is_empty() { feedback::sort_feedback(checked, report) } else { Vec::new() };
+    let Some(mechanism) = &declaration.mechanism else {
+        let sorted = by_speed::sort_wholes(checked, written, report);
+        return if report.is_empty() { feedback::add_feedback(checked, fed, sorted) } else { sorted };
+    };
     // Declared matrices beside a mechanism are a mistake.
     let nothing = Derived {
         matrices: Vec::new(),
@@ -75,13 +83,18 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         kinematics: Some(rates::outline_rates(declaration, mechanism)),
         ..written
     };
-    let Some(assembly) = &checked.assembly else { return nothing };
+    let Some(assembly) = checked.assembly.as_ref().filter(|_| report.is_empty()) else { return nothing };
     let declared = Declared {
         parameters: declaration.parameters.len(),
         definitions: checked.definitions.clone(),
         attributes: checked.attributes.clone(),
     };
-    match mechanics::derive(assembly.mechanism.clone(), declared) {
+    let joint = |name: &Ident| assembly.tree.find_joint(mechanism, name);
+    let fed = fed.into_iter().filter_map(|fed| {
+        Some(mechanics::Fed { on: joint(fed.on)?, of: joint(fed.of)?, matrix: fed.matrix, formula: fed.formula })
+    });
+    let assembled = mechanics::Mechanism { fed: fed.collect(), ..assembly.mechanism.clone() };
+    match mechanics::derive(assembled, declared) {
         Err(failure) => report.error(find_region(checked, mechanism, &failure), failure),
         Ok(Err(faults)) => {
             let (tree, names) = (&assembly.tree, &nothing.names);
@@ -140,6 +153,7 @@ fn adopt(
     Derived {
         definitions: kept.iter().map(|index| definitions[*index].renumbered(&new)).collect(),
         names: Names { definitions: kept.iter().map(|index| names.definitions[*index].clone()).collect(), ..names },
+        fed: Vec::new(),
         entries: vec![mechanism.span.into(); matrices.iter().flat_map(|(_, rows)| rows.iter().flatten()).count()],
         symmetric: matrices.iter().filter(|(_, rows)| is_symmetric(rows)).map(|(name, _)| *name).collect(),
         states: complete_states(checked, &derivation.states),

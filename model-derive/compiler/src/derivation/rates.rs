@@ -54,7 +54,7 @@ pub fn outline_rates(declaration: &Declaration, mechanism: &Mechanism) -> Kinema
 fn name_forces(mechanism: &Mechanism) -> Vec<[String; 3]> {
     let applied = mechanism.forces.iter().map(|force| {
         let label = force.label.clone().unwrap_or_else(|| force.name.to_string());
-        [force.name.to_string(), label, force_unit(mechanism, &force.on).into()]
+        [force.name.to_string(), label, mechanism.force_unit(&force.on).into()]
     });
     applied.collect()
 }
@@ -68,16 +68,6 @@ fn name_parts(mechanism: &Mechanism) -> Vec<String> {
     let bodies = mechanism.bodies.iter().map(|body| format!("body {}", labelled(&body.name, &body.label)));
     let wheels = mechanism.wheels.iter().map(|wheel| format!("wheel {}", labelled(&wheel.name, &wheel.label)));
     bodies.chain(wheels).collect()
-}
-
-/// The unit of a force or torque on a joint.
-fn force_unit(mechanism: &Mechanism, on: &Ident) -> &'static str {
-    let slides = mechanism.joints.iter().any(|joint| joint.name == *on && joint.kind == JointKind::Prismatic);
-    let mut freedoms = mechanism.free.iter().flat_map(|free| &free.names);
-    let moves = freedoms.any(|(freedom, name)| {
-        name == on && matches!(freedom, Freedom::Forward | Freedom::Lateral | Freedom::Vertical)
-    });
-    if slides || moves { "N" } else { "N*m" }
 }
 
 /// The name of a rate in generated code, and what it is; none for what does not move in the first order.

@@ -3,7 +3,7 @@
 use super::or;
 use crate::domain::Domain;
 use crate::formula::Decimal;
-use crate::model::{Model, Origin, Parameter, ParameterSet, Requirement};
+use crate::model::{Feedback, Model, Origin, Parameter, ParameterSet, Requirement};
 use crate::states::States;
 
 /// The text of the declaration, then where the model comes from, its coordinates and its requirements.
@@ -31,6 +31,10 @@ pub fn model_docs(model: &Model) -> String {
         "\n\nThe fields are the parameters. The coordinates are {}.",
         coordinates.join(if has_only { "; " } else { ", " })
     ));
+    if !model.feedback.is_empty() {
+        let feedback: Vec<String> = model.feedback.iter().map(feedback_docs).collect();
+        text.push_str(&format!("\n\nIn the matrices is what follows from the motion:\n\n{}.", feedback.join(";\n")));
+    }
     if !model.requirements.is_empty() {
         text.push_str("\n\nBeside what is said of each field, `validate` requires of them:\n\n");
         let requirements: Vec<String> = model.requirements.iter().map(requirement_docs).collect();
@@ -67,6 +71,13 @@ matrices of all joints, `P` and `W` of those projected on the motions that the w
 the rate of a for that of b, and `a_per_v_b` that for the position of b, divided by the speed.
 
 ";
+
+/// The item of a list.
+fn feedback_docs(Feedback { name, label, on, unit, law }: &Feedback) -> String {
+    let label = if label == name { String::new() } else { format!(" ({label})") };
+    let unit = unit.map(|unit| format!(" in `{unit}`")).unwrap_or_default();
+    format!("- `{name}`{label}{unit} on `{on}`: `{law}`")
+}
 
 /// The item of a list.
 fn requirement_docs(Requirement { text, unit, domain, origin, .. }: &Requirement) -> String {

@@ -25,9 +25,9 @@ use crate::derivation::Derived;
 use crate::equations::Equations;
 use crate::formula::Formula;
 use crate::matrix_name::MatrixName;
-use crate::model::{Coordinate, Model, Parameter, ParameterSet, Requirement};
+use crate::model::{self, Coordinate, Model, Parameter, ParameterSet, Requirement};
 use crate::report::{Region, Report};
-use crate::syntax::{Expression, Matrix, Unit};
+use crate::syntax::{self, Declaration, Feedback, Matrix, Unit};
 use crate::written::write_formulas;
 
 /// Holds a declaration against its formulas, and makes the model of both. Mistakes are reported; with none it is complete.
@@ -89,9 +89,30 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
         entries: derived.entries,
         symmetric: derived.symmetric,
         formulas,
+        feedback: declaration.feedback.iter().map(|feedback| tell(declaration, feedback)).collect(),
         kinematics: derived.kinematics,
         derivatives: declaration.derivatives,
         references: checked.references,
+    }
+}
+
+/// What is told of a feedback.
+fn tell(declaration: &Declaration, Feedback { name, label, on, law }: &Feedback) -> model::Feedback {
+    let unit_of = |coordinate: &syntax::Coordinate| coordinate.unit.as_ref().map(|unit| unit.text.clone());
+    let coordinate = declaration.coordinates.iter().find(|coordinate| coordinate.name == *on);
+    let unit = match coordinate.and_then(unit_of).as_deref() {
+        Some("m") => Some("N"),
+        Some("rad") => Some("N*m"),
+        Some(_) => None,
+        None => declaration.mechanism.as_ref().map(|mechanism| mechanism.force_unit(on)),
+    };
+    let name = name.to_string();
+    model::Feedback {
+        label: label.clone().unwrap_or_else(|| name.clone()),
+        name,
+        on: on.to_string(),
+        unit,
+        law: law.to_string(),
     }
 }
 
@@ -137,13 +158,18 @@ fn gather<'a>(checked: &'a Checked<'_>, derived: &'a Derived) -> SourcedFormulas
     let entries = match mechanism {
         Some(_) => derived.outputs().map(|formula| sourced(formula, place)).collect(),
         None => {
-            let written = derived.matrices.iter().filter_map(|(name, _)| declaration.find_declared(*name));
-            // What is a part of an entry does not read as that does.
-            let is_whole = |matrix: &Matrix| declaration.wholes.iter().any(|(_, whole)| std::ptr::eq(whole, matrix));
-            let source = |matrix: &'a Matrix, entry: &'a Expression| {
-                if is_whole(matrix) { Source::Derived(entry.region) } else { Source::Written(entry) }
+            let places = derived.matrices.iter().flat_map(|(name, rows)| {
+                let n = rows.len();
+                (0..n).flat_map(move |row| (0..n).map(move |column| (*name, row, column)))
+            });
+            // What is a part of an entry, or has feedback in it, does not read as that does.
+            let written = |place: (MatrixName, usize, usize)| {
+                let matrix = declaration.matrices.iter().find(|matrix| matrix.name == place.0)?;
+                matrix.rows.get(place.1)?.1.get(place.2).filter(|_| !derived.fed.contains(&place))
             };
-            let sources = written.flat_map(|matrix| matrix.entries().map(move |entry| source(matrix, entry)));
+            let sources = places.zip(&derived.entries);
+            let sources =
+                sources.map(|(place, region)| written(place).map_or(Source::Derived(*region), Source::Written));
             derived.outputs().zip(sources).map(|(formula, source)| sourced(formula, source)).collect()
         }
     };

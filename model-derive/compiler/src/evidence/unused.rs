@@ -19,13 +19,16 @@ pub fn find_used(checked: &Checked<'_>, definitions: &[Formula], outputs: &[&For
 pub fn report_unused(checked: &Checked<'_>, definitions: &[Formula], outputs: &[&Formula], report: &mut Report) {
     let Checked { declaration, excused, attributes, assertions, asserted, unsteady, written, .. } = checked;
     // What depends on the speed is there as it is written, too: if a mistake keeps it from being sorted, and if terms cancel.
-    let definitions = &match declaration.mechanism {
-        None => definitions.iter().chain(unsteady).cloned().collect::<Vec<Formula>>(),
-        Some(_) => definitions.to_vec(),
-    };
-    let in_speed = || {
-        written.wholes.iter().filter(|_| declaration.mechanism.is_none()).flat_map(|(_, rows)| rows.iter().flatten())
-    };
+    // It stands behind the definitions of a derivation.
+    let steady = checked.definitions.len();
+    let positions: Vec<usize> = (0..steady).chain((0..unsteady.len()).map(|index| definitions.len() + index)).collect();
+    let unsteady = unsteady.iter().map(|definition| definition.renumbered(&positions));
+    let definitions = &definitions.iter().cloned().chain(unsteady).collect::<Vec<Formula>>();
+    let wholes = written.wholes.iter().filter(|_| declaration.mechanism.is_none());
+    let factors = checked.feedback.iter().flat_map(|law| &law.terms).map(|term| &term.factor);
+    let in_speed = wholes.flat_map(|(_, rows)| rows.iter().flatten()).chain(factors);
+    let in_speed: Vec<Formula> = in_speed.map(|formula| formula.renumbered(&positions)).collect();
+    let in_speed = || in_speed.iter();
     let requirements = || checked.requirements.iter().map(|requirement| &requirement.value);
     let roots = || outputs.iter().copied().chain(requirements()).chain(in_speed());
     let claims = || assertions.iter().flatten().chain(asserted.iter().flatten().flatten());
@@ -40,8 +43,8 @@ pub fn report_unused(checked: &Checked<'_>, definitions: &[Formula], outputs: &[
     mark_parameters(attributes.iter().chain(inside), &mut parameters_of_mechanism);
     let claimed = reach(definitions, claims());
     // Those of a derivation are there because they are used.
-    for index in 0..checked.order.len().min(definitions.len()) {
-        let definition = checked.definition(index);
+    for (declared, &index) in positions.iter().enumerate() {
+        let definition = checked.definition(declared);
         let name = definition.to_string();
         if !used[index] && !claimed[index] && !in_mechanism[index] && !excused.contains(&name) {
             report.error(
@@ -65,7 +68,11 @@ pub fn report_unused(checked: &Checked<'_>, definitions: &[Formula], outputs: &[
         && !mentioned[declaration.parameters.len()]
     {
         let name = &speed.name;
-        report.error(name, format!("`{name}` is never used: expected `C = …;` or `K = …;` with the speed in it"));
+        let places = match declaration.mechanism {
+            None => "`C = …;`, `K = …;` or a `feedback`",
+            Some(_) => "a `feedback`",
+        };
+        report.error(name, format!("`{name}` is never used: expected {places} with the speed in it"));
     }
     for (index, parameter) in declaration.parameters.iter().enumerate() {
         let name = parameter.name.to_string();

@@ -2,7 +2,7 @@
 
 use nanoserde::SerBin;
 
-use crate::matrix_name::MatrixName;
+use crate::matrix_name::{MatrixName, Whole};
 
 /// Bodies in a tree of joints, with formulas of type `V`. The axes are x forward, y to the right, z down; the ground is
 /// at z = 0.
@@ -27,8 +27,22 @@ pub struct Mechanism<V> {
     pub holds_speed: bool,
     /// What is added to the matrices of the coordinates, in rows of theirs.
     pub added: Vec<(MatrixName, Vec<Vec<V>>)>,
+    /// What follows from the motion.
+    pub fed: Vec<Fed<V>>,
     /// Whether there is gravity.
     pub has_weight: bool,
+}
+
+/// What feedback adds to a matrix of all joints.
+#[derive(Clone, Debug, SerBin)]
+pub struct Fed<V> {
+    /// The joint that it acts on.
+    pub on: usize,
+    /// The joint whose rate or position it multiplies.
+    pub of: usize,
+    /// By the power of the speed.
+    pub matrix: MatrixName,
+    pub formula: V,
 }
 
 /// One freedom between two bodies, or between a body and the ground.
@@ -184,6 +198,11 @@ impl<V> Mechanism<V> {
             Ok((*name, rows.collect::<Result<_, E>>()?))
         });
         let added = added.collect::<Result<_, E>>()?;
+        let fed = self
+            .fed
+            .iter()
+            .map(|Fed { on, of, matrix, formula }| Ok(Fed { on: *on, of: *of, matrix: *matrix, formula: f(formula)? }));
+        let fed = fed.collect::<Result<_, E>>()?;
         Ok(Mechanism {
             joints,
             bodies,
@@ -196,6 +215,7 @@ impl<V> Mechanism<V> {
             links,
             holds_speed: self.holds_speed,
             added,
+            fed,
             has_weight: self.has_weight,
         })
     }
@@ -203,6 +223,12 @@ impl<V> Mechanism<V> {
     /// Whether a wheel slips sideways.
     pub fn slips(&self) -> bool {
         self.wheels.iter().any(|wheel| wheel.slip.is_some())
+    }
+
+    /// Whether a force follows from the position of a joint.
+    pub fn feeds_back(&self, joint: usize) -> bool {
+        let positions = self.fed.iter().filter(|fed| Whole::Stiffness.parts().contains(&fed.matrix));
+        positions.into_iter().any(|fed| fed.of == joint)
     }
 
     /// Whether a joint stands for the deflection of a tyre.

@@ -9,6 +9,7 @@
 mod composite;
 mod contact;
 mod elimination;
+mod feedback;
 mod formulas;
 mod links;
 mod loads;
@@ -21,7 +22,7 @@ mod slip;
 mod unreduced;
 mod vectors;
 
-pub use self::mechanism::{Body, Joint, Link, Mechanism, Motion, Root, Slip, Wheel};
+pub use self::mechanism::{Body, Fed, Joint, Link, Mechanism, Motion, Root, Slip, Wheel};
 
 use nanoserde::{DeBin, SerBin};
 

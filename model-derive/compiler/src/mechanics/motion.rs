@@ -99,7 +99,7 @@ impl Motions {
             rates.push(freedoms.iter().map(|freedom| row[*freedom].clone()).collect());
             positions.push(matrix::times_row(&row[count..], &places));
         }
-        if let Some(root) = mechanism.root.filter(|_| mechanism.slips())
+        if let Some(root) = mechanism.root.filter(|root| mechanism.slips() && !mechanism.feeds_back(root.lateral))
             && let Some(lateral) = freedoms.iter().position(|joint| *joint == root.lateral)
         {
             // The rate of this coordinate is along the axes of the body, which yaws: so neither its position nor that of the

@@ -11,6 +11,7 @@
 //! virtual motions N the contacts do no work. A coordinate whose motion the wheels determine has that as its equation, of
 //! first order: `z' - N q' - v B z = 0`.
 
+use super::feedback::add_feedback;
 use super::formulas::Formulas;
 use super::massless::find_massless;
 use super::matrix::{self, Matrix, plus, times, transposed};
@@ -139,7 +140,7 @@ impl Projected {
         let [spin, slip, damping] = [&unreduced.spin, &unreduced.slip, &unreduced.damping].map(project);
         let [stiffness, relaxation] = [&unreduced.stiffness, &unreduced.relaxation].map(project);
         let moving = plus(&times(&mass, positions), &spin);
-        Self {
+        let mut projected = Self {
             by_rates: [
                 (MatrixName::M, times(&mass, rates)),
                 (MatrixName::Cm1, times(&slip, rates)),
@@ -152,7 +153,9 @@ impl Projected {
                 (MatrixName::K1, plus(&times(&relaxation, places), &times(&damping, positions))),
                 (MatrixName::K2, times(&moving, positions)),
             ],
-        }
+        };
+        add_feedback(mechanism, motions, &mut projected.by_rates, &mut projected.by_positions);
+        projected
     }
 
     /// The matrices of the coordinates alone, with the equations of those that follow by rolling, and what is declared beside

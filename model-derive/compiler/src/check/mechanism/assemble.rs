@@ -183,6 +183,7 @@ pub fn assemble(
         links,
         holds_speed: mechanism.held.is_some(),
         added,
+        fed: Vec::new(),
         has_weight: declaration.parameters.iter().any(|parameter| parameter.gravity.is_some()),
     };
     Some(Assembly { mechanism, tree })

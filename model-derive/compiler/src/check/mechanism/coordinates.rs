@@ -54,7 +54,7 @@ pub fn find_joints<'a>(
         };
         let turns = match role {
             Role::Joint(index) => mechanism.joints[*index].kind == JointKind::Revolute,
-            Role::Freedom(freedom) => axis_of(*freedom).0 == Motion::Turns,
+            Role::Freedom(freedom) => freedom.turns(),
             Role::Deflection(_) => false,
             Role::Spin(_) => continue,
         };

@@ -15,6 +15,24 @@ pub struct Tree {
 }
 
 impl Tree {
+    /// What a joint is called: by its coordinate, or by the wheel whose axle it is.
+    pub fn name<'a>(&self, mechanism: &'a Mechanism, joint: usize) -> Option<&'a Ident> {
+        match self.joints[joint].role {
+            Role::Joint(index) => Some(&mechanism.joints[index].name),
+            Role::Freedom(freedom) => {
+                let names = &mechanism.free.first()?.names;
+                names.iter().find(|(known, _)| *known == freedom).map(|(_, name)| name)
+            }
+            Role::Deflection(index) => mechanism.wheels[index].deflection(),
+            Role::Spin(index) => Some(&mechanism.wheels[index].name),
+        }
+    }
+
+    /// The joint of a name.
+    pub fn find_joint(&self, mechanism: &Mechanism, name: &Ident) -> Option<usize> {
+        (0..self.joints.len()).find(|joint| self.name(mechanism, *joint) == Some(name))
+    }
+
     /// How many joints are freedoms of the free body.
     pub fn root(&self) -> usize {
         self.joints.iter().filter(|node| matches!(node.role, Role::Freedom(_))).count()

@@ -2,6 +2,7 @@
 
 use super::declared::{Dimensions, Quantity};
 use super::dimension::Dimension;
+use crate::check::feedback::RATE;
 use crate::check::names::{Meaning, Scope};
 use crate::formula::Function;
 use crate::report::{Region, Report};
@@ -14,6 +15,8 @@ pub struct Analysis<'a> {
     pub dimensions: &'a Dimensions,
     /// By position among the definitions; none for those not yet known.
     pub definitions: Vec<Option<Dimension>>,
+    /// What moves, where formulas may say of it where it is and how fast.
+    pub motions: Vec<(String, Option<Dimension>)>,
 }
 
 impl Analysis<'_> {
@@ -43,6 +46,9 @@ impl Analysis<'_> {
             Kind::Power(base, exponent) => self.dimension(base, report)?.power(*exponent),
             Kind::Call(name, argument) => {
                 let inner = self.dimension(argument, report);
+                if name == RATE && !self.motions.is_empty() {
+                    return inner?.times(Dimension::new([0, 0, -1]));
+                }
                 // Another function is a mistake of its own.
                 let function = Function::from_name(&name.to_string())?;
                 // Whatever unit a zero has, its cosine is one.
@@ -60,8 +66,11 @@ impl Analysis<'_> {
         match self.scope.get(name) {
             Some(Meaning::Parameter(index) | Meaning::Speed(index)) => self.dimensions.parameters[index],
             Some(Meaning::Definition(index)) => self.definitions[index],
-            Some(Meaning::Coordinate | Meaning::Refused) => None,
-            None => (name == "pi").then_some(Dimension::NUMBER),
+            Some(Meaning::Refused) => None,
+            Some(Meaning::Coordinate) | None => match self.motions.iter().find(|(known, _)| name == known) {
+                Some((_, dimension)) => *dimension,
+                None => (name == "pi").then_some(Dimension::NUMBER),
+            },
         }
     }
 

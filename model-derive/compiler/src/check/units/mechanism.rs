@@ -1,14 +1,16 @@
 //! Units and mirrors of what a mechanism is given.
 
+use proc_macro2::Ident;
+
 use super::analysis::short;
 use super::declared::Dimensions;
 use super::dimension::Dimension;
-use super::{Analysis, RowFactors, check_matrix};
+use super::{Analysis, RowFactors, check_feedback, check_matrix};
 use crate::check::mechanism::axis_of;
 use crate::check::names::Scope;
 use crate::mechanics::Motion;
 use crate::report::Report;
-use crate::syntax::{Coordinate, Declaration, Direction, Expression, Inertia, JointKind, Mechanism, Slip, Vector};
+use crate::syntax::{Declaration, Direction, Expression, Inertia, JointKind, Mechanism, Slip, Vector};
 
 const MASS: Dimension = Dimension::new([1, 0, 0]);
 const LENGTH: Dimension = Dimension::new([0, 1, 0]);
@@ -26,8 +28,9 @@ pub fn check_mechanism(
     definitions: &[Option<Dimension>],
     report: &mut Report,
 ) {
+    let definitions = definitions.to_vec();
     let mut check =
-        Check { analysis: Analysis { declaration, scope, dimensions, definitions: definitions.to_vec() }, report };
+        Check { analysis: Analysis { declaration, scope, dimensions, definitions, motions: Vec::new() }, report };
     for body in &mechanism.bodies {
         let Some((mass, centre, inertia)) = &body.mass else { continue };
         check.formula(mass, MASS, &format!("the mass of `{}`", body.name));
@@ -97,32 +100,43 @@ pub fn check_mechanism(
             check.formula_in(formula, Dimension::new([1, metres, seconds]), &format!("the {what} of `{name}`"), unit);
         }
     }
-    let Check { analysis, report } = check;
+    let Check { mut analysis, report } = check;
     let coordinates: Vec<_> = declaration
         .coordinates
         .iter()
         .zip(&dimensions.coordinates)
         .map(|(coordinate, dimension)| {
-            Some(dimension.as_ref()?.directed(Some(find_direction(coordinate, mechanism, &analysis)?)))
+            Some(dimension.as_ref()?.directed(Some(find_direction(&coordinate.name, mechanism, &analysis)?)))
         })
         .collect();
     let mut factors = RowFactors::new(declaration);
     for matrix in &declaration.added {
         check_matrix(&analysis, matrix.name.name(), matrix, &coordinates, dimensions.mirrored, &mut factors, report);
     }
+    let motions = mechanism.named().map(|(name, turns)| {
+        let direction = find_direction(name, mechanism, &analysis);
+        let unit = if turns { Dimension::NUMBER } else { LENGTH };
+        (name.to_string(), direction.map(|direction| unit.directed(Some(direction))))
+    });
+    let wheels = mechanism
+        .wheels
+        .iter()
+        .map(|wheel| (wheel.name.to_string(), Some(Dimension::NUMBER.directed(Some(Direction::About(1))))));
+    analysis.motions = motions.chain(wheels).collect();
+    check_feedback(&analysis, &mut factors, report);
 }
 
-/// How a coordinate mirrors: along or about the axis of its joint, whose components have signs of their own.
-fn find_direction(coordinate: &Coordinate, mechanism: &Mechanism, analysis: &Analysis<'_>) -> Option<Direction> {
-    if mechanism.wheels.iter().any(|wheel| wheel.deflection() == Some(&coordinate.name)) {
+/// How what a name moves mirrors: along or about the axis of its joint, whose components have signs of their own.
+fn find_direction(name: &Ident, mechanism: &Mechanism, analysis: &Analysis<'_>) -> Option<Direction> {
+    if mechanism.wheels.iter().any(|wheel| wheel.deflection() == Some(name)) {
         return Some(Direction::Along([false, true, false]));
     }
     let mut freedoms = mechanism.free.iter().flat_map(|free| &free.names);
-    let (turns, axis, odd) = if let Some((freedom, _)) = freedoms.find(|(_, name)| *name == coordinate.name) {
+    let (turns, axis, odd) = if let Some((freedom, _)) = freedoms.find(|(_, known)| known == name) {
         let (motion, axis) = axis_of(*freedom);
         (motion == Motion::Turns, axis, [false; 3])
     } else {
-        let joint = mechanism.joints.iter().find(|joint| joint.name == coordinate.name)?;
+        let joint = mechanism.joints.iter().find(|joint| joint.name == *name)?;
         let mut components = joint.along.components.iter().enumerate();
         // Mistakes in it are reported where it is checked, and zero has no sign.
         let dimension = |formula| analysis.dimension(formula, &mut Report::default());

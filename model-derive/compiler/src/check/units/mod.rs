@@ -7,6 +7,7 @@
 mod analysis;
 pub mod declared;
 pub mod dimension;
+mod feedback;
 mod formulas;
 pub mod known;
 mod mechanism;
@@ -17,6 +18,7 @@ pub use self::mechanism::check_mechanism;
 use self::analysis::{Analysis, short};
 use self::declared::{Dimensions, Quantity};
 use self::dimension::Dimension;
+use self::feedback::check_feedback;
 use super::domains::ExactDomain;
 use super::names::Scope;
 use crate::matrix_name::MatrixName;
@@ -43,7 +45,7 @@ pub fn check(
 ) -> Found {
     check_gravity(declaration, dimensions, report);
     let definitions = vec![None; declaration.definitions.len()];
-    let mut analysis = Analysis { declaration, scope, dimensions, definitions };
+    let mut analysis = Analysis { declaration, scope, dimensions, definitions, motions: Vec::new() };
     for (position, declared) in order.iter().enumerate() {
         analysis.definitions[position] = analysis.dimension(&declaration.definitions[*declared].value, report);
     }
@@ -62,6 +64,11 @@ pub fn check(
     let mut factors = RowFactors::new(declaration);
     for (name, matrix) in matrices.chain(wholes) {
         check_matrix(&analysis, name, matrix, &dimensions.coordinates, mirrored, &mut factors, report);
+    }
+    if declaration.mechanism.is_none() {
+        let coordinates = declaration.coordinates.iter().map(|coordinate| coordinate.name.to_string());
+        analysis.motions = coordinates.zip(dimensions.coordinates.iter().copied()).collect();
+        check_feedback(&analysis, &mut factors, report);
     }
     Found { definitions: analysis.definitions, requirements }
 }
@@ -175,9 +182,10 @@ fn unit_text(coordinate: &Coordinate) -> &str {
     coordinate.unit.as_ref().map_or("", |unit| &unit.text)
 }
 
+const ENERGY: Dimension = Dimension::new([1, 2, -2]);
+
 /// What an entry is in: the energy, by the coordinates, with the factor of the matrix taken out of it.
 fn entry_dimension(matrix: MatrixName, row: Dimension, column: Dimension) -> Option<Dimension> {
-    const ENERGY: Dimension = Dimension::new([1, 2, -2]);
     let [x, z] = [[true, false, false], [false, false, true]].map(|odd| Some(Direction::Along(odd)));
     let speed = Dimension::new([0, 1, -1]).directed(x);
     let gravity = Dimension::new([0, 1, -2]).directed(z);

@@ -44,6 +44,7 @@ pub fn parse_declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Re
         wholes: Vec::new(),
         mechanism: None,
         added: Vec::new(),
+        feedback: Vec::new(),
         derivatives: None,
         unread: Vec::new(),
     };

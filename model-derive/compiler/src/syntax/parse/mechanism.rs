@@ -5,12 +5,13 @@ use syn::parse::ParseStream;
 
 use super::blocks::parse_block;
 use super::docs::reject_docs;
+use super::feedback::parse_feedback;
 use super::names::parse_used;
 use super::parts::{parse_body, parse_force, parse_free, parse_joint, parse_link, parse_wheel};
 use super::tokens::{expected, parse_semicolon, parse_word};
 use crate::nearest::{ask_for, find_nearest};
 use crate::report::{Report, error};
-use crate::syntax::tree::{Declaration, JointKind, Mechanism};
+use crate::syntax::tree::{Declaration, Feedback, JointKind, Mechanism};
 
 /// `mechanism { … }`, behind its first word.
 pub fn parse_mechanism(
@@ -24,7 +25,7 @@ pub fn parse_mechanism(
         reject_docs(input, "what it is about", report)?;
         let name = second_word(input);
         // One that cannot be read leaves its name, which others may use.
-        parse_part(input, &mut mechanism, report).inspect_err(|_| mechanism.unread.push(name))
+        parse_part(input, &mut mechanism, &mut model.feedback, report).inspect_err(|_| mechanism.unread.push(name))
     });
     if read.is_err() {
         mechanism.unread.push(None);
@@ -38,10 +39,11 @@ pub fn parse_mechanism(
 
 /// What is said to be expected where no part starts.
 const PARTS: &str = "a part of the mechanism: `body`, `wheel`, `revolute`, `prismatic`, `fix`, `free`, `link`, \
-                     `force` or `hold`";
+                     `force`, `feedback` or `hold`";
 
 /// What may begin a part.
-const KEYWORDS: [&str; 9] = ["body", "wheel", "revolute", "prismatic", "fix", "free", "link", "force", "hold"];
+const KEYWORDS: [&str; 10] =
+    ["body", "wheel", "revolute", "prismatic", "fix", "free", "link", "force", "feedback", "hold"];
 
 /// Whether a part starts here.
 fn starts_part(input: ParseStream<'_>) -> bool {
@@ -55,7 +57,13 @@ fn second_word(input: ParseStream<'_>) -> Option<Ident> {
     behind.ident().map(|(name, _)| name)
 }
 
-fn parse_part(input: ParseStream<'_>, mechanism: &mut Mechanism, report: &mut Report) -> syn::Result<()> {
+/// One part; what acts by feedback is no part of the mechanism, but may be told among its forces.
+fn parse_part(
+    input: ParseStream<'_>,
+    mechanism: &mut Mechanism,
+    feedback: &mut Vec<Feedback>,
+    report: &mut Report,
+) -> syn::Result<()> {
     if !input.peek(syn::Ident) {
         return Err(expected(input, PARTS));
     }
@@ -91,6 +99,7 @@ fn parse_part(input: ParseStream<'_>, mechanism: &mut Mechanism, report: &mut Re
             }
             parse_semicolon(input, "`;`", "`hold forward`")?;
         }
+        "feedback" => feedback.push(parse_feedback(input)?),
         _ => mechanism.forces.push(parse_force(input)?),
     }
     Ok(())

@@ -9,6 +9,7 @@ mod directions;
 mod docs;
 mod domains;
 mod expressions;
+mod feedback;
 mod matrices;
 mod mechanism;
 mod names;

@@ -8,6 +8,7 @@ use syn::parse::discouraged::Speculative as _;
 use super::docs::{LOST, Supported, parse_rust_attributes, peek_behind_attributes};
 use super::domains::parse_comparison;
 use super::expressions::parse_expression;
+use super::feedback::parse_feedback;
 use super::matrices::{
     parse_added, parse_declared_matrix, parse_name_behind, parse_rows, parse_symmetric, starts_minus_one,
 };
@@ -22,8 +23,8 @@ use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requiremen
 
 /// What is said to be expected where no statement starts.
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
-                          `set name { … }`, `coordinates { … }`, `mechanism { … }`, `derivatives;`, \
-                          `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, or \
+                          `set name { … }`, `coordinates { … }`, `mechanism { … }`, `feedback T on q = …;`, \
+                          `derivatives;`, `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, or \
                           `C` or `K` with the speed in it, with `symmetric` before it if that is to be proved, and `add` if it is added to that of a \
                           mechanism";
 
@@ -70,7 +71,7 @@ pub fn starts_statement(input: ParseStream<'_>) -> bool {
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 19] = [
+const KEYWORDS: [&str; 20] = [
     "source",
     "parameters",
     "coordinates",
@@ -81,6 +82,7 @@ const KEYWORDS: [&str; 19] = [
     "set",
     "symmetric",
     "add",
+    "feedback",
     "M",
     "C",
     "C0",
@@ -93,7 +95,7 @@ const KEYWORDS: [&str; 19] = [
 ];
 
 /// What may follow a formula at the end of a statement.
-const AFTER_FORMULA: &str = "an operator (`+ - * / ^`) or `;`";
+pub const AFTER_FORMULA: &str = "an operator (`+ - * / ^`) or `;`";
 
 /// A statement that begins with `word`, which is `keyword` or is meant by it, behind that.
 fn parse_after_keyword(
@@ -135,6 +137,10 @@ fn parse_after_keyword(
         "assert" => parse_assertion(input, model),
         "symmetric" => parse_symmetric(input, model, report),
         "add" => parse_added(input, model),
+        "feedback" => {
+            model.feedback.push(parse_feedback(input)?);
+            Ok(())
+        }
         "set" => parse_set(input, (docs, attributes), model, report),
         other => match parse_declared_matrix(other, keyword.span(), false, input, model)? {
             true => Ok(()),

@@ -40,6 +40,8 @@ pub struct Declaration {
     pub mechanism: Option<Mechanism>,
     /// What is added to the matrices of the mechanism.
     pub added: Vec<Matrix>,
+    /// Forces and torques that follow from the motion.
+    pub feedback: Vec<Feedback>,
     /// Where the derivatives of the matrices are asked for.
     pub derivatives: Option<Span>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
@@ -237,6 +239,18 @@ pub struct Matrix {
     pub rows: Vec<(Region, Vec<Expression>)>,
     /// The brackets and all between.
     pub region: Region,
+}
+
+/// `feedback T "steer torque" on delta = -k*rate(phi);`
+#[derive(Debug)]
+pub struct Feedback {
+    /// What the force or torque is called.
+    pub name: Ident,
+    pub label: Option<String>,
+    /// The coordinate, joint or wheel that it acts on.
+    pub on: Ident,
+    /// What it is, in coordinates, their rates, the speed and parameters.
+    pub law: Expression,
 }
 
 impl Matrix {

@@ -32,6 +32,19 @@ impl Mechanism {
         Self { span, bodies, wheels, joints, fixed, free, links, forces, held: None, unread: Vec::new() }
     }
 
+    /// The names of joints, freedoms and deflections of tyres, each with whether it turns.
+    pub fn named(&self) -> impl Iterator<Item = (&Ident, bool)> {
+        let joints = self.joints.iter().map(|joint| (&joint.name, joint.kind == JointKind::Revolute));
+        let freedoms = self.free.iter().flat_map(|free| &free.names);
+        let freedoms = freedoms.map(|(freedom, name)| (name, freedom.turns()));
+        joints.chain(freedoms).chain(self.wheels.iter().filter_map(Wheel::deflection).map(|name| (name, false)))
+    }
+
+    /// The unit of a force or torque on what has a name; what is no joint is a wheel, which is turned.
+    pub fn force_unit(&self, on: &Ident) -> &'static str {
+        if self.named().any(|(name, turns)| name == on && !turns) { "N" } else { "N*m" }
+    }
+
     /// All formulas in it.
     pub fn formulas(&self) -> impl Iterator<Item = &Expression> {
         let bodies = self.bodies.iter().filter_map(|body| body.mass.as_ref()).flat_map(|(mass, centre, inertia)| {
@@ -196,6 +209,11 @@ impl Freedom {
             Self::Vertical => "vertical motion",
             other => other.word(),
         }
+    }
+
+    /// Whether it is a rotation.
+    pub fn turns(self) -> bool {
+        matches!(self, Self::Yaw | Self::Lean | Self::Pitch)
     }
 
     /// The freedom called `word`.
