@@ -131,10 +131,16 @@ struct Reader<'a, 'b> {
 impl Reader<'_, '_> {
     fn read(&mut self) -> Option<Vec<Term>> {
         let law = &self.feedback.law;
-        if self.report_unknown(law) {
+        let (has_unknown, has_constant_rates) = (self.report_unknown(law), self.report_constant_rates(law));
+        if has_unknown || has_constant_rates {
             return None;
         }
         let Linear { constant, terms } = self.linear(law)?;
+        if constant.is_empty() && terms.is_empty() {
+            let message =
+                format!("`{}` is always 0: expected a force that follows from the motion", self.feedback.name);
+            self.report.error(law.region, message);
+        }
         for region in &constant {
             let message = format!(
                 "a part of `{}` that does not depend on the motion: expected terms that each have a coordinate, or its rate, \
@@ -181,6 +187,24 @@ impl Reader<'_, '_> {
             self.report.error(name, message);
         }
         !unknown.is_empty()
+    }
+
+    /// Reports rates of what does not move; `true` if there are any.
+    fn report_constant_rates(&mut self, formula: &Expression) -> bool {
+        let mut constant = Vec::new();
+        formula.calls(&mut |name, argument| {
+            if name == RATE && !self.depends(argument) {
+                constant.push(argument);
+            }
+        });
+        for argument in &constant {
+            let message = format!(
+                "`{argument}` does not change with the motion, so it has no rate: expected one of {} in `{RATE}(…)`",
+                list(self.motions)
+            );
+            self.report.error(argument.region, message);
+        }
+        !constant.is_empty()
     }
 
     fn describe_unknown(&mut self, name: &Ident) -> String {

@@ -47,7 +47,10 @@ impl Analysis<'_> {
             Kind::Call(name, argument) => {
                 let inner = self.dimension(argument, report);
                 if name == RATE && !self.motions.is_empty() {
-                    return inner?.times(Dimension::new([0, 0, -1]));
+                    // The rate of what does not move is a mistake of its own.
+                    let mut moves = false;
+                    argument.names(&mut |name| moves |= self.motions.iter().any(|(known, _)| name == known));
+                    return inner.filter(|_| moves)?.times(Dimension::new([0, 0, -1]));
                 }
                 // Another function is a mistake of its own.
                 let function = Function::from_name(&name.to_string())?;

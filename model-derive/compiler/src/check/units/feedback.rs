@@ -50,8 +50,8 @@ fn check_term(
 /// Forces and torques in the units in which they are mostly written.
 fn describe(expected: Dimension) -> String {
     match () {
-        () if expected.same_unit(ENERGY) => "N*m".into(),
-        () if expected.same_unit(Dimension::new([1, 1, -2])) => "N".into(),
+        () if expected.same_unit(ENERGY) => "N*m, a torque".into(),
+        () if expected.same_unit(Dimension::new([1, 1, -2])) => "N, a force".into(),
         () if expected.is_number() => "a pure number".into(),
         () => expected.to_string(),
     }

@@ -30,6 +30,20 @@ impl Expression {
         }
     }
 
+    /// Calls `visit` with every function and its argument.
+    pub fn calls<'a>(&'a self, visit: &mut impl FnMut(&'a Ident, &'a Self)) {
+        match &self.kind {
+            Kind::Number(_) | Kind::Quantity(..) | Kind::Name(_) => {}
+            Kind::Sum(terms) => terms.iter().for_each(|term| term.value.calls(visit)),
+            Kind::Product(factors) => factors.iter().for_each(|factor| factor.value.calls(visit)),
+            Kind::Power(inner, _) => inner.calls(visit),
+            Kind::Call(name, argument) => {
+                visit(name, argument);
+                argument.calls(visit);
+            }
+        }
+    }
+
     /// Calls `visit` with every unit.
     pub fn units<'a>(&'a self, visit: &mut impl FnMut(&'a Unit)) {
         match &self.kind {

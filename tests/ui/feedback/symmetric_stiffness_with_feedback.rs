@@ -1,0 +1,19 @@
+carvallo::model! {
+    pub model Rod {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+            k: N*m;
+        }
+
+        coordinates {
+            phi: rad; delta: rad;
+        }
+
+        M = [[m*l^2, 0], [0, m*l^2]];
+        symmetric Kc = [[k, 0], [0, k]];
+        feedback T on delta = -k*phi;
+    }
+}
+
+fn main() {}
