@@ -30,6 +30,7 @@
 //! | [`Skateboard`]: four wheels on two trucks | the model of Hubbard (1979) and of Kremnev & Kuleshov |
 //! | [`DoublePendulum`], and chains of up to 8 links in the tests | textbooks |
 //! | [`FlywheelBicycle`]: rotors in both frames | Appendix A with their angular momenta, proved entry by entry; wheels with heavier rims, at one speed each |
+//! | [`BalanceAssist`]: a motor steers into the fall | Appendix A with the torque, proved entry by entry; the matrices of [`Whipple`] with it added by hand |
 //! | [`CarTrailer`]: on tyres that slip | a second derivation by Lagrange, and its eigenvalues |
 //! | [`WheeledPendulum`]: free to speed up and slow down | closed forms of the fall, of the inertia in yaw and of what the motors do |
 //! | [`Wheelset`]: linear creep, divided by the speed | the hunting speed in closed form, the wave of Klingel (1883) |

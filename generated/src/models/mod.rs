@@ -3,6 +3,8 @@
 //! The models compiled ahead of time.
 
 #[rustfmt::skip]
+mod balance_assist;
+#[rustfmt::skip]
 mod cantilevered_pipe;
 #[rustfmt::skip]
 mod car;
@@ -47,6 +49,7 @@ mod whipple_sprung;
 #[rustfmt::skip]
 mod whipple_tyres;
 
+pub use balance_assist::*;
 pub use cantilevered_pipe::*;
 pub use car::*;
 pub use car_trailer::*;
@@ -87,6 +90,7 @@ pub use whipple_tyres::*;
 macro_rules! each_model {
     ($($function:tt)+) => {
         [
+            $($function)+::<_, $crate::BalanceAssist>(),
             $($function)+::<_, $crate::CantileveredPipe>(),
             $($function)+::<_, $crate::Car>(),
             $($function)+::<_, $crate::CarTrailer>(),

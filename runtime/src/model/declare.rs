@@ -71,8 +71,9 @@
 ///         w: m, > 0, along x;  c: m, along x;  r: m, > 0, along z;  h: m, > 0, along z;
 ///         lam: rad, in (-90 deg, 90 deg), about y;
 ///         m: kg, > 0;  I: kg*m^2, > 0;  P: kg*m^2, along x*z;  A: kg*m^2, > 0;
-///         k: N/m, >= 0;  d: N*s/m, >= 0;  D: N*m*s, >= 0;
+///         k: N/m, >= 0;  d: N*s/m, >= 0;  D: N*m*s, >= 0;  G: N*m*s, along x*z;  vG: m/s, along x;
 ///         g: N/kg, >= 0, gravity;
+///         v: m/s, speed;
 ///     }
 ///
 ///     mechanism {
@@ -95,6 +96,7 @@
 ///     coordinates { phi "lean": rad; delta "steer": rad; y "rider": m; }
 ///
 ///     add C0 = [[D, 0, 0], [0, 0, 0], [0, 0, 0]];
+///     feedback TG "steer torque of a motor" on delta = G*(1 - v/vG)*rate(phi);
 /// }
 /// ```
 ///
@@ -143,6 +145,8 @@
 /// has it proved that what is added is symmetric. The model has the sum, in its documentation, its derivatives and all
 /// else, and it is the sum that assertions and published matrices are held against.
 ///
+/// What acts on the coordinates and follows from them, as the torque of a motor, is a `feedback`: see below.
+///
 /// Where formulas for a matrix are known, `assert M == [[…]];` has them compared: every entry that was derived is proved
 /// to be the one that is written.
 ///
@@ -155,6 +159,25 @@
 /// freedoms that nothing determines, and constraints that block or repeat each other, as with three wheels in line; a
 /// reference state that gravity would leave; coordinates that change the speed in the first order; a motion that
 /// depends on the position of a joint that rolls; and coordinates that move no mass.
+///
+/// # Feedback
+/// `feedback T "what it is" on delta = -k*phi - c*v*rate(phi);` is a force or torque that follows from the motion, in a model of
+/// formulas or beside or inside of a mechanism. It acts on what an applied `force` may act on: a coordinate, positive like
+/// that, and in a mechanism any joint and, by its name, a wheel. On an angle it is a torque, in N m, on a length a force, in N.
+///
+/// It is a sum of positions and rates, each times a formula of parameters and the speed, whose name is declared by
+/// `v: m/s, speed;`. The rate of `phi` is `rate(phi)`: in Rust a prime cannot stand behind a name. Exactly sorted by its powers
+/// it becomes a part of C-1, C0 and C1, where rates are multiplied by 1/v, 1 and v, and of Kc, K1 and K2, where positions are by
+/// 1, v and v^2, and of K0 what gravity multiplies. It stands on the right of the equation, so the matrices have it with the other
+/// sign. Other powers, products of coordinates, constant forces and accelerations are refused. Claims, published matrices and
+/// all else are of the matrices with feedback in them, `symmetric` included.
+///
+/// In a mechanism what has a name may be fed back without being a coordinate, as the yaw rate by `free B: lean phi, yaw psi;`
+/// and `rate(psi)`: it is what the wheels make it. A position that they do not determine, as the heading `psi` itself, is a
+/// coordinate then, of first order: `psi: rad, only position;`, and so is how far the machine is beside a line, the lateral `y`.
+/// On tyres that slip a position `y` that is fed back is a place on the ground, so `y` and its rate are along the axes of the
+/// ground, and no longer along those of the body. A torque on a wheel that would change the speed is refused, as anything else
+/// that would, but where the forward motion is a coordinate or the speed is held.
 ///
 /// # Units
 /// Every formula is analysed: the terms of a sum are in one unit, `sin`, `cos` and `tan` take pure numbers, and each

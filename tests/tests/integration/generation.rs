@@ -202,5 +202,5 @@ fn the_documented_declarations_compile() {
         compile(tokens).map_err(|error| error.to_string()).expect("the example is right")
     });
     let shapes = compiled.map(|compiled| (compiled.model.parameters.len(), compiled.model.coordinates.len()));
-    assert_eq!(shapes.collect::<Vec<_>>(), [(5, 1), (13, 3), (1, 1)]);
+    assert_eq!(shapes.collect::<Vec<_>>(), [(5, 1), (15, 3), (1, 1)]);
 }

@@ -3,6 +3,7 @@
 
 mod balancing;
 mod flywheel;
+mod motor;
 mod pipe;
 mod rotor;
 mod section;

@@ -8,6 +8,8 @@ mod bicycles;
 #[cfg(feature = "compiler")]
 mod chains;
 #[cfg(feature = "compiler")]
+mod feedback;
+#[cfg(feature = "compiler")]
 mod identity;
 mod kinematics;
 mod others;

@@ -3,7 +3,7 @@
 use super::analysis::{Analysis, short};
 use super::dimension::Dimension;
 use super::{ENERGY, RowFactors};
-use crate::report::{Region, Report};
+use crate::report::Report;
 use crate::syntax::{Expression, Feedback, Kind, Term};
 
 /// Each term of a feedback is the force that does work, an energy, on what it acts on. In a row of first order, which may
@@ -41,7 +41,7 @@ fn check_term(
     let what = format!("`{}`, which `{name}` feeds back to `{on}`,", short(term));
     if !found.same_unit(expected) {
         let unit = describe(expected);
-        report.error(Region::from(term.region), format!("{what} is {}: expected {unit}", found.place()));
+        report.error(term.region, format!("{what} is {}: expected {unit}", found.place()));
     } else if analysis.dimensions.mirrored && found != expected {
         report.error(term.region, format!("{what} {}: expected what {}", found.sign(), expected.sign()));
     }

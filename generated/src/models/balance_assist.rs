@@ -1,0 +1,1229 @@
+// @generated from generated/models/balance_assist.rs by carvallo-compiler 0.1.0; do not edit.
+// To write it anew: cargo regenerate
+// Hash of the source: a9fd1c383f4b46f9
+
+#![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
+
+use carvallo::{
+    Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
+    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+};
+
+// --- The parameters ------------------------------------------------------------------------------
+
+/// A bicycle with a motor that steers into the fall, so that it stays up at lower speeds.
+///
+/// The Whipple-Carvallo bicycle with a torque on its steer that follows from the lean rate and fades with the speed,
+/// `kappa*(vo - v)` times the lean rate: up to the speed `vo`, beyond which such a motor is switched off and the bicycle is
+/// [`Whipple`](crate::Whipple). Axes: origin at the rear contact point, x forward, y to the right, z down.
+///
+/// The declaration asserts that the matrices are those of Appendix A of the paper, less the torque in C0 and C1.
+///
+/// Source: Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3; torque: BicycleParameters, example plot_balanceassistv1.py
+///
+/// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
+///
+/// The fields are the parameters. The coordinates are `phi` (lean) in `rad`, `delta` (steer) in `rad`.
+///
+/// In the matrices is what follows from the motion:
+///
+/// - `Tmotor` (steer torque of the motor) in `N*m` on `delta`: `kappa*(vo - v)*rate(phi)`.
+///
+/// <details><summary>The formulas of its matrices</summary>
+///
+/// A name has behind it the joint that it belongs to, or `all` for the whole machine. `m` is the mass that the
+/// joint moves, `S` its static moment and `J` its inertia about the point of the joint; `p` and `h` are the
+/// momentum and the angular momentum at unit rate, `h_spin` is the spin momentum of a wheel divided by the speed,
+/// and `load` the steady force of the ground on it along z, divided by gravity. `M` and `K` are entries of the
+/// matrices of all joints, `P` and `W` of those projected on the motions that the wheels leave free, `a_by_b` is
+/// the rate of a for that of b, and `a_per_v_b` that for the position of b, divided by the speed.
+///
+/// ```text
+/// mA = mH + mF [kg]
+/// mu = (c/w)*cos(lam) [1]
+/// SR = IRyy/rR [kg*m]
+/// SF = IFyy/rF [kg*m]
+/// ST = SR + SF [kg*m]
+/// yaw_per_v_delta = cos(lam)/w [1/m]
+/// Jxx_delta = IHxx + IFxx + zH^2*mH + rF^2*mF [kg*m^2]
+/// Jxz_delta = IHxz - c*rF*mF - zH*mH*(xH - (w + c)) [kg*m^2]
+/// Jzz_delta = mH*(xH - (w + c))^2 + IHzz + IFxx + c^2*mF [kg*m^2]
+/// Sx_delta = mH*(xH - (w + c)) - c*mF [kg*m]
+/// Sz_delta = zH*mH - rF*mF [kg*m]
+/// py_delta = Sx_delta*cos(lam) - Sz_delta*sin(lam) [kg*m]
+/// hx_delta = Jxx_delta*sin(lam) + Jxz_delta*cos(lam) [kg*m^2]
+/// hz_delta = Jxz_delta*sin(lam) + Jzz_delta*cos(lam) [kg*m^2]
+/// Jxx_all = IRxx + IBxx + Jxx_delta + rR^2*mR + zB^2*mB [kg*m^2]
+/// Jxz_all = IBxz + Jxz_delta - xB*zB*mB - Sz_delta*(w + c) [kg*m^2]
+/// Jzz_all = IRxx + IBzz + Jzz_delta + 2*(w + c)*((1/2)*mA*(w + c) + Sx_delta) + xB^2*mB [kg*m^2]
+/// Sx_all = xB*mB + mA*(w + c) + Sx_delta [kg*m]
+/// Sz_all = zB*mB + Sz_delta - rR*mR [kg*m]
+/// load_spin_F = -Sx_all/w [kg]
+/// M_yaw_delta = py_delta*(w + c) + hz_delta [kg*m^2]
+/// M_delta_delta = hx_delta*sin(lam) + hz_delta*cos(lam) [kg*m^2]
+/// K_phi_delta = c*load_spin_F*cos(lam) - py_delta [kg*m]
+/// K_delta_delta = (c*load_spin_F*cos(lam) - py_delta)*sin(lam) [kg*m]
+/// P_delta_lateral = mu*Sx_all + py_delta [kg*m]
+/// P_delta_yaw = mu*Jzz_all + M_yaw_delta [kg*m^2]
+/// P_delta_delta = mu*M_yaw_delta + M_delta_delta [kg*m^2]
+/// M_11 = Jxx_all [kg*m^2]
+/// M_12 = M_21 = mu*Jxz_all + hx_delta [kg*m^2]
+/// M_22 = mu*P_delta_yaw + P_delta_delta [kg*m^2]
+/// C0_21 = -kappa*vo [kg*m^2/s]
+/// C1_12 = mu*(ST - Sz_all) + SF*cos(lam) + yaw_per_v_delta*Jxz_all [kg*m]
+/// C1_21 = kappa - mu*ST - SF*cos(lam) [kg*m]
+/// C1_22 = mu*P_delta_lateral + yaw_per_v_delta*P_delta_yaw [kg*m]
+/// K0_11 = Sz_all [kg*m]
+/// K0_12 = K0_21 = K_phi_delta [kg*m]
+/// K0_22 = K_delta_delta [kg*m]
+/// K2_12 = yaw_per_v_delta*(ST - Sz_all) [kg]
+/// K2_22 = yaw_per_v_delta*(SF*sin(lam) + P_delta_lateral) [kg]
+/// ```
+///
+/// </details>
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+pub struct BalanceAssist<T = f64> {
+    /// Wheel base.
+    ///
+    /// `w` in `m`: `> 0`.
+    pub w: T,
+    /// Trail: positive when the front contact is behind the point where the steer axis meets the ground.
+    ///
+    /// `c` in `m`: any finite value.
+    pub c: T,
+    /// Steer axis tilt: 90 degrees minus the head angle.
+    ///
+    /// `lam`, λ, in `rad`: `> -1.5707963267948966 and < 1.5707963267948966`.
+    pub lam: T,
+    /// Gravitational field strength.
+    ///
+    /// `g` in `N/kg`: `>= 0`.
+    pub g: T,
+    /// Radius of the rear wheel.
+    ///
+    /// `rR` in `m`: `> 0`.
+    pub rR: T,
+    /// Mass of the rear wheel.
+    ///
+    /// `mR` in `kg`: `>= 0`.
+    pub mR: T,
+    /// Radial moment of inertia of the rear wheel; by symmetry also about the vertical.
+    ///
+    /// `IRxx` in `kg*m^2`: `>= 0`.
+    pub IRxx: T,
+    /// Axial moment of inertia of the rear wheel.
+    ///
+    /// `IRyy` in `kg*m^2`: `>= 0`.
+    pub IRyy: T,
+    /// Centre of mass of the rear frame and rider, forward of the rear contact.
+    ///
+    /// `xB` in `m`: any finite value.
+    pub xB: T,
+    /// Centre of mass of the rear frame and rider, downward.
+    ///
+    /// `zB` in `m`: any finite value.
+    pub zB: T,
+    /// Mass of the rear frame and rider.
+    ///
+    /// `mB` in `kg`: `>= 0`.
+    pub mB: T,
+    /// Moment of inertia of the rear frame and rider about its centre of mass, in roll.
+    ///
+    /// `IBxx` in `kg*m^2`: `>= 0`.
+    pub IBxx: T,
+    /// Moment of inertia of the rear frame and rider about its centre of mass, in pitch.
+    ///
+    /// `IByy` in `kg*m^2`: `>= 0`. No matrix depends on it.
+    pub IByy: T,
+    /// Moment of inertia of the rear frame and rider about its centre of mass, in yaw.
+    ///
+    /// `IBzz` in `kg*m^2`: `>= 0`.
+    pub IBzz: T,
+    /// Product of inertia of the rear frame and rider about its centre of mass.
+    ///
+    /// `IBxz` in `kg*m^2`: any finite value.
+    pub IBxz: T,
+    /// Centre of mass of the front frame, forward of the rear contact.
+    ///
+    /// `xH` in `m`: any finite value.
+    pub xH: T,
+    /// Centre of mass of the front frame, downward.
+    ///
+    /// `zH` in `m`: any finite value.
+    pub zH: T,
+    /// Mass of the front frame.
+    ///
+    /// `mH` in `kg`: `>= 0`.
+    pub mH: T,
+    /// Moment of inertia of the front frame about its centre of mass, in roll.
+    ///
+    /// `IHxx` in `kg*m^2`: `>= 0`.
+    pub IHxx: T,
+    /// Moment of inertia of the front frame about its centre of mass, in pitch.
+    ///
+    /// `IHyy` in `kg*m^2`: `>= 0`. No matrix depends on it.
+    pub IHyy: T,
+    /// Moment of inertia of the front frame about its centre of mass, in yaw.
+    ///
+    /// `IHzz` in `kg*m^2`: `>= 0`.
+    pub IHzz: T,
+    /// Product of inertia of the front frame about its centre of mass.
+    ///
+    /// `IHxz` in `kg*m^2`: any finite value.
+    pub IHxz: T,
+    /// Radius of the front wheel.
+    ///
+    /// `rF` in `m`: `> 0`.
+    pub rF: T,
+    /// Mass of the front wheel.
+    ///
+    /// `mF` in `kg`: `>= 0`.
+    pub mF: T,
+    /// Radial moment of inertia of the front wheel; by symmetry also about the vertical.
+    ///
+    /// `IFxx` in `kg*m^2`: `>= 0`.
+    pub IFxx: T,
+    /// Axial moment of inertia of the front wheel.
+    ///
+    /// `IFyy` in `kg*m^2`: `>= 0`.
+    pub IFyy: T,
+    /// Steer torque by lean rate, for each m/s that the bicycle is slower than `vo`.
+    ///
+    /// `kappa`, κ, in `N*s^2`: `>= 0`.
+    pub kappa: T,
+    /// The speed from which the motor leaves the bicycle alone.
+    ///
+    /// `vo` in `m/s`: `> 0`.
+    pub vo: T,
+}
+
+// --- The coefficient matrices --------------------------------------------------------------------
+
+/// The coefficient matrices of [`BalanceAssist`], each 2 x 2 and row by row, in SI units.
+///
+/// Matrices that are not among them are zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BalanceAssistMatrices<T = f64> {
+    /// Mass matrix M, the coefficient of q''. Symmetric, proved.
+    pub m: Rows<T, 2>,
+    /// Damping C0, a coefficient of q'.
+    pub c0: Rows<T, 2>,
+    /// Damping C1, a coefficient of v q'.
+    pub c1: Rows<T, 2>,
+    /// Stiffness K0, a coefficient of g q. Symmetric, proved.
+    pub k0: Rows<T, 2>,
+    /// Stiffness K2, a coefficient of v^2 q.
+    pub k2: Rows<T, 2>,
+}
+
+impl<T: Number> BalanceAssist<T> {
+    /// The coefficient matrices, from one straight-line program:
+    /// 48 additions, 45 multiplications, 3 divisions, 2 negations and 2 trigonometric functions: 100 operations.
+    ///
+    /// The parameters are not validated.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices(&self) -> BalanceAssistMatrices<T> {
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t35 = self.c + self.w;
+        let t36 = t35 - self.xH;
+        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
+        let hx_delta = Jxx_delta * sin_lam + Jxz_delta * cos_lam;
+        let yaw_per_v_delta = cos_lam / self.w;
+        let mu = self.c * yaw_per_v_delta;
+        let Sz_delta = t6 - t10;
+        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t35 * Sz_delta;
+        let M_12 = hx_delta + mu * Jxz_all;
+        let t57 = self.mH * t36;
+        let t59 = self.mF * self.c;
+        let Jzz_delta = self.IFxx + self.IHzz + t36 * t57 + self.c * t59;
+        let hz_delta = sin_lam * Jxz_delta + cos_lam * Jzz_delta;
+        let t67 = t57 + t59;
+        let t69 = sin_lam * Sz_delta + cos_lam * t67;
+        let M_yaw_delta = hz_delta - t35 * t69;
+        let t73 = self.mB * self.xB;
+        let mA = self.mH + self.mF;
+        let t77 = t67 - t35 * mA;
+        let P_delta_yaw = M_yaw_delta
+            + mu
+                * (self.IRxx + Jzz_delta + self.IBzz + self.xB * t73
+                    - t35 * (t67 + t77));
+        let M_22 = mu * (M_yaw_delta + P_delta_yaw) + sin_lam * hx_delta
+            + cos_lam * hz_delta;
+        let zero = self.w.like(0.0);
+        let SF = self.IFyy / self.rF;
+        let ST = SF + self.IRyy / self.rR;
+        let Sz_all = t21 + Sz_delta - t17;
+        let t103 = ST - Sz_all;
+        let t105 = cos_lam * SF;
+        let C1_12 = mu * t103 + t105 + yaw_per_v_delta * Jxz_all;
+        let C1_21 = self.kappa - t105 - mu * ST;
+        let Sx_all = t73 - t77;
+        let t113 = mu * Sx_all;
+        let P_delta_lateral = t113 - t69;
+        let C1_22 = mu * P_delta_lateral + yaw_per_v_delta * P_delta_yaw;
+        let K2_12 = yaw_per_v_delta * t103;
+        let K2_22 = yaw_per_v_delta * (P_delta_lateral + sin_lam * SF);
+        let C0_21 = -(self.kappa * self.vo);
+        let K0_12 = t69 - t113;
+        let K0_22 = -(sin_lam * P_delta_lateral);
+        BalanceAssistMatrices::from_entries([
+            M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, Sz_all,
+            K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
+        ])
+    }
+}
+
+// --- Rates and forces of the mechanism -----------------------------------------------------------
+
+/// Rates and forces of [`BalanceAssist`] that follow from its coordinates q = (`phi`, `delta`),
+/// to first order and in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BalanceAssistKinematics<T = f64> {
+    /// Lateral velocity, to the right, in `m/s`: of the point of `B` that is at the origin.
+    pub lateral: Rate<T, 2>,
+    /// Yaw rate, to the right, in `rad/s`: of `B`.
+    pub yaw: Rate<T, 2>,
+    /// Spin of the wheel `R`, rear wheel: about the y axis, so negative in forward motion, in `rad/s`.
+    pub wheel_R: Rate<T, 2>,
+    /// Spin of the wheel `F`, front wheel: about the y axis, so negative in forward motion, in `rad/s`.
+    pub wheel_F: Rate<T, 2>,
+    /// The forces f on the coordinates that applied forces make: a row for each coordinate,
+    /// a column for each of `Tphi` (lean torque) in `N*m`, `Tdelta` (steer torque) in `N*m`.
+    pub forces: [[T; 2]; 2],
+}
+
+impl<T: Scalar> BalanceAssist<T> {
+    /// Rates and forces that follow from the coordinates:
+    /// 1 multiplication, 3 divisions, 2 negations and 1 trigonometric function: 7 operations.
+    ///
+    /// The parameters are not validated.
+    #[inline]
+    #[must_use]
+    pub fn kinematics(&self) -> BalanceAssistKinematics<T> {
+        let zero = self.w.like(0.0);
+        let yaw_per_v_delta = self.lam.cos() / self.w;
+        let mu = self.c * yaw_per_v_delta;
+        let t12 = -(self.w.like(1.0) / self.rR);
+        let t13 = -(self.w.like(1.0) / self.rF);
+        BalanceAssistKinematics {
+            lateral: Rate {
+                speed: zero, rates: [zero, zero], coordinates: [zero, zero],
+                heading: self.w.like(1.0),
+            },
+            yaw: Rate {
+                speed: zero, rates: [zero, mu], coordinates: [zero, yaw_per_v_delta], heading: zero,
+            },
+            wheel_R: Rate {
+                speed: t12, rates: [zero, zero], coordinates: [zero, zero], heading: zero,
+            },
+            wheel_F: Rate {
+                speed: t13, rates: [zero, zero], coordinates: [zero, zero], heading: zero,
+            },
+            forces: [[self.w.like(1.0), zero], [zero, self.w.like(1.0)]],
+        }
+    }
+}
+
+// --- The derivatives of the matrices -------------------------------------------------------------
+
+/// The derivatives of the matrices of [`BalanceAssist`] with respect to its parameters,
+/// in SI units: those that are not zero for all parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BalanceAssistDerivatives<T = f64> {
+    /// Their values, each once: which derivative has which is said by [`Self::PARTIALS`].
+    pub values: [T; 125],
+}
+
+impl<T: Number> BalanceAssist<T> {
+    /// The coefficient matrices and their derivatives, from one straight-line program:
+    /// 161 additions, 243 multiplications, 3 divisions, 1 negation and 2 trigonometric functions: 410 operations.
+    ///
+    /// The parameters are not validated; at valid ones every derivative exists.
+    #[inline(always)]
+    #[must_use]
+    pub fn matrices_and_derivatives(&self) -> (BalanceAssistMatrices<T>, BalanceAssistDerivatives<T>) {
+        let t6 = self.zH * self.mH;
+        let t10 = self.rF * self.mF;
+        let Jxx_delta = self.IHxx + self.IFxx + self.zH * t6 + self.rF * t10;
+        let t17 = self.rR * self.mR;
+        let t21 = self.zB * self.mB;
+        let M_11 = self.IRxx + self.IBxx + Jxx_delta + self.rR * t17 + self.zB * t21;
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t34 = self.c + self.w;
+        let t36 = t34 - self.xH;
+        let Jxz_delta = self.IHxz + t6 * t36 - t10 * self.c;
+        let t41 = Jxz_delta * cos_lam;
+        let hx_delta = Jxx_delta * sin_lam + t41;
+        let t43 = self.w.like(1.0) / self.w;
+        let yaw_per_v_delta = cos_lam * t43;
+        let mu = self.c * yaw_per_v_delta;
+        let Sz_delta = t6 - t10;
+        let Jxz_all = Jxz_delta + self.IBxz - t21 * self.xB - t34 * Sz_delta;
+        let M_12 = hx_delta + mu * Jxz_all;
+        let t57 = sin_lam * Jxz_delta;
+        let t59 = self.mF * self.c;
+        let t61 = self.mH * t36;
+        let Jzz_delta = self.IFxx + self.IHzz + self.c * t59 + t36 * t61;
+        let hz_delta = t57 + cos_lam * Jzz_delta;
+        let t70 = t59 + t61;
+        let t72 = sin_lam * Sz_delta + cos_lam * t70;
+        let M_yaw_delta = hz_delta - t34 * t72;
+        let mA = self.mH + self.mF;
+        let t78 = t70 - t34 * mA;
+        let t79 = t70 + t78;
+        let t81 = self.mB * self.xB;
+        let P_delta_yaw_mu = self.IRxx + Jzz_delta + self.IBzz + self.xB * t81
+            - t34 * t79;
+        let t87 = mu * P_delta_yaw_mu;
+        let P_delta_yaw = M_yaw_delta + t87;
+        let t89 = M_yaw_delta + P_delta_yaw;
+        let M_22 = sin_lam * hx_delta + cos_lam * hz_delta + mu * t89;
+        let zero = self.w.like(0.0);
+        let t98 = self.w.like(1.0) / self.rF;
+        let SF = self.IFyy * t98;
+        let t100 = cos_lam * SF;
+        let t102 = self.w.like(1.0) / self.rR;
+        let t103 = self.IRyy * t102;
+        let ST = SF + t103;
+        let Sz_all = t21 + Sz_delta - t17;
+        let t107 = ST - Sz_all;
+        let t109 = yaw_per_v_delta * Jxz_all;
+        let C1_12 = t100 + mu * t107 + t109;
+        let C1_21 = self.kappa - t100 - mu * ST;
+        let Sx_all = t81 - t78;
+        let K0_12 = t72 - mu * Sx_all;
+        let C1_22 = yaw_per_v_delta * P_delta_yaw - mu * K0_12;
+        let K0_22 = sin_lam * K0_12;
+        let K2_12 = yaw_per_v_delta * t107;
+        let t123 = sin_lam * SF;
+        let K2_22_yaw_per_v_delta = t123 - K0_12;
+        let K2_22 = yaw_per_v_delta * K2_22_yaw_per_v_delta;
+        let t126 = t43 * yaw_per_v_delta;
+        let t127 = self.c * Jxz_all;
+        let M_12_Jxz_delta = cos_lam + mu;
+        let t131 = t6 * M_12_Jxz_delta;
+        let t132 = t131 - mu * Sz_delta;
+        let M_12_w = t132 - t126 * t127;
+        let M_22_mu = t87 + t89;
+        let M_22_yaw_per_v_delta = self.c * M_22_mu;
+        let t138 = t34 * mu;
+        let t141 = mA * t138 - t72 - mu * t79;
+        let t144 = t138 + t138;
+        let t147 = cos_lam * t144 + mu * t144;
+        let M_22_hz_delta = mu + M_12_Jxz_delta;
+        let M_22_IRxx = mu * mu;
+        let M_22_Jzz_delta = cos_lam * M_22_hz_delta + M_22_IRxx;
+        let t153 = t36 * M_22_Jzz_delta - t147;
+        let M_22_Jxz_delta = sin_lam * (cos_lam + M_22_hz_delta);
+        let t160 = self.mH * t153 + t6 * M_22_Jxz_delta + t61 * M_22_Jzz_delta;
+        let t161 = mu * (t141 - t72) + t160;
+        let M_22_w = t161 - t126 * M_22_yaw_per_v_delta;
+        let C1_12_yaw_per_v_delta = Jxz_all + self.c * t107;
+        let t167 = t6 * yaw_per_v_delta;
+        let t168 = t167 - yaw_per_v_delta * Sz_delta;
+        let C1_12_w = t168 - t126 * C1_12_yaw_per_v_delta;
+        let t170 = self.c * ST;
+        let C1_21_w = t126 * t170;
+        let t172 = mu * mA;
+        let t173 = self.c * Sx_all;
+        let t175 = t172 - t126 * t173;
+        let t176 = self.mH * M_12_Jxz_delta;
+        let P_delta_lateral_w = t175 - t176;
+        let C1_22_mu = yaw_per_v_delta * P_delta_yaw_mu - K0_12;
+        let C1_22_yaw_per_v_delta = P_delta_yaw + self.c * C1_22_mu;
+        let t185 = t34 * yaw_per_v_delta;
+        let t188 = cos_lam * t185 + yaw_per_v_delta * t144;
+        let C1_22_IRxx = yaw_per_v_delta * mu;
+        let C1_22_Jzz_delta = cos_lam * yaw_per_v_delta + C1_22_IRxx;
+        let t193 = t36 * C1_22_Jzz_delta - t188;
+        let C1_22_Jxz_delta = sin_lam * yaw_per_v_delta;
+        let t199 = self.mH * t193 + t6 * C1_22_Jxz_delta + t61 * C1_22_Jzz_delta;
+        let t200 = yaw_per_v_delta * t141 + t199;
+        let C1_22_w = mu * P_delta_lateral_w + t200 - t126 * C1_22_yaw_per_v_delta;
+        let t203 = sin_lam * P_delta_lateral_w;
+        let t204 = t107 * t126;
+        let K2_22_w = yaw_per_v_delta * P_delta_lateral_w - K2_22_yaw_per_v_delta * t126;
+        let M_12_c = t109 + t132 - t10 * M_12_Jxz_delta;
+        let t213 = self.c * M_22_Jzz_delta - t147;
+        let M_22_c = t161 + self.mF * t213 + yaw_per_v_delta * M_22_mu
+            + t59 * M_22_Jzz_delta - t10 * M_22_Jxz_delta;
+        let C1_12_c = t168 + yaw_per_v_delta * (t107 - t10);
+        let t224 = yaw_per_v_delta * ST;
+        let t227 = self.c * C1_22_Jzz_delta - t188;
+        let t232 = t172 + yaw_per_v_delta * Sx_all - t176;
+        let t233 = self.mF * M_12_Jxz_delta;
+        let P_delta_lateral_c = t232 - t233;
+        let C1_22_c = t200 + self.mF * t227 + yaw_per_v_delta * C1_22_mu
+            + mu * P_delta_lateral_c + t59 * C1_22_Jzz_delta - t10 * C1_22_Jxz_delta;
+        let t242 = sin_lam * P_delta_lateral_c;
+        let K2_22_c = yaw_per_v_delta * P_delta_lateral_c;
+        let hx_delta_lam = Jxx_delta * cos_lam - t57;
+        let t246 = sin_lam * t43;
+        let M_12_lam = hx_delta_lam - t127 * t246;
+        let hz_delta_lam = t41 - sin_lam * Jzz_delta;
+        let t258 = cos_lam * Sz_delta - sin_lam * t70;
+        let M_22_lam = sin_lam * hx_delta_lam + cos_lam * hx_delta
+            + M_22_hz_delta * hz_delta_lam - sin_lam * hz_delta
+            - M_22_yaw_per_v_delta * t246 - t144 * t258;
+        let t266 = t123 + C1_12_yaw_per_v_delta * t246;
+        let C1_21_lam = t123 + t170 * t246;
+        let K0_12_lam = t258 + t173 * t246;
+        let C1_22_lam = yaw_per_v_delta * hz_delta_lam - mu * K0_12_lam
+            - C1_22_yaw_per_v_delta * t246 - t185 * t258;
+        let K0_22_lam = sin_lam * K0_12_lam + cos_lam * K0_12;
+        let t281 = t107 * t246;
+        let K2_22_lam = yaw_per_v_delta * (t100 - K0_12_lam)
+            - K2_22_yaw_per_v_delta * t246;
+        let M_11_rR = t17 + t17;
+        let t287 = t102 * t103;
+        let t288 = self.mR - t287;
+        let C1_12_rR = mu * t288;
+        let C1_21_rR = mu * t287;
+        let K2_12_rR = yaw_per_v_delta * t288;
+        let M_11_mR = self.rR * self.rR;
+        let C1_12_mR = self.rR * mu;
+        let K2_12_mR = self.rR * yaw_per_v_delta;
+        let C1_12_IRyy = mu * t102;
+        let K2_12_IRyy = yaw_per_v_delta * t102;
+        let t298 = t21 * mu;
+        let t299 = mu * self.xB;
+        let t300 = self.mB * t299;
+        let P_delta_yaw_xB = t300 + mu * t81;
+        let M_22_xB = mu * P_delta_yaw_xB;
+        let t304 = t21 * yaw_per_v_delta;
+        let t306 = self.mB * mu;
+        let C1_22_xB = yaw_per_v_delta * P_delta_yaw_xB + mu * t306;
+        let t309 = sin_lam * t306;
+        let K2_22_xB = yaw_per_v_delta * t306;
+        let M_11_zB = t21 + t21;
+        let t313 = mu + yaw_per_v_delta * self.xB;
+        let t314 = self.mB * t313;
+        let t315 = self.mB * yaw_per_v_delta;
+        let M_11_mB = self.zB * self.zB;
+        let t317 = self.zB * t299;
+        let P_delta_yaw_mB = self.xB * t299;
+        let M_22_mB = mu * P_delta_yaw_mB;
+        let t320 = self.zB * t313;
+        let C1_22_mB = yaw_per_v_delta * P_delta_yaw_mB + mu * t299;
+        let t324 = sin_lam * t299;
+        let t325 = self.zB * yaw_per_v_delta;
+        let K2_22_mB = yaw_per_v_delta * t299;
+        let C1_22_xH = mu * t176 - t199;
+        let t329 = sin_lam * t176;
+        let K2_22_xH = yaw_per_v_delta * t176;
+        let M_11_zH = t6 + t6;
+        let K0_12_mH = self.zH * sin_lam + t36 * M_12_Jxz_delta - t138;
+        let M_12_zH = self.mH * K0_12_mH + t6 * sin_lam;
+        let t339 = sin_lam * t144;
+        let M_22_Jxx_delta = sin_lam * sin_lam;
+        let t344 = self.zH * M_22_Jxx_delta + t36 * M_22_Jxz_delta - t339;
+        let M_22_zH = self.mH * t344 + t6 * M_22_Jxx_delta;
+        let t348 = mu + t185;
+        let t350 = t36 * yaw_per_v_delta - t348;
+        let C1_12_zH = self.mH * t350;
+        let t352 = sin_lam * t185;
+        let t354 = t36 * C1_22_Jxz_delta - t352;
+        let K0_12_zH = self.mH * sin_lam;
+        let C1_22_zH = self.mH * t354 - mu * K0_12_zH;
+        let K0_22_zH = sin_lam * K0_12_zH;
+        let t360 = self.mH * yaw_per_v_delta;
+        let t361 = yaw_per_v_delta * K0_12_zH;
+        let M_11_mH = self.zH * self.zH;
+        let M_12_mH = self.zH * K0_12_mH;
+        let P_delta_yaw_mA = t34 * t138;
+        let M_22_mA = mu * P_delta_yaw_mA;
+        let M_22_mH = M_22_mA + self.zH * t344 + t36 * t153;
+        let C1_12_mH = self.zH * t350;
+        let C1_22_mA = yaw_per_v_delta * P_delta_yaw_mA;
+        let C1_22_mH = C1_22_mA + self.zH * t354 + t36 * t193 - mu * K0_12_mH;
+        let K0_22_mH = sin_lam * K0_12_mH;
+        let t379 = self.zH * yaw_per_v_delta;
+        let t380 = yaw_per_v_delta * K0_12_mH;
+        let M_11_rF = t10 + t10;
+        let K0_12_mF = self.c * M_12_Jxz_delta - t138 - self.rF * sin_lam;
+        let M_12_rF = t10 * sin_lam - self.mF * K0_12_mF;
+        let t392 = t339 + self.rF * M_22_Jxx_delta - self.c * M_22_Jxz_delta;
+        let M_22_rF = self.mF * t392 + t10 * M_22_Jxx_delta;
+        let t396 = t348 - mu;
+        let t398 = t98 * SF;
+        let C1_21_rF = M_12_Jxz_delta * t398;
+        let C1_12_rF = self.mF * t396 - C1_21_rF;
+        let t402 = t352 - self.c * C1_22_Jxz_delta;
+        let P_delta_lateral_rF = self.mF * sin_lam;
+        let C1_22_rF = self.mF * t402 + mu * P_delta_lateral_rF;
+        let t407 = sin_lam * P_delta_lateral_rF;
+        let K2_12_rF = self.mF * yaw_per_v_delta - yaw_per_v_delta * t398;
+        let K2_22_rF = yaw_per_v_delta * P_delta_lateral_rF - C1_22_Jxz_delta * t398;
+        let M_11_mF = self.rF * self.rF;
+        let t415 = self.rF * K0_12_mF;
+        let M_22_mF = M_22_mA + self.c * t213 + self.rF * t392;
+        let C1_12_mF = self.rF * t396;
+        let C1_22_mF = C1_22_mA + self.c * t227 + self.rF * t402 - mu * K0_12_mF;
+        let K0_22_mF = sin_lam * K0_12_mF;
+        let K2_12_mF = self.rF * yaw_per_v_delta;
+        let t429 = yaw_per_v_delta * K0_12_mF;
+        let M_22_IFxx = M_22_Jzz_delta + M_22_Jxx_delta;
+        let C1_12_IFyy = t98 * M_12_Jxz_delta;
+        let K2_12_IFyy = yaw_per_v_delta * t98;
+        let K2_22_IFyy = t98 * C1_22_Jxz_delta;
+        let C0_21 = -(self.kappa * self.vo);
+        let K0_12_w = t176 - t175;
+        let K0_12_c = t233 - t232;
+        (
+            BalanceAssistMatrices::from_entries([
+                M_11, M_12, M_12, M_22, zero, zero, C0_21, zero, zero, C1_12, C1_21, C1_22, Sz_all,
+                K0_12, K0_12, K0_22, zero, K2_12, zero, K2_22,
+            ]),
+            BalanceAssistDerivatives {
+                values: [
+                    M_12_w, M_22_w, C1_12_w, C1_21_w, C1_22_w, K0_12_w, t203, t204, K2_22_w, M_12_c,
+                    M_22_c, C1_12_c, t224, C1_22_c, K0_12_c, t242, K2_22_c, M_12_lam, M_22_lam,
+                    t266, C1_21_lam, C1_22_lam, K0_12_lam, K0_22_lam, t281, K2_22_lam, M_11_rR,
+                    C1_12_rR, C1_21_rR, self.mR, K2_12_rR, M_11_mR, C1_12_mR, self.rR, K2_12_mR,
+                    self.w.like(1.0), M_22_IRxx, C1_22_IRxx, C1_12_IRyy, K2_12_IRyy, t298, M_22_xB,
+                    t304, C1_22_xB, t306, t309, K2_22_xB, M_11_zB, t300, t314, self.mB, t315,
+                    M_11_mB, t317, M_22_mB, t320, C1_22_mB, self.zB, t299, t324, t325, K2_22_mB, mu,
+                    yaw_per_v_delta, t131, t160, t167, C1_22_xH, t176, t329, K2_22_xH, M_11_zH,
+                    M_12_zH, M_22_zH, C1_12_zH, C1_22_zH, self.mH, K0_12_zH, K0_22_zH, t360, t361,
+                    M_11_mH, M_12_mH, M_22_mH, C1_12_mH, C1_22_mH, self.zH, K0_12_mH, K0_22_mH,
+                    t379, t380, sin_lam, M_22_Jxx_delta, M_22_Jzz_delta, C1_22_Jzz_delta,
+                    M_12_Jxz_delta, M_22_Jxz_delta, C1_22_Jxz_delta, M_11_rF, M_12_rF, M_22_rF,
+                    C1_12_rF, C1_21_rF, C1_22_rF, self.mF, P_delta_lateral_rF, t407, K2_12_rF,
+                    K2_22_rF, M_11_mF, t415, M_22_mF, C1_12_mF, C1_22_mF, self.rF, K0_12_mF,
+                    K0_22_mF, K2_12_mF, t429, M_22_IFxx, C1_12_IFyy, K2_12_IFyy, K2_22_IFyy,
+                    self.vo, self.kappa,
+                ],
+            },
+        )
+    }
+}
+
+// --- Parameter sets ------------------------------------------------------------------------------
+
+impl BalanceAssist<f64> {
+    /// The parameter set `benchmark`.
+    ///
+    /// Source: Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; motor: an example of BicycleParameters, plot_balanceassistv1.py
+    ///
+    /// It is the default.
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `w` | 1.02 | `m` |
+    /// | `c` | 0.08 | `m` |
+    /// | `lam` | 0.3141592653589793 | `rad` |
+    /// | `g` | 9.81 | `N/kg` |
+    /// | `rR` | 0.3 | `m` |
+    /// | `mR` | 2 | `kg` |
+    /// | `IRxx` | 0.0603 | `kg*m^2` |
+    /// | `IRyy` | 0.12 | `kg*m^2` |
+    /// | `xB` | 0.3 | `m` |
+    /// | `zB` | -0.9 | `m` |
+    /// | `mB` | 85 | `kg` |
+    /// | `IBxx` | 9.2 | `kg*m^2` |
+    /// | `IByy` | 11 | `kg*m^2` |
+    /// | `IBzz` | 2.8 | `kg*m^2` |
+    /// | `IBxz` | 2.4 | `kg*m^2` |
+    /// | `xH` | 0.9 | `m` |
+    /// | `zH` | -0.7 | `m` |
+    /// | `mH` | 4 | `kg` |
+    /// | `IHxx` | 0.05892 | `kg*m^2` |
+    /// | `IHyy` | 0.06 | `kg*m^2` |
+    /// | `IHzz` | 0.00708 | `kg*m^2` |
+    /// | `IHxz` | -0.00756 | `kg*m^2` |
+    /// | `rF` | 0.35 | `m` |
+    /// | `mF` | 3 | `kg` |
+    /// | `IFxx` | 0.1405 | `kg*m^2` |
+    /// | `IFyy` | 0.28 | `kg*m^2` |
+    /// | `kappa` | 10 | `N*s^2` |
+    /// | `vo` | 4.7 | `m/s` |
+    pub const BENCHMARK: Self = Self {
+        w: 1.02, c: 0.08, lam: 0.3141592653589793, g: 9.81, rR: 0.3, mR: 2.0, IRxx: 0.0603,
+        IRyy: 0.12, xB: 0.3, zB: -0.9, mB: 85.0, IBxx: 9.2, IByy: 11.0, IBzz: 2.8, IBxz: 2.4,
+        xH: 0.9, zH: -0.7, mH: 4.0, IHxx: 0.05892, IHyy: 0.06, IHzz: 0.00708, IHxz: -0.00756,
+        rF: 0.35, mF: 3.0, IFxx: 0.1405, IFyy: 0.28, kappa: 10.0, vo: 4.7,
+    };
+
+    /// The parameter set `balanceassistv1`.
+    ///
+    /// Source: BicycleParameters 1.5.2 (BSD), Balanceassistv1Benchmark.txt, an electric bicycle without a rider; motor: an example of BicycleParameters, plot_balanceassistv1.py
+    ///
+    /// | parameter | value | unit |
+    /// | --- | ---: | --- |
+    /// | `w` | 1.113 | `m` |
+    /// | `c` | 0.042 | `m` |
+    /// | `lam` | 0.255 | `rad` |
+    /// | `g` | 9.80665 | `N/kg` |
+    /// | `rR` | 0.34895 | `m` |
+    /// | `mR` | 4.085 | `kg` |
+    /// | `IRxx` | 0.1023 | `kg*m^2` |
+    /// | `IRyy` | 0.1887 | `kg*m^2` |
+    /// | `xB` | 0.519 | `m` |
+    /// | `zB` | -0.521 | `m` |
+    /// | `mB` | 22.5 | `kg` |
+    /// | `IBxx` | 1.12 | `kg*m^2` |
+    /// | `IByy` | 3.16 | `kg*m^2` |
+    /// | `IBzz` | 2.119 | `kg*m^2` |
+    /// | `IBxz` | 0.047 | `kg*m^2` |
+    /// | `xH` | 0.921 | `m` |
+    /// | `zH` | -0.86 | `m` |
+    /// | `mH` | 4.3 | `kg` |
+    /// | `IHxx` | 0.2984 | `kg*m^2` |
+    /// | `IHyy` | 0.257 | `kg*m^2` |
+    /// | `IHzz` | 0.0566 | `kg*m^2` |
+    /// | `IHxz` | -0.038 | `kg*m^2` |
+    /// | `rF` | 0.35231 | `m` |
+    /// | `mF` | 2.235 | `kg` |
+    /// | `IFxx` | 0.0995 | `kg*m^2` |
+    /// | `IFyy` | 0.1902 | `kg*m^2` |
+    /// | `kappa` | 10 | `N*s^2` |
+    /// | `vo` | 4.7 | `m/s` |
+    pub const BALANCEASSISTV1: Self = Self {
+        w: 1.113, c: 0.042, lam: 0.255, g: 9.80665, rR: 0.34895, mR: 4.085, IRxx: 0.1023,
+        IRyy: 0.1887, xB: 0.519, zB: -0.521, mB: 22.5, IBxx: 1.12, IByy: 3.16, IBzz: 2.119,
+        IBxz: 0.047, xH: 0.921, zH: -0.86, mH: 4.3, IHxx: 0.2984, IHyy: 0.257, IHzz: 0.0566,
+        IHxz: -0.038, rF: 0.35231, mF: 2.235, IFxx: 0.0995, IFyy: 0.1902, kappa: 10.0, vo: 4.7,
+    };
+}
+
+impl BalanceAssist<f64> {
+    /// The parameter set `benchmark`.
+    #[must_use]
+    pub const fn default() -> Self {
+        Self::BENCHMARK
+    }
+}
+
+/// The parameter set `benchmark`.
+impl<T: Scalar> Default for BalanceAssist<T> {
+    fn default() -> Self {
+        BalanceAssist::cast(&BalanceAssist::<f64>::BENCHMARK)
+    }
+}
+
+// --- Parameters and matrices as arrays -----------------------------------------------------------
+
+impl<T: Number> BalanceAssist<T> {
+    /// The parameters from an array in declared order.
+    #[must_use]
+    pub const fn from_array(values: [T; 28]) -> Self {
+        Self {
+            w: values[0], c: values[1], lam: values[2], g: values[3], rR: values[4], mR: values[5],
+            IRxx: values[6], IRyy: values[7], xB: values[8], zB: values[9], mB: values[10],
+            IBxx: values[11], IByy: values[12], IBzz: values[13], IBxz: values[14], xH: values[15],
+            zH: values[16], mH: values[17], IHxx: values[18], IHyy: values[19], IHzz: values[20],
+            IHxz: values[21], rF: values[22], mF: values[23], IFxx: values[24], IFyy: values[25],
+            kappa: values[26], vo: values[27],
+        }
+    }
+
+    /// The parameters as an array in declared order.
+    #[must_use]
+    pub const fn to_array(&self) -> [T; 28] {
+        [
+            self.w, self.c, self.lam, self.g, self.rR, self.mR, self.IRxx, self.IRyy, self.xB,
+            self.zB, self.mB, self.IBxx, self.IByy, self.IBzz, self.IBxz, self.xH, self.zH, self.mH,
+            self.IHxx, self.IHyy, self.IHzz, self.IHxz, self.rF, self.mF, self.IFxx, self.IFyy,
+            self.kappa, self.vo,
+        ]
+    }
+}
+
+impl<T: Scalar> BalanceAssist<T> {
+    /// The same parameters in another number type, each rounded to the nearest.
+    #[must_use]
+    pub fn cast<U: Scalar>(&self) -> BalanceAssist<U> {
+        let values = self.to_array();
+        BalanceAssist::from_array(values.map(|value| Scalar::from_f64(Scalar::to_f64(value))))
+    }
+}
+
+impl BalanceAssist<f64> {
+    /// The same parameters in `f32`, each rounded to the nearest; in constants, too.
+    #[must_use]
+    pub const fn to_f32(&self) -> BalanceAssist<f32> {
+        BalanceAssist::from_array(carvallo::to_f32(self.to_array()))
+    }
+}
+
+/// The same parameters, exactly.
+impl From<BalanceAssist<f32>> for BalanceAssist<f64> {
+    fn from(parameters: BalanceAssist<f32>) -> Self {
+        BalanceAssist::cast(&parameters)
+    }
+}
+
+impl<T: Number> BalanceAssistMatrices<T> {
+    /// From the entries of one matrix after the other, each row by row.
+    #[inline(always)]
+    fn from_entries(entries: [T; 20]) -> Self {
+        Self {
+            m: carvallo::rows(&entries, 0),
+            c0: carvallo::rows(&entries, 4),
+            c1: carvallo::rows(&entries, 8),
+            k0: carvallo::rows(&entries, 12),
+            k2: carvallo::rows(&entries, 16),
+        }
+    }
+
+    /// The rows of M, C-1, C0, C1, Kc, K0, K1 and K2.
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 8] {
+        let zeros = [[self.m.0[0][0].like(0.0); 2]; 2];
+        [self.m.0, zeros, self.c0.0, self.c1.0, zeros, self.k0.0, zeros, self.k2.0]
+    }
+}
+
+impl<T: Scalar> From<BalanceAssistMatrices<T>> for Coefficients<T, 2> {
+    fn from(matrices: BalanceAssistMatrices<T>) -> Self {
+        Coefficients::from_rows(matrices.rows())
+    }
+}
+
+// --- What the runtime knows of the model ---------------------------------------------------------
+
+impl<T: Scalar> Model<2> for BalanceAssist<T> {
+    type Scalar = T;
+
+    type Array<U: Copy> = [U; 28];
+
+    type Over<U: Number> = BalanceAssist<U>;
+
+    const INFO: &'static ModelInfo = &ModelInfo {
+        name: "BalanceAssist",
+        docs: "A bicycle with a motor that steers into the fall, so that it stays up at lower speeds.\n\nThe Whipple-Carvallo bicycle with a torque on its steer that follows from the lean rate and fades with the speed,\n`kappa*(vo - v)` times the lean rate: up to the speed `vo`, beyond which such a motor is switched off and the bicycle is\n[`Whipple`](crate::Whipple). Axes: origin at the rear contact point, x forward, y to the right, z down.\n\nThe declaration asserts that the matrices are those of Appendix A of the paper, less the torque in C0 and C1.",
+        source: "Mechanism: Meijaard, Papadopoulos, Ruina & Schwab (2007), Proc. R. Soc. A 463, 1955-1982, section 3; torque: BicycleParameters, example plot_balanceassistv1.py",
+        parameters: &[
+            ParameterInfo::new("w", "m", Domain::POSITIVE).docs("Wheel base."),
+            ParameterInfo::new("c", "m", Domain::FINITE)
+                .docs(
+                    "Trail: positive when the front contact is behind the point where the steer axis meets the ground.",
+                ),
+            ParameterInfo::new(
+                    "lam",
+                    "rad",
+                    Domain::between(Bound::Open(-1.5707963267948966), Bound::Open(1.5707963267948966)),
+                )
+                .symbol("λ")
+                .docs("Steer axis tilt: 90 degrees minus the head angle."),
+            ParameterInfo::new("g", "N/kg", Domain::NONNEGATIVE)
+                .docs("Gravitational field strength."),
+            ParameterInfo::new("rR", "m", Domain::POSITIVE)
+                .docs("Radius of the rear wheel."),
+            ParameterInfo::new("mR", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear wheel."),
+            ParameterInfo::new("IRxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the rear wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IRyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the rear wheel."),
+            ParameterInfo::new("xB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, forward of the rear contact."),
+            ParameterInfo::new("zB", "m", Domain::FINITE)
+                .docs("Centre of mass of the rear frame and rider, downward."),
+            ParameterInfo::new("mB", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the rear frame and rider."),
+            ParameterInfo::new("IBxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in roll."),
+            ParameterInfo::new("IByy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IBzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the rear frame and rider about its centre of mass, in yaw."),
+            ParameterInfo::new("IBxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the rear frame and rider about its centre of mass."),
+            ParameterInfo::new("xH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, forward of the rear contact."),
+            ParameterInfo::new("zH", "m", Domain::FINITE)
+                .docs("Centre of mass of the front frame, downward."),
+            ParameterInfo::new("mH", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front frame."),
+            ParameterInfo::new("IHxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in roll."),
+            ParameterInfo::new("IHyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in pitch.")
+                .unused(),
+            ParameterInfo::new("IHzz", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Moment of inertia of the front frame about its centre of mass, in yaw."),
+            ParameterInfo::new("IHxz", "kg*m^2", Domain::FINITE)
+                .docs("Product of inertia of the front frame about its centre of mass."),
+            ParameterInfo::new("rF", "m", Domain::POSITIVE)
+                .docs("Radius of the front wheel."),
+            ParameterInfo::new("mF", "kg", Domain::NONNEGATIVE)
+                .docs("Mass of the front wheel."),
+            ParameterInfo::new("IFxx", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Radial moment of inertia of the front wheel; by symmetry also about the vertical."),
+            ParameterInfo::new("IFyy", "kg*m^2", Domain::NONNEGATIVE)
+                .docs("Axial moment of inertia of the front wheel."),
+            ParameterInfo::new("kappa", "N*s^2", Domain::NONNEGATIVE)
+                .symbol("κ")
+                .docs("Steer torque by lean rate, for each m/s that the bicycle is slower than `vo`."),
+            ParameterInfo::new("vo", "m/s", Domain::POSITIVE)
+                .docs("The speed from which the motor leaves the bicycle alone."),
+        ],
+        coordinates: &[
+            CoordinateInfo::new("phi", "rad")
+                .label("lean")
+                .docs("Lean of the rear frame, positive to the right."),
+            CoordinateInfo::new("delta", "rad")
+                .label("steer")
+                .docs("Steer of the front frame relative to the rear frame, positive to the right."),
+        ],
+        matrices: &[
+            MatrixName::M, MatrixName::C0, MatrixName::C1, MatrixName::K0, MatrixName::K2,
+        ],
+        entries: &[
+            EntryInfo::at(&[(MatrixName::M, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::M, 1, 1)]), EntryInfo::at(&[(MatrixName::C0, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::C1, 0, 1)]), EntryInfo::at(&[(MatrixName::C1, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::C1, 1, 1)]), EntryInfo::at(&[(MatrixName::K0, 0, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)]),
+            EntryInfo::at(&[(MatrixName::K0, 1, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 0, 1)]),
+            EntryInfo::at(&[(MatrixName::K2, 1, 1)]),
+        ],
+        sets: &[
+            SetInfo {
+                name: "benchmark",
+                docs: "",
+                source: "Meijaard, Papadopoulos, Ruina & Schwab (2007), Table 1; motor: an example of BicycleParameters, plot_balanceassistv1.py",
+                values: &BalanceAssist::to_array(&BalanceAssist::<f64>::BENCHMARK),
+            },
+            SetInfo {
+                name: "balanceassistv1",
+                docs: "",
+                source: "BicycleParameters 1.5.2 (BSD), Balanceassistv1Benchmark.txt, an electric bicycle without a rider; motor: an example of BicycleParameters, plot_balanceassistv1.py",
+                values: &BalanceAssist::to_array(&BalanceAssist::<f64>::BALANCEASSISTV1),
+            },
+        ],
+        requirements: &[],
+        formulas: &[
+            FormulaInfo::definition("mA", "kg", "mH + mF"),
+            FormulaInfo::definition("mu", "1", "(c/w)*cos(lam)"),
+            FormulaInfo::definition("SR", "kg*m", "IRyy/rR"),
+            FormulaInfo::definition("SF", "kg*m", "IFyy/rF"),
+            FormulaInfo::definition("ST", "kg*m", "SR + SF"),
+            FormulaInfo::definition("yaw_per_v_delta", "1/m", "cos(lam)/w"),
+            FormulaInfo::definition("Jxx_delta", "kg*m^2", "IHxx + IFxx + zH^2*mH + rF^2*mF"),
+            FormulaInfo::definition("Jxz_delta", "kg*m^2", "IHxz - c*rF*mF - zH*mH*(xH - (w + c))"),
+            FormulaInfo::definition("Jzz_delta", "kg*m^2", "mH*(xH - (w + c))^2 + IHzz + IFxx + c^2*mF"),
+            FormulaInfo::definition("Sx_delta", "kg*m", "mH*(xH - (w + c)) - c*mF"),
+            FormulaInfo::definition("Sz_delta", "kg*m", "zH*mH - rF*mF"),
+            FormulaInfo::definition("py_delta", "kg*m", "Sx_delta*cos(lam) - Sz_delta*sin(lam)"),
+            FormulaInfo::definition("hx_delta", "kg*m^2", "Jxx_delta*sin(lam) + Jxz_delta*cos(lam)"),
+            FormulaInfo::definition("hz_delta", "kg*m^2", "Jxz_delta*sin(lam) + Jzz_delta*cos(lam)"),
+            FormulaInfo::definition("Jxx_all", "kg*m^2", "IRxx + IBxx + Jxx_delta + rR^2*mR + zB^2*mB"),
+            FormulaInfo::definition("Jxz_all", "kg*m^2", "IBxz + Jxz_delta - xB*zB*mB - Sz_delta*(w + c)"),
+            FormulaInfo::definition(
+                "Jzz_all",
+                "kg*m^2",
+                "IRxx + IBzz + Jzz_delta + 2*(w + c)*((1/2)*mA*(w + c) + Sx_delta) + xB^2*mB",
+            ),
+            FormulaInfo::definition("Sx_all", "kg*m", "xB*mB + mA*(w + c) + Sx_delta"),
+            FormulaInfo::definition("Sz_all", "kg*m", "zB*mB + Sz_delta - rR*mR"),
+            FormulaInfo::definition("load_spin_F", "kg", "-Sx_all/w"),
+            FormulaInfo::definition("M_yaw_delta", "kg*m^2", "py_delta*(w + c) + hz_delta"),
+            FormulaInfo::definition("M_delta_delta", "kg*m^2", "hx_delta*sin(lam) + hz_delta*cos(lam)"),
+            FormulaInfo::definition("K_phi_delta", "kg*m", "c*load_spin_F*cos(lam) - py_delta"),
+            FormulaInfo::definition("K_delta_delta", "kg*m", "(c*load_spin_F*cos(lam) - py_delta)*sin(lam)"),
+            FormulaInfo::definition("P_delta_lateral", "kg*m", "mu*Sx_all + py_delta"),
+            FormulaInfo::definition("P_delta_yaw", "kg*m^2", "mu*Jzz_all + M_yaw_delta"),
+            FormulaInfo::definition("P_delta_delta", "kg*m^2", "mu*M_yaw_delta + M_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 0)], "kg*m^2", "Jxx_all"),
+            FormulaInfo::entry(&[(MatrixName::M, 0, 1), (MatrixName::M, 1, 0)], "kg*m^2", "mu*Jxz_all + hx_delta"),
+            FormulaInfo::entry(&[(MatrixName::M, 1, 1)], "kg*m^2", "mu*P_delta_yaw + P_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::C0, 1, 0)], "kg*m^2/s", "-kappa*vo"),
+            FormulaInfo::entry(
+                &[(MatrixName::C1, 0, 1)],
+                "kg*m",
+                "mu*(ST - Sz_all) + SF*cos(lam) + yaw_per_v_delta*Jxz_all",
+            ),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 0)], "kg*m", "kappa - mu*ST - SF*cos(lam)"),
+            FormulaInfo::entry(&[(MatrixName::C1, 1, 1)], "kg*m", "mu*P_delta_lateral + yaw_per_v_delta*P_delta_yaw"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 0)], "kg*m", "Sz_all"),
+            FormulaInfo::entry(&[(MatrixName::K0, 0, 1), (MatrixName::K0, 1, 0)], "kg*m", "K_phi_delta"),
+            FormulaInfo::entry(&[(MatrixName::K0, 1, 1)], "kg*m", "K_delta_delta"),
+            FormulaInfo::entry(&[(MatrixName::K2, 0, 1)], "kg", "yaw_per_v_delta*(ST - Sz_all)"),
+            FormulaInfo::entry(&[(MatrixName::K2, 1, 1)], "kg", "yaw_per_v_delta*(SF*sin(lam) + P_delta_lateral)"),
+        ],
+        gravity: Some(3),
+    };
+
+    fn from_slice(values: &[T]) -> Result<Self, LengthError> {
+        LengthError::check("BalanceAssist", 28, values)?;
+        Ok(<Self as Evaluator<T, 2>>::from_parameters(|position| values[position]))
+    }
+
+    fn write_to(&self, values: &mut [T]) -> Result<(), LengthError> {
+        LengthError::check("BalanceAssist", 28, values)?;
+        values.copy_from_slice(&self.to_array());
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn array<U: Copy>(element: impl FnMut(usize) -> U) -> Self::Array<U> {
+        core::array::from_fn(element)
+    }
+
+    #[inline(always)]
+    fn parameters(&self) -> Self::Array<T> {
+        self.to_array()
+    }
+
+    fn validate(&self) -> Result<(), ParameterError> {
+        let info = const { &<Self as Model<2>>::INFO.without_formulas() };
+        info.validate(&self.to_array().map(Scalar::to_f64))?;
+        Ok(())
+    }
+
+    #[inline]
+    fn coefficients(&self) -> Coefficients<T, 2> {
+        Coefficients::from_rows(BalanceAssistMatrices::rows(&self.matrices()))
+    }
+
+    fn derivatives(&self) -> Option<WithDerivatives<Self, 2>> {
+        Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn gravity(&self) -> Option<T> {
+        Some(self.g)
+    }
+}
+
+impl BalanceAssist<f64> {
+    /// What the model tells about itself, the same for every number type.
+    pub const INFO: &'static ModelInfo = <Self as Model<2>>::INFO;
+
+    /// The parameter set of this name, however it is spelt: upper and lower case, `_`, `-` and spaces make no
+    /// difference. In `f32` it is had by the trait `Model`.
+    #[must_use]
+    pub fn set(name: &str) -> Option<Self> {
+        <Self as Model<2>>::set(name)
+    }
+}
+
+/// The parameters, one a line with its unit, in the precision that is asked for; `{:#}` says what they are.
+impl<T: Scalar> core::fmt::Display for BalanceAssist<T> {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> Result<(), core::fmt::Error> {
+        let info = const { &<Self as Model<2>>::INFO.without_formulas() };
+        info.write_parameters(&self.to_array(), formatter)
+    }
+}
+
+impl<T: Number> Evaluator<T, 2> for BalanceAssist<T> {
+    type Entries = [T; 12];
+
+    #[inline(always)]
+    fn from_parameters(mut parameter: impl FnMut(usize) -> T) -> Self {
+        Self {
+            w: parameter(0), c: parameter(1), lam: parameter(2), g: parameter(3), rR: parameter(4),
+            mR: parameter(5), IRxx: parameter(6), IRyy: parameter(7), xB: parameter(8),
+            zB: parameter(9), mB: parameter(10), IBxx: parameter(11), IByy: parameter(12),
+            IBzz: parameter(13), IBxz: parameter(14), xH: parameter(15), zH: parameter(16),
+            mH: parameter(17), IHxx: parameter(18), IHyy: parameter(19), IHzz: parameter(20),
+            IHxz: parameter(21), rF: parameter(22), mF: parameter(23), IFxx: parameter(24),
+            IFyy: parameter(25), kappa: parameter(26), vo: parameter(27),
+        }
+    }
+
+    #[inline(always)]
+    fn entries(&self) -> Self::Entries {
+        let matrices = self.matrices();
+        [
+            matrices.m[0][0], matrices.m[0][1], matrices.m[1][1], matrices.c0[1][0],
+            matrices.c1[0][1], matrices.c1[1][0], matrices.c1[1][1], matrices.k0[0][0],
+            matrices.k0[0][1], matrices.k0[1][1], matrices.k2[0][1], matrices.k2[1][1],
+        ]
+    }
+
+    #[inline(always)]
+    fn rows(&self) -> [[[T; 2]; 2]; 8] {
+        BalanceAssistMatrices::rows(&self.matrices())
+    }
+}
+
+// --- Which derivatives there are -----------------------------------------------------------------
+
+impl<T: Scalar> BalanceAssistDerivatives<T> {
+    /// The derivatives of all matrices with respect to the parameter at a position, with the zeros filled in; nothing
+    /// if there is no such parameter.
+    #[must_use]
+    pub fn with_respect_to(&self, parameter: usize) -> Option<BalanceAssistMatrices<T>> {
+        if parameter >= 28 {
+            return None;
+        }
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut matrices = BalanceAssistMatrices {
+            m: Rows([[zero; 2]; 2]), c0: Rows([[zero; 2]; 2]), c1: Rows([[zero; 2]; 2]),
+            k0: Rows([[zero; 2]; 2]), k2: Rows([[zero; 2]; 2]),
+        };
+        for position in 0..161 {
+            let partial = <BalanceAssistDerivatives>::PARTIALS[position];
+            if partial.parameter != parameter {
+                continue;
+            }
+            let matrix = match partial.matrix {
+                MatrixName::M => &mut matrices.m,
+                MatrixName::C0 => &mut matrices.c0,
+                MatrixName::C1 => &mut matrices.c1,
+                MatrixName::K0 => &mut matrices.k0,
+                MatrixName::K2 => &mut matrices.k2,
+                _ => continue,
+            };
+            matrix[partial.row][partial.column] = Partial::of(&partial, &self.values);
+        }
+        Some(matrices)
+    }
+}
+
+impl<T: Scalar> Differentiable<2> for BalanceAssist<T> {
+    type Derivatives = [Coefficients<T, 2>; 28];
+
+    fn coefficients_and_derivatives(&self) -> (Coefficients<T, 2>, Self::Derivatives) {
+        let (matrices, derivatives) = self.matrices_and_derivatives();
+        let zero = <T as Scalar>::from_f64(0.0);
+        let mut all = [Coefficients::from_rows([[[zero; 2]; 2]; 8]); 28];
+        for position in 0..161 {
+            Partial::write(&<BalanceAssistDerivatives>::PARTIALS[position], &derivatives.values, &mut all);
+        }
+        (Coefficients::from_rows(BalanceAssistMatrices::rows(&matrices)), all)
+    }
+}
+
+impl BalanceAssistDerivatives {
+    /// Which derivatives there are, by parameters.
+    pub const PARTIALS: &'static [Partial; 161] = &[
+        Partial::new(MatrixName::M, 0, 1, 0, 0), Partial::new(MatrixName::M, 1, 0, 0, 0),
+        Partial::new(MatrixName::M, 1, 1, 0, 1), Partial::new(MatrixName::C1, 0, 1, 0, 2),
+        Partial::new(MatrixName::C1, 1, 0, 0, 3), Partial::new(MatrixName::C1, 1, 1, 0, 4),
+        Partial::new(MatrixName::K0, 0, 1, 0, 5), Partial::new(MatrixName::K0, 1, 0, 0, 5),
+        Partial::new(MatrixName::K0, 1, 1, 0, 6).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 0, 7).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 0, 8), Partial::new(MatrixName::M, 0, 1, 1, 9),
+        Partial::new(MatrixName::M, 1, 0, 1, 9), Partial::new(MatrixName::M, 1, 1, 1, 10),
+        Partial::new(MatrixName::C1, 0, 1, 1, 11),
+        Partial::new(MatrixName::C1, 1, 0, 1, 12).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 1, 13),
+        Partial::new(MatrixName::K0, 0, 1, 1, 14),
+        Partial::new(MatrixName::K0, 1, 0, 1, 14),
+        Partial::new(MatrixName::K0, 1, 1, 1, 15).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 1, 16), Partial::new(MatrixName::M, 0, 1, 2, 17),
+        Partial::new(MatrixName::M, 1, 0, 2, 17), Partial::new(MatrixName::M, 1, 1, 2, 18),
+        Partial::new(MatrixName::C1, 0, 1, 2, 19).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 2, 20), Partial::new(MatrixName::C1, 1, 1, 2, 21),
+        Partial::new(MatrixName::K0, 0, 1, 2, 22), Partial::new(MatrixName::K0, 1, 0, 2, 22),
+        Partial::new(MatrixName::K0, 1, 1, 2, 23),
+        Partial::new(MatrixName::K2, 0, 1, 2, 24).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 2, 25), Partial::new(MatrixName::M, 0, 0, 4, 26),
+        Partial::new(MatrixName::C1, 0, 1, 4, 27), Partial::new(MatrixName::C1, 1, 0, 4, 28),
+        Partial::new(MatrixName::K0, 0, 0, 4, 29).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 4, 30),
+        Partial::new(MatrixName::M, 0, 0, 5, 31),
+        Partial::new(MatrixName::C1, 0, 1, 5, 32),
+        Partial::new(MatrixName::K0, 0, 0, 5, 33).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 5, 34), Partial::new(MatrixName::M, 0, 0, 6, 35),
+        Partial::new(MatrixName::M, 1, 1, 6, 36), Partial::new(MatrixName::C1, 1, 1, 6, 37),
+        Partial::new(MatrixName::C1, 0, 1, 7, 38),
+        Partial::new(MatrixName::C1, 1, 0, 7, 38).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 7, 39),
+        Partial::new(MatrixName::M, 0, 1, 8, 40).negative(),
+        Partial::new(MatrixName::M, 1, 0, 8, 40).negative(),
+        Partial::new(MatrixName::M, 1, 1, 8, 41),
+        Partial::new(MatrixName::C1, 0, 1, 8, 42).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 8, 43),
+        Partial::new(MatrixName::K0, 0, 1, 8, 44).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 8, 44).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 8, 45).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 8, 46), Partial::new(MatrixName::M, 0, 0, 9, 47),
+        Partial::new(MatrixName::M, 0, 1, 9, 48).negative(),
+        Partial::new(MatrixName::M, 1, 0, 9, 48).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 9, 49).negative(),
+        Partial::new(MatrixName::K0, 0, 0, 9, 50),
+        Partial::new(MatrixName::K2, 0, 1, 9, 51).negative(),
+        Partial::new(MatrixName::M, 0, 0, 10, 52),
+        Partial::new(MatrixName::M, 0, 1, 10, 53).negative(),
+        Partial::new(MatrixName::M, 1, 0, 10, 53).negative(),
+        Partial::new(MatrixName::M, 1, 1, 10, 54),
+        Partial::new(MatrixName::C1, 0, 1, 10, 55).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 10, 56),
+        Partial::new(MatrixName::K0, 0, 0, 10, 57),
+        Partial::new(MatrixName::K0, 0, 1, 10, 58).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 10, 58).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 10, 59).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 10, 60).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 10, 61), Partial::new(MatrixName::M, 0, 0, 11, 35),
+        Partial::new(MatrixName::M, 1, 1, 13, 36), Partial::new(MatrixName::C1, 1, 1, 13, 37),
+        Partial::new(MatrixName::M, 0, 1, 14, 62), Partial::new(MatrixName::M, 1, 0, 14, 62),
+        Partial::new(MatrixName::C1, 0, 1, 14, 63),
+        Partial::new(MatrixName::M, 0, 1, 15, 64).negative(),
+        Partial::new(MatrixName::M, 1, 0, 15, 64).negative(),
+        Partial::new(MatrixName::M, 1, 1, 15, 65).negative(),
+        Partial::new(MatrixName::C1, 0, 1, 15, 66).negative(),
+        Partial::new(MatrixName::C1, 1, 1, 15, 67),
+        Partial::new(MatrixName::K0, 0, 1, 15, 68).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 15, 68).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 15, 69).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 15, 70), Partial::new(MatrixName::M, 0, 0, 16, 71),
+        Partial::new(MatrixName::M, 0, 1, 16, 72), Partial::new(MatrixName::M, 1, 0, 16, 72),
+        Partial::new(MatrixName::M, 1, 1, 16, 73), Partial::new(MatrixName::C1, 0, 1, 16, 74),
+        Partial::new(MatrixName::C1, 1, 1, 16, 75), Partial::new(MatrixName::K0, 0, 0, 16, 76),
+        Partial::new(MatrixName::K0, 0, 1, 16, 77), Partial::new(MatrixName::K0, 1, 0, 16, 77),
+        Partial::new(MatrixName::K0, 1, 1, 16, 78),
+        Partial::new(MatrixName::K2, 0, 1, 16, 79).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 16, 80).negative(),
+        Partial::new(MatrixName::M, 0, 0, 17, 81), Partial::new(MatrixName::M, 0, 1, 17, 82),
+        Partial::new(MatrixName::M, 1, 0, 17, 82), Partial::new(MatrixName::M, 1, 1, 17, 83),
+        Partial::new(MatrixName::C1, 0, 1, 17, 84), Partial::new(MatrixName::C1, 1, 1, 17, 85),
+        Partial::new(MatrixName::K0, 0, 0, 17, 86), Partial::new(MatrixName::K0, 0, 1, 17, 87),
+        Partial::new(MatrixName::K0, 1, 0, 17, 87), Partial::new(MatrixName::K0, 1, 1, 17, 88),
+        Partial::new(MatrixName::K2, 0, 1, 17, 89).negative(),
+        Partial::new(MatrixName::K2, 1, 1, 17, 90).negative(),
+        Partial::new(MatrixName::M, 0, 0, 18, 35), Partial::new(MatrixName::M, 0, 1, 18, 91),
+        Partial::new(MatrixName::M, 1, 0, 18, 91), Partial::new(MatrixName::M, 1, 1, 18, 92),
+        Partial::new(MatrixName::M, 1, 1, 20, 93), Partial::new(MatrixName::C1, 1, 1, 20, 94),
+        Partial::new(MatrixName::M, 0, 1, 21, 95), Partial::new(MatrixName::M, 1, 0, 21, 95),
+        Partial::new(MatrixName::M, 1, 1, 21, 96), Partial::new(MatrixName::C1, 0, 1, 21, 63),
+        Partial::new(MatrixName::C1, 1, 1, 21, 97), Partial::new(MatrixName::M, 0, 0, 22, 98),
+        Partial::new(MatrixName::M, 0, 1, 22, 99), Partial::new(MatrixName::M, 1, 0, 22, 99),
+        Partial::new(MatrixName::M, 1, 1, 22, 100), Partial::new(MatrixName::C1, 0, 1, 22, 101),
+        Partial::new(MatrixName::C1, 1, 0, 22, 102), Partial::new(MatrixName::C1, 1, 1, 22, 103),
+        Partial::new(MatrixName::K0, 0, 0, 22, 104).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 22, 105).negative(),
+        Partial::new(MatrixName::K0, 1, 0, 22, 105).negative(),
+        Partial::new(MatrixName::K0, 1, 1, 22, 106).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 22, 107),
+        Partial::new(MatrixName::K2, 1, 1, 22, 108),
+        Partial::new(MatrixName::M, 0, 0, 23, 109),
+        Partial::new(MatrixName::M, 0, 1, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 0, 23, 110).negative(),
+        Partial::new(MatrixName::M, 1, 1, 23, 111),
+        Partial::new(MatrixName::C1, 0, 1, 23, 112),
+        Partial::new(MatrixName::C1, 1, 1, 23, 113),
+        Partial::new(MatrixName::K0, 0, 0, 23, 114).negative(),
+        Partial::new(MatrixName::K0, 0, 1, 23, 115), Partial::new(MatrixName::K0, 1, 0, 23, 115),
+        Partial::new(MatrixName::K0, 1, 1, 23, 116), Partial::new(MatrixName::K2, 0, 1, 23, 117),
+        Partial::new(MatrixName::K2, 1, 1, 23, 118).negative(),
+        Partial::new(MatrixName::M, 0, 0, 24, 35), Partial::new(MatrixName::M, 0, 1, 24, 91),
+        Partial::new(MatrixName::M, 1, 0, 24, 91), Partial::new(MatrixName::M, 1, 1, 24, 119),
+        Partial::new(MatrixName::C1, 1, 1, 24, 94), Partial::new(MatrixName::C1, 0, 1, 25, 120),
+        Partial::new(MatrixName::C1, 1, 0, 25, 120).negative(),
+        Partial::new(MatrixName::K2, 0, 1, 25, 121),
+        Partial::new(MatrixName::K2, 1, 1, 25, 122),
+        Partial::new(MatrixName::C0, 1, 0, 26, 123).negative(),
+        Partial::new(MatrixName::C1, 1, 0, 26, 35),
+        Partial::new(MatrixName::C0, 1, 0, 27, 124).negative(),
+    ];
+}
