@@ -30,6 +30,7 @@
 //! | `approx` | coefficients, systems and state spaces in `assert_relative_eq!` and the like of the crate `approx` |
 //! | `rayon` | batches by all cores |
 //! | `serde` | coefficient matrices, systems, critical speeds, ranges, verdicts and modes to and from JSON and the like, as the command line writes them |
+//! | `simulation` | nonlinear motions in time |
 //! | `derive` | the macro `model!`, which builds Symbolica |
 
 // The pages name items of the crate.

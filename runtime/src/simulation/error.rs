@@ -2,8 +2,11 @@
 
 use core::fmt;
 
+#[cfg(feature = "simulation")]
+use crate::motion::MotionError;
+
 /// Why there is no motion, or none beyond a time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SimulationError {
     /// A number that was given is infinite or not a number.
@@ -29,6 +32,29 @@ pub enum SimulationError {
         /// The one behind it, which is earlier.
         next: f64,
     },
+    /// There is no position, free rate or force of a name.
+    Unknown {
+        /// What there is none of.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// The equations have no value in the state that the motion begins with.
+    #[cfg(feature = "simulation")]
+    Motion {
+        /// The time in s.
+        time: f64,
+        /// Why.
+        error: MotionError,
+    },
+    /// The motion does not go on: steps become ever smaller.
+    #[cfg(feature = "simulation")]
+    TooManySteps {
+        /// The time in s that is reached.
+        time: f64,
+        /// After how many steps.
+        steps: usize,
+    },
     /// The motion leaves the range of `f64`, as one that is unstable does after a long time.
     OutOfRange {
         /// The time in s that is not reached.
@@ -44,6 +70,11 @@ impl fmt::Display for SimulationError {
                 write!(f, "{quantity}: there are {found}; there must be {expected}")
             }
             Self::Unsorted { time, next } => write!(f, "times must ascend, but behind {time} s comes {next} s"),
+            Self::Unknown { what, name } => write!(f, "there is no {what} `{name}`"),
+            #[cfg(feature = "simulation")]
+            Self::Motion { time, error } => write!(f, "at {time} s: {error}"),
+            #[cfg(feature = "simulation")]
+            Self::TooManySteps { time, steps } => write!(f, "the motion got no further than {time} s in {steps} steps"),
             Self::OutOfRange { time } => {
                 write!(f, "the motion leaves the range of floating-point numbers before {time} s")
             }

@@ -151,13 +151,13 @@ impl LinearMotion {
         let mut propagator: Option<Propagator> = None;
         let mut snapshots = Vec::with_capacity(times.len());
         for &time in times {
-            let out_of_range = SimulationError::OutOfRange { time };
+            let out_of_range = || SimulationError::OutOfRange { time };
             for end in pieces(forces, reached, time) {
                 let (step, rounding) = (end - clock, 4.0 * f64::EPSILON * end.abs().max(start.abs()));
                 if step > rounding {
                     let taken = match propagator.take() {
                         Some(last) if (last.step - step).abs() <= rounding => last,
-                        _ => Propagator::new(&self.a, step).ok_or(out_of_range)?,
+                        _ => Propagator::new(&self.a, step).ok_or_else(out_of_range)?,
                     };
                     let first = self.driven(forces.iter().map(|force| force.at(reached)));
                     let growth = self.driven(forces.iter().map(|force| force.until(end))) - &first;
@@ -170,7 +170,7 @@ impl LinearMotion {
             let snapshot = self.snapshot(time, &state, forces);
             let all = [&snapshot.positions, &snapshot.rates, &snapshot.accelerations];
             if all.into_iter().flatten().any(|value| !value.is_finite()) {
-                return Err(out_of_range);
+                return Err(out_of_range());
             }
             snapshots.push(snapshot);
         }

@@ -4,6 +4,9 @@
 //! those who ask want them, and no eigenvalue is too fast. Forces are piecewise linear in time ([`Force`]), as measured
 //! ones are.
 //!
+//! With feature `simulation`, the nonlinear equations of a mechanism ([`Motion`](crate::Motion)) are integrated:
+//! [`Simulation`], with controllers and events.
+//!
 //! ```
 //! use carvallo::simulation::{Force, LinearMotion};
 //! use carvallo::{Matrix, System};
@@ -18,8 +21,22 @@
 mod error;
 mod exponential;
 mod force;
+#[cfg(feature = "simulation")]
+mod integration;
 mod linear;
+#[cfg(feature = "simulation")]
+mod machine;
+#[cfg(feature = "simulation")]
+mod nonlinear;
+#[cfg(feature = "simulation")]
+mod state;
 
 pub use error::SimulationError;
 pub use force::{Force, ForceError};
 pub use linear::{LinearMotion, Snapshot};
+#[cfg(feature = "simulation")]
+pub use machine::Machine;
+#[cfg(feature = "simulation")]
+pub use nonlinear::{End, Moment, Ride, RideRow, Simulation};
+#[cfg(feature = "simulation")]
+pub use state::State;

@@ -1,3 +1,5 @@
 //! Motions in time.
 
 mod linear;
+mod nonlinear;
+mod pendulums;

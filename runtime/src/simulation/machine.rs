@@ -1,0 +1,115 @@
+//! A mechanism that moves, whichever it is.
+
+use crate::motion::{Energy, Motion, MotionError, MotionInfo, Vector};
+
+/// A [`Motion`] whose arrays are slices, so that what is done with it is compiled once for all of them, and machines of all
+/// kinds go into one list. Every [`Motion`] in `f64` is one.
+///
+/// Slices are as long as [`MotionInfo`] has positions, speeds and forces.
+pub trait Machine {
+    /// See [`Motion::INFO`].
+    fn info(&self) -> &'static MotionInfo;
+
+    /// See [`Motion::close`]; the positions are replaced.
+    ///
+    /// # Errors
+    /// As there.
+    fn close(&self, positions: &mut [f64]) -> Result<(), MotionError>;
+
+    /// See [`Motion::rates`].
+    ///
+    /// # Errors
+    /// As there.
+    fn rates(&self, positions: &[f64], speeds: &[f64], rates: &mut [f64]) -> Result<(), MotionError>;
+
+    /// See [`Motion::derivatives`]: the rates of all positions, and those of the speeds.
+    ///
+    /// # Errors
+    /// As there.
+    fn derivatives(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+        rates: &mut [f64],
+        of_speeds: &mut [f64],
+    ) -> Result<(), MotionError>;
+
+    /// See [`Motion::accelerations`].
+    ///
+    /// # Errors
+    /// As there.
+    fn accelerations(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+        accelerations: &mut [f64],
+    ) -> Result<(), MotionError>;
+
+    /// See [`Motion::energy`].
+    ///
+    /// # Errors
+    /// As there.
+    fn energy(&self, positions: &[f64], speeds: &[f64]) -> Result<Energy, MotionError>;
+
+    /// See [`Motion::contact_forces`].
+    ///
+    /// # Errors
+    /// As there.
+    fn contact_forces(&self, positions: &[f64], speeds: &[f64], forces: &[f64]) -> Result<Vec<[f64; 3]>, MotionError>;
+}
+
+fn array<V: Vector<f64>>(values: &[f64]) -> V {
+    V::from_fn(|place| values[place])
+}
+
+impl<M: Motion<Scalar = f64>> Machine for M {
+    fn info(&self) -> &'static MotionInfo {
+        M::INFO
+    }
+
+    fn close(&self, positions: &mut [f64]) -> Result<(), MotionError> {
+        positions.copy_from_slice(Motion::close(self, &array(positions))?.as_ref());
+        Ok(())
+    }
+
+    fn rates(&self, positions: &[f64], speeds: &[f64], rates: &mut [f64]) -> Result<(), MotionError> {
+        rates.copy_from_slice(Motion::rates(self, &array(positions), &array(speeds))?.as_ref());
+        Ok(())
+    }
+
+    fn derivatives(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+        rates: &mut [f64],
+        of_speeds: &mut [f64],
+    ) -> Result<(), MotionError> {
+        let (of_positions, own) = Motion::derivatives(self, &array(positions), &array(speeds), &array(forces))?;
+        rates.copy_from_slice(of_positions.as_ref());
+        of_speeds.copy_from_slice(own.as_ref());
+        Ok(())
+    }
+
+    fn accelerations(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+        accelerations: &mut [f64],
+    ) -> Result<(), MotionError> {
+        let found = Motion::accelerations(self, &array(positions), &array(speeds), &array(forces))?;
+        accelerations.copy_from_slice(found.as_ref());
+        Ok(())
+    }
+
+    fn energy(&self, positions: &[f64], speeds: &[f64]) -> Result<Energy, MotionError> {
+        Motion::energy(self, &array(positions), &array(speeds))
+    }
+
+    fn contact_forces(&self, positions: &[f64], speeds: &[f64], forces: &[f64]) -> Result<Vec<[f64; 3]>, MotionError> {
+        Ok(Motion::contact_forces(self, &array(positions), &array(speeds), &array(forces))?.as_ref().to_vec())
+    }
+}
