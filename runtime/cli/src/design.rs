@@ -1,8 +1,9 @@
 //! A machine as it was given, with its equations of motion: what everything is computed from.
 
 use carvallo::ModelInfo;
+use carvallo_models::WhippleMechanism;
 
-use crate::model::{Equations, Shipped};
+use crate::model::{Equations, MachineVisitor, Shipped};
 
 /// A machine as it was given by its parameters, with its equations of motion.
 #[derive(Debug)]
@@ -64,6 +65,17 @@ impl Design {
     /// The values of all parameters.
     pub fn values(&self) -> Vec<f64> {
         self.parameters.iter().map(|given| given.value).collect()
+    }
+
+    /// Hands the machine that the nonlinear equations of motion are of to a visitor; whether there are any. The parameters of a
+    /// shipped bicycle are those of the four bodies.
+    pub fn with_machine(&self, visitor: MachineVisitor) -> bool {
+        let bodies = WhippleMechanism::INFO;
+        let model = if self.model.is_whipple() { Shipped::called(bodies.name).ok() } else { Some(self.model) };
+        let Some(model) = model else { return false };
+        let values: Option<Vec<f64>> =
+            model.info.parameters.iter().map(|parameter| self.value(parameter.name)).collect();
+        values.is_some_and(|values| model.with_machine(&values, visitor).unwrap_or(false))
     }
 
     /// The gravitational field strength in N/kg, if it is a parameter.

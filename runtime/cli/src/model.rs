@@ -6,7 +6,7 @@ use std::fmt;
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
-use carvallo::simulation::LinearMotion;
+use carvallo::simulation::{LinearMotion, Machine};
 use carvallo::{
     Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Matrix, MatrixName, Model, ModelInfo,
     Sensitivity, SensitivityError, Stability, States, SystemError,
@@ -38,9 +38,18 @@ pub(crate) trait Derivation: Debug + Sync {
     /// Hands the equations of motion to a visitor, where they need no place of their own in memory.
     fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String>;
 
+    /// Hands what the nonlinear equations of motion are of to a visitor; whether there are any.
+    fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
+        let _ = (parameters, visitor);
+        Ok(false)
+    }
+
     /// How the equations of motion change with the parameters.
     fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String>;
 }
+
+/// What does something with a machine that moves.
+pub(crate) type MachineVisitor<'a> = &'a mut dyn FnMut(&dyn Machine);
 
 /// What looks at equations of motion, and may say what is wrong with them.
 pub(crate) type Visitor<'a> = &'a mut dyn FnMut(&dyn Equations) -> Result<(), String>;
@@ -97,6 +106,15 @@ impl Shipped {
         self.derivation.visit(parameters, visitor)
     }
 
+    /// Hands the machine that the nonlinear equations of motion are of to a visitor, for parameters in declared order; whether
+    /// there are any.
+    ///
+    /// # Errors
+    /// The first of the parameters, or of the model's requirements, that does not hold.
+    pub fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
+        self.derivation.with_machine(parameters, visitor)
+    }
+
     /// How the equations of motion change with parameters in declared order.
     ///
     /// # Errors
@@ -137,6 +155,13 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
 
     fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String> {
         visitor(&valid::<N, M>(parameters)?.coefficients())
+    }
+
+    fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
+        let model = valid::<N, M>(parameters)?;
+        let machine = model.nonlinear();
+        machine.iter().for_each(|machine| visitor(machine));
+        Ok(machine.is_some())
     }
 
     fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {

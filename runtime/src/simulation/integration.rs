@@ -48,8 +48,16 @@ pub(super) fn integrate(piece: Piece, state: &mut Vec<f64>, ride: &mut Ride) -> 
     let signs =
         simulation.event_functions(from, state).map_err(|error| SimulationError::Motion { time: from, error })?;
     let equations = Equations { derivative: piece.derivative, error: RefCell::new(None) };
-    let mut steps =
-        Steps { piece: &piece, next: 0, reached: from, state: state.clone(), values: signs, ride, is_over: false };
+    let mut steps = Steps {
+        piece: &piece,
+        reason: &equations.error,
+        next: 0,
+        reached: from,
+        state: state.clone(),
+        values: signs,
+        ride,
+        is_over: false,
+    };
     // What is stiff is integrated as well, if in small steps.
     let method = DOP853::builder().max_steps(MOST_STEPS).stiff_test(usize::MAX).build();
     let tolerance = || Tolerance::Scalar(simulation.allowed_error());
@@ -96,6 +104,8 @@ impl FirstOrderSystem for Equations<'_> {
 /// What is done after each step.
 struct Steps<'a, 'b> {
     piece: &'a Piece<'a>,
+    /// Why the equations had no value in this step, if they had none.
+    reason: &'a RefCell<Option<MotionError>>,
     /// The place of the next time that is asked for.
     next: usize,
     reached: f64,
@@ -118,9 +128,13 @@ impl SolOut for Steps<'_, '_> {
         // The first call is before the first step.
         let Some(interpolant) = interpolant else { return ControlFlag::Continue };
         match self.step(*time, state, interpolant) {
-            Ok(flag) => flag,
-            // Equations that have a value in every stage have one at the end, or nearly so.
+            Ok(flag) => {
+                *self.reason.borrow_mut() = None;
+                flag
+            }
+            // At the end of the step, or between its stages.
             Err(error) => {
+                let error = self.reason.take().unwrap_or(error);
                 self.ride.end = End::Singular { time: self.reached, error };
                 self.is_over = true;
                 ControlFlag::Interrupt

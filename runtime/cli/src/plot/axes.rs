@@ -11,7 +11,8 @@ const MOST: u32 = 8;
 /// The least distance between labels.
 const APART: f32 = 12.0;
 
-/// A range of data on each axis, and the rectangle of the page that shows it.
+/// A range of data on each axis, from left to right and from below, and the rectangle of the page that shows it. What grows
+/// downward has the larger end below.
 #[derive(Clone, Copy, Debug)]
 pub struct Axes {
     pub x: (f64, f64),
@@ -104,7 +105,7 @@ fn labels(range: (f64, f64), most: u32) -> Vec<(f64, String)> {
 /// The step of about so many ticks: 1, 2 or 5 times a power of ten.
 fn step((low, high): (f64, f64), most: u32) -> f64 {
     // No finer than doubles are.
-    let rough = ((high - low) / f64::from(most)).max(2.0 * f64::EPSILON * low.abs().max(high.abs()));
+    let rough = ((high - low).abs() / f64::from(most)).max(2.0 * f64::EPSILON * low.abs().max(high.abs()));
     let power = 10_f64.powf(rough.log10().floor());
     let factor = rough / power;
     power
@@ -122,8 +123,8 @@ fn step((low, high): (f64, f64), most: u32) -> f64 {
 /// Round numbers in a range.
 fn ticks(range: (f64, f64), most: u32) -> impl Iterator<Item = f64> + Clone {
     let step = step(range, most);
-    let first = (range.0 / step - 1e-9).ceil();
-    let last = (range.1 / step + 1e-9).floor();
+    let first = (range.0.min(range.1) / step - 1e-9).ceil();
+    let last = (range.0.max(range.1) / step + 1e-9).floor();
     // Adding zero turns -0 into 0.
     (0..(last - first + 1.0) as u32).map(move |index| (first + f64::from(index)) * step + 0.0)
 }

@@ -1,16 +1,16 @@
 //! The motion of the linear equations, of any model.
 
-use carvallo::simulation::{Force, LinearMotion, SimulationError};
+use carvallo::simulation::{LinearMotion, SimulationError};
 use carvallo::{Model, Rate, States};
 use carvallo_models::WhippleMechanism;
 
-use super::force::{Channel, forces};
-use super::initial::{Givable, Initial, initial};
-use super::motion::{Motion, Quantity, Row};
-use super::options::Options;
+use super::force::Channel;
+use super::initial::Givable;
+use super::motion::{Motion, Quantity, Row, order};
+use super::solver::{Given, Solver};
 use crate::analysis::extremes;
 use crate::design::Design;
-use crate::failure::{Failure, Problem};
+use crate::failure::Failure;
 use crate::number::shortest;
 
 /// What the path of a bicycle is told by, behind its lean and steer; the first is its yaw.
@@ -22,23 +22,13 @@ const PATH: [Quantity; 5] = [
     Quantity::new("thetaF", "front wheel", "rad"),
 ];
 
-/// The order in which quantities of bicycles are told: that of the paper.
-pub const ORDER: [&str; 8] = ["x", "y", "psi", "phi", "pitch", "delta", "thetaR", "thetaF"];
-
 const OF_YAW: &str = "it follows from steer";
-const OF_SPEED: &str = "it follows from --speed";
-
-/// What a motion begins with, and what acts on it.
-pub struct Given {
-    initial: Initial,
-    forces: Vec<Force>,
-}
+pub const OF_SPEED: &str = "it follows from --speed";
 
 /// The linear equations of a design, with what may be given of their motion.
 pub struct Linear {
-    pub givable: Vec<Givable>,
-    pub channels: Vec<Channel>,
-    has_path: bool,
+    givable: Vec<Givable>,
+    channels: Vec<Channel>,
 }
 
 impl Linear {
@@ -66,33 +56,26 @@ impl Linear {
                 _ => "1",
             },
         });
-        Self { givable: coordinates.chain(path).collect(), channels: channels.collect(), has_path }
+        Self { givable: coordinates.chain(path).collect(), channels: channels.collect() }
+    }
+}
+
+impl Solver for Linear {
+    fn givable(&self) -> &[Givable] {
+        &self.givable
     }
 
-    /// What is given: the initial state, and the forces until the end of the motion.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the options.
-    pub fn read(&self, design: &Design, options: &Options, duration: f64) -> Result<Given, Vec<Problem>> {
-        let model = design.info().name;
-        let state = initial(&options.initial, &self.givable, model);
-        match (state, forces(&options.force, &self.channels, duration, model)) {
-            (Ok(initial), Ok(forces)) => Ok(Given { initial, forces }),
-            (state, forces) => Err(state.err().into_iter().chain(forces.err()).flatten().collect()),
-        }
+    fn channels(&self) -> &[Channel] {
+        &self.channels
     }
 
-    /// The motion at the times, the first of which is zero.
-    ///
-    /// # Errors
-    /// If there is none.
-    pub fn run(self, design: Design, given: Given, speed: f64, times: &[f64]) -> Result<Motion, Failure> {
+    fn run<'a>(&self, design: &'a Design, given: &Given, speed: f64, times: &[f64]) -> Result<Motion<'a>, Failure> {
         let Given { initial, forces } = given;
         let title = design.title();
-        let fail = |message: String| Failure::Run(format!("{title}: {message}{}", extremes(&design)));
+        let fail = |message: String| Failure::Run(format!("{title}: {message}{}", extremes(design)));
         let motion = design.equations.motion(speed, design.gravity().unwrap_or(0.0));
         let mut motion = motion.map_err(|error| fail(error.to_string()))?;
-        if let Some(kinematics) = kinematics(&design) {
+        if let Some(kinematics) = kinematics(design) {
             let forward = Rate { speed: 1.0, rates: [0.0; 2], coordinates: [0.0; 2], heading: 0.0 };
             let [yaw, others @ ..] =
                 [kinematics.yaw, forward, kinematics.lateral, kinematics.wheel_R, kinematics.wheel_F];
@@ -100,7 +83,7 @@ impl Linear {
         }
         let count = design.info().coordinates.len();
         let run = |motion: &LinearMotion, times: &[f64]| {
-            motion.run(&initial.positions, &initial.rates[..count], &forces, times)
+            motion.run(&initial.positions, &initial.rates[..count], forces, times)
         };
         let (snapshots, end) = match run(&motion, times) {
             Ok(snapshots) => (snapshots, None),
@@ -114,7 +97,7 @@ impl Linear {
             Err(error) => return Err(fail(error.to_string())),
         };
         let quantities: Vec<Quantity> = self.givable.iter().map(|givable| givable.quantity).collect();
-        let order = order(&quantities, self.has_path);
+        let order = order(&quantities);
         let arranged = |values: &[f64]| order.iter().map(|&place| values[place] + 0.0).collect();
         let rows = snapshots.iter().map(|snapshot| Row {
             t: snapshot.time,
@@ -130,18 +113,10 @@ impl Linear {
             wheels: Vec::new(),
             rows: rows.collect(),
             end,
+            notes: Vec::new(),
             design,
         })
     }
-}
-
-/// The places of quantities in the order in which they are told.
-fn order(quantities: &[Quantity], has_path: bool) -> Vec<usize> {
-    let mut places: Vec<usize> = (0..quantities.len()).collect();
-    if has_path {
-        places.sort_by_key(|&place| ORDER.iter().position(|name| *name == quantities[place].name));
-    }
-    places
 }
 
 /// What follows from lean and steer, of the models whose parameters are those of the shipped bicycles.

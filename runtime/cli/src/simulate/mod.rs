@@ -1,32 +1,41 @@
 //! Motions in time: what is asked for, and from what it is computed.
 
+mod contacts;
 mod force;
 mod initial;
 mod linear;
 mod motion;
+mod nonlinear;
 mod options;
+mod progress;
+mod solver;
 mod times;
 
 use std::fs::File;
 use std::io::{BufWriter, Write as _};
 use std::path::Path;
 
+pub use self::contacts::paths;
 pub use self::motion::{Motion, Quantity, Row};
 pub use self::options::Options;
 
 use self::linear::Linear;
+use self::nonlinear::Nonlinear;
+use self::solver::{Solver, read};
 use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
 use crate::input::is_same_file;
 use crate::options::Format;
-use crate::output;
 use crate::quantity::{self, Mistake, Reason};
 use crate::speeds::CONTEXT as SPEED;
 use crate::terminal::{WARNING, note, print, write, wrote};
+use crate::{output, plot};
 
 /// Rows of a table for people, and of what is read by programs or drawn.
 const COARSE: u32 = 20;
 const FINE: u32 = 100;
+/// Of a picture.
+const DRAWN: u32 = 600;
 
 /// Computes a motion, and tells it.
 ///
@@ -43,23 +52,66 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Err(Failure::Input(found)) => return Err(Failure::Input([problems, found].concat())),
         design => design?,
     };
-    let linear = Linear::new(&design);
-    let (Ok(times), Ok(speed), true) = (times, speed, problems.is_empty()) else {
-        problems.extend(linear.read(&design, options, 0.0).err().into_iter().flatten());
-        return Err(Failure::Input(problems));
-    };
-    let given = linear.read(&design, options, times[times.len() - 1]).map_err(Failure::Input)?;
-    let speed = required_speed(&design, speed)?;
-    if !options.linear {
+    let asked = Asked { design: &design, options, times, speed, problems };
+    if options.linear {
+        return asked.simulate(&Linear::new(&design));
+    }
+    let mut done = None;
+    let has_nonlinear = design.with_machine(&mut |machine| {
+        let asked =
+            Asked { problems: asked.problems.clone(), times: asked.times.clone(), speed: asked.speed.clone(), ..asked };
+        done = Some(asked.simulate(&Nonlinear::new(machine)));
+    });
+    if !has_nonlinear {
         let text = format!("the model {} has no nonlinear equations; these are the linear ones", design.info().name);
         note(WARNING, "note", &text);
     }
-    let motion = linear.run(design, given, speed, &times)?;
-    tell(&motion, options)?;
-    if let Some(end) = &motion.end {
-        note(WARNING, "note", end);
+    done.unwrap_or_else(|| asked.simulate(&Linear::new(&design)))
+}
+
+/// What was asked for, with what is wrong with it.
+struct Asked<'a> {
+    design: &'a Design,
+    options: &'a Options,
+    times: Result<Vec<f64>, Vec<Problem>>,
+    speed: Result<Option<f64>, Problem>,
+    problems: Vec<Problem>,
+}
+
+impl Asked<'_> {
+    /// Solves the equations of motion, and tells the motion.
+    fn simulate(self, solver: &dyn Solver) -> Result<(), Failure> {
+        let Self { design, options, times, speed, mut problems } = self;
+        let (Ok(times), Ok(speed), true) = (times, speed, problems.is_empty()) else {
+            problems.extend(read(solver, design, options, 0.0).err().into_iter().flatten());
+            return Err(Failure::Input(problems));
+        };
+        let end = times[times.len() - 1];
+        let given = read(solver, design, options, end).map_err(Failure::Input)?;
+        let speed = required_speed(design, speed)?;
+        let motion = solver.run(design, &given, speed, &times)?;
+        tell(&motion, options)?;
+        motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
+        if let Some(picture) = &options.plot {
+            if end == 0.0 {
+                return Err(picture.problem("a picture needs a duration above 0"));
+            }
+            // No further than it goes.
+            let end = motion.rows.last().map_or(end, |row| row.t);
+            let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();
+            let drawn = solver.run(design, &given, speed, &fine)?;
+            let linear = (!drawn.is_linear).then(|| beside(&drawn, options, speed, &fine)).transpose()?;
+            picture.write(&plot::draw_motion(&drawn, linear.as_ref()))?;
+        }
+        Ok(())
     }
-    Ok(())
+}
+
+/// The linear motion that is drawn beside a nonlinear one.
+fn beside<'a>(motion: &Motion<'a>, options: &Options, speed: f64, times: &[f64]) -> Result<Motion<'a>, Failure> {
+    let linear = Linear::new(motion.design);
+    let given = read(&linear, motion.design, options, times[times.len() - 1]).map_err(Failure::Input)?;
+    linear.run(motion.design, &given, speed, times)
 }
 
 fn tell(motion: &Motion, options: &Options) -> Result<(), Failure> {

@@ -2,6 +2,19 @@
 
 use crate::design::Design;
 
+/// The order in which quantities of bicycles are told: that of the paper.
+const ORDER: [&str; 8] = ["x", "y", "psi", "phi", "pitch", "delta", "thetaR", "thetaF"];
+
+/// The places of quantities in the order in which they are told: of bicycles that of the paper, of others their own.
+pub fn order(quantities: &[Quantity]) -> Vec<usize> {
+    let place = |quantity: &Quantity| ORDER.iter().position(|name| *name == quantity.name);
+    let mut places: Vec<usize> = (0..quantities.len()).collect();
+    if quantities.iter().all(|quantity| place(quantity).is_some()) {
+        places.sort_by_key(|&index| place(&quantities[index]));
+    }
+    places
+}
+
 /// Something that moves, with its symbol, what it is, and the unit of its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
@@ -24,8 +37,8 @@ impl Quantity {
 
 /// A motion, row by row.
 #[derive(Debug)]
-pub struct Motion {
-    pub design: Design,
+pub struct Motion<'a> {
+    pub design: &'a Design,
     pub is_linear: bool,
     /// In the order in which they are told.
     pub quantities: Vec<Quantity>,
@@ -34,6 +47,8 @@ pub struct Motion {
     pub rows: Vec<Row>,
     /// Why it ended before its time, if it did.
     pub end: Option<String>,
+    /// What else is to be known of it.
+    pub notes: Vec<String>,
 }
 
 /// A motion at one time, in SI units.
@@ -51,7 +66,7 @@ pub struct Row {
     pub contact_forces: Vec<[f64; 3]>,
 }
 
-impl Motion {
+impl Motion<'_> {
     /// Where a quantity stands in the rows.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.quantities.iter().position(|quantity| quantity.name == name)

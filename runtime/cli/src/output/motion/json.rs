@@ -43,7 +43,7 @@ struct Energy {
 pub fn write_json(motion: &Motion, output: &mut dyn Write) -> Result<()> {
     let parameters = motion.design.info().parameters.iter().zip(&motion.design.parameters);
     let document = Document {
-        head: Head::of(&motion.design),
+        head: Head::of(motion.design),
         parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
         equations: if motion.is_linear { "linear" } else { "nonlinear" },
         end: motion.end.as_deref(),

@@ -11,7 +11,7 @@ use crate::simulate::{Motion, Quantity, Row};
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn render_table(motion: &Motion) -> String {
     let mut text = String::new();
-    write_heading(&motion.design, &mut text);
+    write_heading(motion.design, &mut text);
     let equations = if motion.is_linear { "the linear equations, solved exactly" } else { "the nonlinear equations" };
     let _ = writeln!(text, "\n{HEADING}Motion{HEADING:#} by {equations}");
     let columns = columns(motion);
@@ -27,6 +27,9 @@ pub fn render_table(motion: &Motion) -> String {
     text
 }
 
+/// The most letters that explain a symbol.
+const LONGEST: usize = 16;
+
 struct Column {
     heading: String,
     cells: Vec<String>,
@@ -40,16 +43,18 @@ fn columns(motion: &Motion) -> Vec<Column> {
     };
     let mut columns = vec![column("t (s)".to_owned(), &|row| time(row.t))];
     if motion.position("thetaR").is_some() {
-        columns.push(column("v (m/s)".to_owned(), &|row| fixed(motion.speed(row).unwrap_or(0.0), 4)));
+        columns.push(column("v (m/s)".to_owned(), &|row| four_decimals(motion.speed(row).unwrap_or(0.0))));
     }
     let told = |quantity: &&Quantity| !matches!(quantity.name, "thetaR" | "thetaF");
     let place = |quantity: &Quantity| motion.position(quantity.name).unwrap_or(0);
     for quantity in motion.quantities.iter().filter(told) {
         let place = place(quantity);
         let unit = unit(quantity);
-        let name = if quantity.label == quantity.name { String::new() } else { format!("{} ", quantity.label) };
+        // What is longer explains more than there is room for.
+        let is_short = quantity.label != quantity.name && quantity.label.chars().count() <= LONGEST;
+        let name = if is_short { format!("{} ", quantity.label) } else { String::new() };
         columns.push(column(format!("{name}{}{unit}", quantity.name), &|row| {
-            fixed(in_degrees(quantity, row.positions[place]), 4)
+            four_decimals(in_degrees(quantity, row.positions[place]))
         }));
     }
     if motion.position("thetaR").is_none() {
@@ -60,7 +65,7 @@ fn columns(motion: &Motion) -> Vec<Column> {
                 _ => quantity.unit_per_time(1),
             };
             columns.push(column(format!("{}' ({unit})", quantity.name), &|row| {
-                fixed(in_degrees(quantity, row.rates[place]), 4)
+                four_decimals(in_degrees(quantity, row.rates[place]))
             }));
         }
     }
@@ -77,6 +82,11 @@ fn unit(quantity: &Quantity) -> String {
 
 fn in_degrees(quantity: &Quantity, value: f64) -> f64 {
     if quantity.unit == "rad" { value.to_degrees() } else { value }
+}
+
+/// What is close to zero is zero: how close is of no interest in a motion.
+fn four_decimals(value: f64) -> String {
+    if value.abs() < 1e7 { format!("{:.4}", (value * 1e4).round() / 1e4 + 0.0) } else { fixed(value, 4) }
 }
 
 /// No more digits than tell a time from its neighbours.
