@@ -26,8 +26,12 @@ pub fn run() -> Result<(), Failure> {
     {
         Some(path) => {
             let here = std::env::current_dir().unwrap_or_default();
-            let path = path.strip_prefix(here).unwrap_or(&path);
-            text.push_str(&format!("\nPicture: {}\nMore:    cargo run --release -- --help\n", path.display()));
+            // Cargo was told the place of the workspace where it was run from elsewhere, and would have to be told again.
+            let (path, program) = match path.strip_prefix(here) {
+                Ok(path) => (path, "cargo run --release --".to_owned()),
+                Err(_) => (&*path, std::env::current_exe().unwrap_or_default().display().to_string()),
+            };
+            text.push_str(&format!("\nPicture: {}\nMore:    {program} --help\n", path.display()));
         }
         None => text.push_str("\nPicture: carvallo analyze --plot benchmark.svg\nMore:    carvallo --help\n"),
     }

@@ -71,11 +71,12 @@ fn a_first_look_elsewhere_writes_nothing() {
     directory.write("CACHEDIR.TAG", "");
     let program = directory.0.join("debug/carvallo");
     std::fs::copy(env!("CARGO_BIN_EXE_carvallo"), &program).unwrap();
-    let run = |package: Option<&str>| {
+    let run_in = |folder: &std::path::Path, package: Option<&str>| {
         let mut command = std::process::Command::new(&program);
-        command.current_dir(&directory.0).stdin(Stdio::null()).env_remove("CARGO_PKG_NAME");
+        command.current_dir(folder).stdin(Stdio::null()).env_remove("CARGO_PKG_NAME");
         finished(command.envs(package.map(|package| ("CARGO_PKG_NAME", package))).output().unwrap()).ok()
     };
+    let run = |package| run_in(&directory.0, package);
     for package in [None, Some("another")] {
         let text = run(package);
         assert!(
@@ -86,6 +87,9 @@ fn a_first_look_elsewhere_writes_nothing() {
     }
     assert!(run(Some(env!("CARGO_PKG_NAME"))).ends_with("\nMore:    cargo run --release -- --help\n"));
     assert!(directory.0.join("carvallo/benchmark.svg").exists());
+    // By cargo from another folder, where its command would not do without the place of the workspace.
+    let text = run_in(&directory.0.join("debug"), Some(env!("CARGO_PKG_NAME")));
+    assert!(text.ends_with("/debug/carvallo --help\n") && !text.contains("cargo run"), "{text}");
 }
 
 /// A bicycle without any inertia about the lean axis has no equations of motion to solve.
