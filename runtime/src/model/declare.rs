@@ -195,7 +195,8 @@
 /// `about y` or `about z` with those of the two others; products of inertia `along x*z` with both. What says nothing keeps
 /// its sign. The check is on in models in which at least one quantity has a direction. It finds a height in the place of a
 /// length and a sine in the place of a cosine, which units cannot tell apart. Speeds and whatever is defined with one have
-/// a direction too: the cornering stiffness of a tyre that rolls forward is `along x`. An angle and its complement mirror
+/// a direction too: where `C-1` is written, or `C` with `1/v`, the cornering stiffness of a tyre that rolls forward is
+/// `along x`. In a mechanism, which divides by the speed itself, that may be said or not. An angle and its complement mirror
 /// differently, so a model with `pi/2 - lam` is written without the direction of `lam`.
 ///
 /// # Derivatives

@@ -217,3 +217,40 @@ fn a_damper_at_a_joint_that_rolls_makes_stiffness_by_the_speed() {
         close(stiffness[(0, column)], d * by_rate * by_position[column]);
     }
 }
+
+/// The cornering stiffness of the textbooks' car is `along x` where C is written with 1/v in it, and may be in a mechanism.
+#[test]
+fn stiffnesses_of_tyres_mirror_as_is_documented() {
+    let parameters = |of_c: &str| {
+        format!("a: m, > 0, along x; m: kg, > 0; I: kg*m^2, > 0; r: m, > 0; g: N/kg, gravity; C: N{of_c};")
+    };
+    let formulas = |of_c: &str| {
+        let parameters = parameters(of_c).replace("r: m, > 0; g: N/kg, gravity;", "v: m/s, speed;");
+        format!(
+            "model M {{ parameters {{ {parameters} }} coordinates {{ y: m, along y; psi: rad, about z; }}
+                M = [[m, 0], [0, I]]; C = [[2*C/v, m*v], [0, 2*a^2*C/v]]; }}"
+        )
+    };
+    let mechanism = |of_c: &str| {
+        let wheel = |name: char, x: &str, y: &str| {
+            format!("wheel {name} on B: mass 0, at ({x}, {y}, -r), radius r, axial 0, radial 0, cornering C;")
+        };
+        let wheels = [wheel('F', "a", "0"), wheel('L', "-a", "-t"), wheel('R', "-a", "t")].concat();
+        format!(
+            "model M {{ parameters {{ t: m, > 0, along y; {} }}
+                mechanism {{ body B: mass m, at (0, 0, -r), inertia [I, I, I]; {wheels} free B: lateral y, yaw psi; }}
+                coordinates {{ y: m; psi: rad; }} }}",
+            parameters(of_c).replace("r: m, > 0", "r: m, > 0, along z")
+        )
+    };
+    let mistakes = |text: String| match compile(text.parse().expect("tokens")) {
+        Ok(_) => Vec::new(),
+        Err(errors) => errors.into_iter().map(|error| error.to_string()).collect::<Vec<_>>(),
+    };
+    assert_eq!(mistakes(formulas(", along x")), [""; 0]);
+    assert!(mistakes(formulas("")).iter().any(|mistake| mistake.contains("this entry of `C`")));
+    assert_eq!(mistakes(mechanism(", along x")), [""; 0]);
+    assert_eq!(mistakes(mechanism("")), [""; 0]);
+    assert!(mistakes(mechanism(", along y")).iter().all(|mistake| mistake.contains("the cornering stiffness")));
+    assert_eq!(mistakes(mechanism(", along y")).len(), 3);
+}

@@ -70,7 +70,7 @@ pub fn check_mechanism(
         check.formula(&wheel.radial, INERTIA, &format!("the radial moment of inertia of `{name}`"));
         if let Some(Slip { cornering, camber, trail, relaxation }) = &wheel.slip {
             let force = "N, the side force by an angle in rad";
-            check.formula_in(cornering, FORCE, &format!("the cornering stiffness of `{name}`"), force);
+            check.cornering(cornering, &format!("the cornering stiffness of `{name}`"), force);
             if let Some(camber) = camber {
                 check.formula_in(camber, FORCE, &format!("the camber stiffness of `{name}`"), force);
             }
@@ -166,6 +166,13 @@ impl Check<'_> {
         } else if self.analysis.dimensions.mirrored && found != expected {
             let message = format!("`{text}`, {what}, {}: expected what {}", found.sign(), expected.sign());
             self.report.error(formula.region, message);
+        }
+    }
+
+    /// A force by an angle of slip, which may be that by the slip of a wheel that rolls forward.
+    fn cornering(&mut self, formula: &Expression, what: &str, unit: &str) {
+        if self.analysis.dimension(formula, self.report) != Some(FORCE.directed(Some(along(0)))) {
+            self.formula_in(formula, FORCE, what, unit);
         }
     }
 
