@@ -28,6 +28,51 @@ pub struct CriticalSpeed {
     pub eigenvalue: nalgebra::Complex<f64>,
 }
 
+/// A critical speed of a model that ships.
+#[derive(Clone, Copy, Debug)]
+pub struct ModelSpeed {
+    /// The model's name.
+    pub model: &'static str,
+    /// The name of its parameter set, as it is declared.
+    pub set: &'static str,
+    /// `weave`, `capsize` or `double_root`.
+    pub kind: &'static str,
+    /// The speed in m/s, with the digits that are to be trusted.
+    pub digits: &'static str,
+    /// `printed`, `closed form` or `recomputed`.
+    pub known: &'static str,
+    /// Who printed it or whose equations they are; empty where they are the model's own.
+    pub source: &'static str,
+}
+
+impl ModelSpeed {
+    /// The speed in m/s.
+    pub fn speed(&self) -> f64 {
+        number(self.digits)
+    }
+
+    /// Half a unit of the last digit, in m/s.
+    pub fn half_a_unit(&self) -> f64 {
+        let decimals = self.digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        0.5 * 10_f64.powi(-(decimals as i32))
+    }
+
+    /// The one of a model's critical speeds that this is: of its kind the nearest.
+    pub fn find(&self, critical_speeds: &[carvallo::CriticalSpeed]) -> Option<carvallo::CriticalSpeed> {
+        let distance = |critical: &carvallo::CriticalSpeed| (critical.speed - self.speed()).abs();
+        let all = critical_speeds.iter().filter(|critical| kind_of(critical) == self.kind);
+        all.min_by(|a, b| distance(a).total_cmp(&distance(b))).copied()
+    }
+}
+
+fn kind_of(critical: &carvallo::CriticalSpeed) -> &'static str {
+    match critical.kind {
+        carvallo::CriticalKind::Weave => "weave",
+        carvallo::CriticalKind::Capsize => "capsize",
+        carvallo::CriticalKind::DoubleRoot => "double_root",
+    }
+}
+
 /// A range of speeds in which a bicycle is stable by itself.
 #[derive(Clone, Copy, Debug)]
 pub struct StableRange {
@@ -140,6 +185,19 @@ pub fn critical_speeds() -> Vec<CriticalSpeed> {
         eigenvalue: nalgebra::Complex::new(number(re), number(im)),
     };
     rows(include_str!("../data/critical_speeds.tsv")).map(row).collect()
+}
+
+/// Critical speeds of the models that ship.
+pub fn model_speeds() -> Vec<ModelSpeed> {
+    let row = |[model, set, kind, digits, known, source]: [&'static str; 6]| ModelSpeed {
+        model,
+        set,
+        kind,
+        digits,
+        known,
+        source,
+    };
+    rows(include_str!("../data/published_speeds.tsv")).map(row).collect()
 }
 
 /// Stable ranges of all bicycles.

@@ -1,5 +1,7 @@
 //! Results as printed, digit by digit.
 
+use nalgebra::Complex;
+
 /// A published benchmark: each entry of its matrices as printed.
 pub struct Benchmark {
     /// The name of the bicycle.
@@ -59,3 +61,33 @@ pub const EIGENVALUES_2007: [(f64, [f64; 4]); 11] = [
 
 /// Meijaard et al. 2007, Table 2 (a): the speeds of the double root, of weave and of capsize.
 pub const CRITICAL_SPEEDS_2007: [f64; 3] = [0.68428307889246, 4.29238253634111, 6.02426201538837];
+
+/// A foot in m.
+pub const FOOT: f64 = 0.3048;
+
+/// R. S. Sharp 1971, The stability and control of motorcycles, J. Mech. Eng. Sci. 13, for the standard motorcycle: speed in ft/s,
+/// then real and imaginary parts of capsize, weave and wobble in 1/s.
+pub const EIGENVALUES_1971: [(f64, [[f64; 2]; 3]); 8] = [
+    (10.0, [[-3.56, 0.0], [2.01, 1.63], [-5.20, 55.7]]),
+    (20.0, [[-2.83, 0.0], [-0.18, 2.09], [-5.91, 55.8]]),
+    (30.0, [[-0.13, 0.0], [-3.36, 4.56], [-6.42, 55.5]]),
+    (50.0, [[0.08, 0.0], [-6.59, 11.4], [-6.52, 54.6]]),
+    (70.0, [[0.08, 0.0], [-3.97, 16.8], [-5.70, 54.0]]),
+    (100.0, [[0.07, 0.0], [-1.82, 19.2], [-3.94, 54.3]]),
+    (130.0, [[0.05, 0.0], [-1.13, 20.4], [-2.24, 55.6]]),
+    (160.0, [[0.04, 0.0], [-0.96, 21.2], [-0.82, 57.5]]),
+];
+
+/// How far the nearest of some eigenvalues is from one that Sharp prints, in units of the last digit: the second behind the
+/// point, or the third in all.
+///
+/// # Panics
+/// If there are no eigenvalues.
+pub fn units_off(found: &[Complex<f64>], [re, im]: [f64; 2]) -> f64 {
+    let printed = Complex::new(re, im);
+    let nearest = found.iter().min_by(|a, b| (*a - printed).norm().total_cmp(&(*b - printed).norm()));
+    let nearest = nearest.expect("an eigenvalue");
+    let unit = |printed: f64| if printed.abs() < 10.0 { 0.01 } else { 0.1 };
+    let off = |found: f64, printed: f64| (found - printed).abs() / unit(printed);
+    off(nearest.re, re).max(off(nearest.im, im))
+}

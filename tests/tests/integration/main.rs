@@ -19,7 +19,6 @@ mod formulas;
 #[cfg(feature = "compiler")]
 mod generation;
 mod kept;
-mod known_machines;
 mod machines;
 mod many_coordinates;
 mod mechanisms;
@@ -32,10 +31,10 @@ mod parameters;
 #[cfg(feature = "compiler")]
 mod proved_states;
 mod published;
+mod published_speeds;
 mod random_systems;
 #[cfg(feature = "compiler")]
 mod regenerate;
-mod road_vehicles;
 mod rounding;
 mod rows;
 mod sensitivity;

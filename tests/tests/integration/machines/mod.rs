@@ -5,6 +5,7 @@ mod balancing;
 mod flywheel;
 mod motor;
 mod pipe;
+mod road_vehicles;
 mod rotor;
 mod section;
 mod towed_wheel;

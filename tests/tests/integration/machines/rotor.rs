@@ -2,7 +2,7 @@
 
 #![allow(non_snake_case)] // Names of the field.
 
-use carvallo::{Change, Complex, Model};
+use carvallo::{Change, Complex, CriticalKind, Model};
 use carvallo_models::JeffcottRotor;
 
 use super::{assert_eigenvalues, assert_near, eigenvalues, stability};
@@ -15,7 +15,7 @@ fn a_rotor_whirls_above_the_threshold_of_the_textbooks() {
     {
         let stability = stability(&rotor.coefficients());
         let [whirl] = stability.critical_speeds[..] else { panic!("{stability:?}") };
-        assert_eq!(whirl.change, Change::Destabilizes);
+        assert_eq!((whirl.kind, whirl.change), (CriticalKind::Weave, Change::Destabilizes));
         assert_near(whirl.speed / rotor.R, threshold, 1e-13);
         assert_near(whirl.eigenvalue.im.abs(), (rotor.k / rotor.m).sqrt(), 1e-13);
         assert_eq!(stability.stable_ranges.len(), 1);

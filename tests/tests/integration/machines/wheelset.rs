@@ -2,7 +2,7 @@
 
 #![allow(non_snake_case)] // Names of the field.
 
-use carvallo::{Change, Model, SystemError};
+use carvallo::{Change, CriticalKind, Model, SystemError};
 use carvallo_models::Wheelset;
 
 use super::{assert_near, eigenvalues, stability};
@@ -19,7 +19,7 @@ fn a_wheelset_hunts_above_its_critical_speed() {
         let square = a1 * a3 * d1 * d2 / (a3 * a3 * a0 + m * I * a1 * a1 - a1 * a3 * (m * kpsi + I * ky));
         let stability = stability(&wheelset.coefficients());
         let [hunting] = stability.critical_speeds[..] else { panic!("{stability:?}") };
-        assert_eq!(hunting.change, Change::Destabilizes);
+        assert_eq!((hunting.kind, hunting.change), (CriticalKind::Weave, Change::Destabilizes));
         assert_near(hunting.speed, square.sqrt(), 1e-13);
         assert_near(hunting.eigenvalue.im.abs(), (a1 / a3).sqrt(), 1e-13);
     }

@@ -1,31 +1,13 @@
 //! The motorcycle and the car that ship, against print and closed forms.
 
-use carvallo::{Complex, CriticalKind, CriticalSpeed, Model, Stability, States};
+use carvallo::{Change, CriticalKind, CriticalSpeed, Model, Stability, States};
 use carvallo_models::{Car, Motorcycle};
-
-const FOOT: f64 = 0.3048;
+use carvallo_tests::published::{EIGENVALUES_1971, FOOT, units_off};
 
 fn critical<const N: usize>(model: &impl Model<N>) -> Vec<CriticalSpeed> {
     let gravity = model.gravity().map_or(0.0, carvallo::Scalar::to_f64);
     let stability = Stability::new(&model.coefficients(), gravity).expect("a regular system");
     stability.critical_speeds.into_iter().filter(|critical| critical.kind != CriticalKind::DoubleRoot).collect()
-}
-
-/// The eigenvalues that Sharp prints for the motorcycle, in 1/s, by speed in ft/s: capsize, weave and wobble.
-const PRINTED: [(f64, f64, [f64; 2], [f64; 2]); 8] = [
-    (10.0, -3.56, [2.01, 1.63], [-5.20, 55.7]),
-    (20.0, -2.83, [-0.18, 2.09], [-5.91, 55.8]),
-    (30.0, -0.13, [-3.36, 4.56], [-6.42, 55.5]),
-    (50.0, 0.08, [-6.59, 11.4], [-6.52, 54.6]),
-    (70.0, 0.08, [-3.97, 16.8], [-5.70, 54.0]),
-    (100.0, 0.07, [-1.82, 19.2], [-3.94, 54.3]),
-    (130.0, 0.05, [-1.13, 20.4], [-2.24, 55.6]),
-    (160.0, 0.04, [-0.96, 21.2], [-0.82, 57.5]),
-];
-
-/// Half a unit of the last of the digits that are printed of a number: two behind the point, or three in all.
-fn half_a_unit(printed: f64) -> f64 {
-    if printed.abs() < 10.0 { 0.005 } else { 0.05 }
 }
 
 #[test]
@@ -34,16 +16,13 @@ fn the_motorcycle_has_the_eigenvalues_that_sharp_prints() {
     assert_eq!(states, [States::Rate, States::Rate, States::Both, States::Both, States::Position, States::Position]);
     let matrices = Motorcycle::STANDARD.coefficients();
     let mut checked = 0;
-    for (speed, capsize, weave, wobble) in PRINTED {
+    for (speed, printed) in EIGENVALUES_1971 {
         let system = matrices.at(speed * FOOT, Motorcycle::STANDARD.g);
         let found = system.and_then(|system| system.eigenvalues()).expect("a regular system");
         assert_eq!(found.len(), 8);
-        for (re, im) in [(capsize, 0.0), (weave[0], weave[1]), (wobble[0], wobble[1])] {
-            let expected = Complex::new(re, im);
-            let nearest = found.iter().min_by(|a, b| (*a - expected).norm().total_cmp(&(*b - expected).norm()));
-            let nearest = nearest.expect("eight of them");
-            let fits = (nearest.re - re).abs() <= half_a_unit(re) && (nearest.im - im).abs() <= half_a_unit(im);
-            assert!(fits, "at {speed} ft/s {nearest} is printed as {expected}");
+        for expected in printed {
+            let units = units_off(&found, expected);
+            assert!(units <= 0.5, "at {speed} ft/s {expected:?} is printed, {units} units from {found:?}");
             checked += 1;
         }
     }
@@ -85,6 +64,7 @@ fn a_car_that_oversteers_has_a_critical_speed() {
     let expected = ((a + b).powi(2) * Cf * Cr / (m * (a * Cf - b * Cr))).sqrt();
     assert!((expected - 63.354_163_241_258_46).abs() < 1e-12);
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].kind == CriticalKind::Capsize && (found[0].speed - expected).abs() < 1e-11, "{found:?}");
+    assert_eq!((found[0].kind, found[0].change), (CriticalKind::Capsize, Change::Destabilizes));
+    assert!((found[0].speed - expected).abs() < 1e-11, "{found:?}");
     assert!(critical::<2>(&Car::UNDERSTEERING).is_empty());
 }
