@@ -4,7 +4,7 @@ carvallo::model! {
     /// Axes: origin at the centre of mass, x forward, y to the right, z down. Only the rates of its coordinates are states: the
     /// lateral velocity along the axes of the car, and the yaw rate.
     pub model Car {
-        source "Riekert & Schunck (1940), Zur Fahrmechanik des gummibereiften Kraftfahrzeugs, Ingenieur-Archiv 11, 210-224";
+        source "The single-track car of the textbooks, after Riekert & Schunck (1940), Zur Fahrmechanik des gummibereiften Kraftfahrzeugs, Ingenieur-Archiv 11, 210-224";
 
         parameters {
             /// Mass.

@@ -50,7 +50,7 @@ carvallo::model! {
             [-circulation, 0],
         ];
 
-        set example "Round figures, with the threshold at 250 rad/s, which is 7.5 m/s at the surface of the shaft" {
+        set example "An example in round figures, with the threshold at 250 rad/s, which is 7.5 m/s at the surface of the shaft" {
             m = 1; k = 10000; ce = 3; ci = 2; R = 0.03;
         }
     }

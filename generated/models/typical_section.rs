@@ -5,7 +5,7 @@ carvallo::model! {
     /// 2 pi times the angle of attack, at the quarter chord; what the motion itself does to the flow is left out, and with
     /// it all damping, so that two pairs of imaginary eigenvalues meet where flutter begins. The speed v is that of the air.
     pub model TypicalSection {
-        source "Equations of the typical section with steady lift: Hodges & Pierce, Introduction to Structural Dynamics and Aeroelasticity, chapter on aeroelasticity";
+        source "Equations of the typical section with steady lift, as in textbooks of aeroelasticity such as Hodges & Pierce, Introduction to Structural Dynamics and Aeroelasticity";
 
         parameters {
             /// Mass of the wing.

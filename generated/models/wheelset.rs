@@ -6,7 +6,7 @@ carvallo::model! {
     /// Axes: x forward, y to the right, z down. Forces of creep are divided by the speed, so there is no motion at rest to
     /// speak of.
     pub model Wheelset {
-        source "Equations of the elastically restrained wheelset with linear creep: Wickens (2003), Fundamentals of Rail Vehicle Dynamics";
+        source "Force balance of a wheelset on springs with linear creep, as in books on railway vehicles such as Wickens (2003), Fundamentals of Rail Vehicle Dynamics";
 
         parameters {
             /// Mass.
@@ -53,7 +53,7 @@ carvallo::model! {
             [2*f11*b*lam/r, kpsi],
         ];
 
-        set example "Round figures of the size of a freight wagon's, of no vehicle that is" {
+        set example "An example in round figures, of the size of a freight wagon's, of no vehicle that is" {
             m = 1250; I = 700; f11 = 10000000; f22 = 10000000; b = 0.7; lam = 0.15; r = 0.45; ky = 200000; kpsi = 200000;
         }
     }

@@ -6,7 +6,7 @@ carvallo::model! {
     /// the wheels reach from the centre to the ground, and those of the cross-sections, rhoR and rhoF, are parts of them.
     /// Axes: origin at the rear contact point, x forward, y to the right, z down.
     pub model WhippleTyres {
-        source "Mechanism: Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics";
+        source "Mechanism: a bicycle on tyres with circular cross-sections, as in Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics";
 
         parameters {
             /// Wheel base.

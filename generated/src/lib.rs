@@ -27,7 +27,7 @@
 //! | [`Motorcycle`]: on tyres that relax, 6 coordinates, from bodies | the 24 eigenvalues that Sharp (1971) prints; critical speeds of his equations to 25 digits |
 //! | [`Car`]: on tyres that slip | its critical speed in closed form |
 //! | [`RollingDisc`]: lean and yaw | textbooks: stable from v² = g r/3 (uniform) and g r/4 (hoop) on |
-//! | [`Skateboard`]: four wheels on two trucks | the model of Hubbard (1979) and of Kremnev & Kuleshov |
+//! | [`Skateboard`]: four wheels on two trucks | the equation of one freedom that Hubbard (1979) and Kremnev & Kuleshov have, derived anew; its critical speed in closed form |
 //! | [`DoublePendulum`], and chains of up to 8 links in the tests | textbooks |
 //! | [`FlywheelBicycle`]: rotors in both frames | Appendix A with their angular momenta, proved entry by entry; wheels with heavier rims, at one speed each |
 //! | [`BalanceAssist`]: a motor steers into the fall | Appendix A with the torque, proved entry by entry; the matrices of [`Whipple`] with it added by hand |
@@ -35,9 +35,12 @@
 //! | [`WheeledPendulum`]: free to speed up and slow down | closed forms of the fall, of the inertia in yaw and of what the motors do |
 //! | [`Wheelset`]: linear creep, divided by the speed | the hunting speed in closed form, the wave of Klingel (1883) |
 //! | [`TowedWheel`]: a place of first order | the characteristic polynomial and the limits of Schwab & Meijaard (2003) |
-//! | [`TypicalSection`]: steady lift | its flutter speed to 20 digits, its divergence in closed form |
+//! | [`TypicalSection`]: steady lift | its flutter speed, recomputed to 30 digits, and its divergence in closed form |
 //! | [`JeffcottRotor`]: damping that turns with the shaft | the threshold of the textbooks, eigenvalues in closed form |
-//! | [`CantileveredPipe`]: four modes | integrals of the modes; critical speeds for five parts of the fluid, the jump of Gregory & Paidoussis (1966) among them |
+//! | [`CantileveredPipe`]: four modes | integrals of the modes; recomputed critical speeds for five parts of the fluid, the jump of Gregory & Paidoussis (1966) among them |
+//!
+//! What is printed, known in closed form or recomputed of their critical speeds stands in one table, which the tests assert. Sets
+//! that are called an example, or given by estimate, describe no machine that anyone has measured.
 //!
 //! [`Car`], [`Pendulum`], [`TwoPipes`] and [`ThreePipes`] are written as formulas, from the sources that they name.
 //!

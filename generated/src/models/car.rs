@@ -1,6 +1,6 @@
 // @generated from generated/models/car.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 650c0d2d135499d9
+// Hash of the source: bdb58fbb39c088e9
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
@@ -17,7 +17,7 @@ use carvallo::{
 /// Axes: origin at the centre of mass, x forward, y to the right, z down. Only the rates of its coordinates are states: the
 /// lateral velocity along the axes of the car, and the yaw rate.
 ///
-/// Source: Riekert & Schunck (1940), Zur Fahrmechanik des gummibereiften Kraftfahrzeugs, Ingenieur-Archiv 11, 210-224
+/// Source: The single-track car of the textbooks, after Riekert & Schunck (1940), Zur Fahrmechanik des gummibereiften Kraftfahrzeugs, Ingenieur-Archiv 11, 210-224
 ///
 /// The fields are the parameters. The coordinates are `y` (lateral) in `m`, of which only the rate is a state; `psi` (yaw) in `rad`, of which only the rate is a state.
 ///
@@ -262,7 +262,7 @@ impl<T: Scalar> Model<2> for Car<T> {
     const INFO: &'static ModelInfo = &ModelInfo {
         name: "Car",
         docs: "The single-track car of the textbooks: two axles on tyres whose side force is proportional to slip, at a constant speed.\n\nAxes: origin at the centre of mass, x forward, y to the right, z down. Only the rates of its coordinates are states: the\nlateral velocity along the axes of the car, and the yaw rate.",
-        source: "Riekert & Schunck (1940), Zur Fahrmechanik des gummibereiften Kraftfahrzeugs, Ingenieur-Archiv 11, 210-224",
+        source: "The single-track car of the textbooks, after Riekert & Schunck (1940), Zur Fahrmechanik des gummibereiften Kraftfahrzeugs, Ingenieur-Archiv 11, 210-224",
         parameters: &[
             ParameterInfo::new("m", "kg", Domain::POSITIVE).docs("Mass."),
             ParameterInfo::new("I", "kg*m^2", Domain::POSITIVE)

@@ -1,6 +1,6 @@
 // @generated from generated/models/jeffcott_rotor.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 26b0acc3582cf702
+// Hash of the source: d9449eedbd9a5f5e
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
@@ -142,7 +142,7 @@ impl<T: Number> JeffcottRotor<T> {
 impl JeffcottRotor<f64> {
     /// The parameter set `example`.
     ///
-    /// Source: Round figures, with the threshold at 250 rad/s, which is 7.5 m/s at the surface of the shaft
+    /// Source: An example in round figures, with the threshold at 250 rad/s, which is 7.5 m/s at the surface of the shaft
     ///
     /// | parameter | value | unit |
     /// | --- | ---: | --- |
@@ -265,7 +265,7 @@ impl<T: Scalar> Model<2> for JeffcottRotor<T> {
             SetInfo {
                 name: "example",
                 docs: "",
-                source: "Round figures, with the threshold at 250 rad/s, which is 7.5 m/s at the surface of the shaft",
+                source: "An example in round figures, with the threshold at 250 rad/s, which is 7.5 m/s at the surface of the shaft",
                 values: &JeffcottRotor::to_array(&JeffcottRotor::<f64>::EXAMPLE),
             },
         ],

@@ -1,6 +1,6 @@
 // @generated from generated/models/typical_section.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: d0834e3c8dff1ff6
+// Hash of the source: 648bb7d66536ca12
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
@@ -18,7 +18,7 @@ use carvallo::{
 /// 2 pi times the angle of attack, at the quarter chord; what the motion itself does to the flow is left out, and with
 /// it all damping, so that two pairs of imaginary eigenvalues meet where flutter begins. The speed v is that of the air.
 ///
-/// Source: Equations of the typical section with steady lift: Hodges & Pierce, Introduction to Structural Dynamics and Aeroelasticity, chapter on aeroelasticity
+/// Source: Equations of the typical section with steady lift, as in textbooks of aeroelasticity such as Hodges & Pierce, Introduction to Structural Dynamics and Aeroelasticity
 ///
 /// The fields are the parameters. The coordinates are `h` (plunge) in `m`, `theta` (pitch) in `rad`.
 ///
@@ -279,7 +279,7 @@ impl<T: Scalar> Model<2> for TypicalSection<T> {
     const INFO: &'static ModelInfo = &ModelInfo {
         name: "TypicalSection",
         docs: "The typical section: a rigid wing on two springs in a flow, which diverges or flutters above a critical airspeed.\n\nPlunge and pitch of a wing of constant profile in a wind tunnel. The lift is that of a thin profile in a steady flow,\n2 pi times the angle of attack, at the quarter chord; what the motion itself does to the flow is left out, and with\nit all damping, so that two pairs of imaginary eigenvalues meet where flutter begins. The speed v is that of the air.",
-        source: "Equations of the typical section with steady lift: Hodges & Pierce, Introduction to Structural Dynamics and Aeroelasticity, chapter on aeroelasticity",
+        source: "Equations of the typical section with steady lift, as in textbooks of aeroelasticity such as Hodges & Pierce, Introduction to Structural Dynamics and Aeroelasticity",
         parameters: &[
             ParameterInfo::new("m", "kg", Domain::POSITIVE).docs("Mass of the wing."),
             ParameterInfo::new("I", "kg*m^2", Domain::POSITIVE)

@@ -1,6 +1,6 @@
 // @generated from generated/models/wheelset.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 23d808c503c974b8
+// Hash of the source: 37c3f8eae70bff1e
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
@@ -19,7 +19,7 @@ use carvallo::{
 /// Axes: x forward, y to the right, z down. Forces of creep are divided by the speed, so there is no motion at rest to
 /// speak of.
 ///
-/// Source: Equations of the elastically restrained wheelset with linear creep: Wickens (2003), Fundamentals of Rail Vehicle Dynamics
+/// Source: Force balance of a wheelset on springs with linear creep, as in books on railway vehicles such as Wickens (2003), Fundamentals of Rail Vehicle Dynamics
 ///
 /// The fields are the parameters. The coordinates are `y` (lateral) in `m`, `psi` (yaw) in `rad`.
 ///
@@ -173,7 +173,7 @@ impl<T: Number> Wheelset<T> {
 impl Wheelset<f64> {
     /// The parameter set `example`.
     ///
-    /// Source: Round figures of the size of a freight wagon's, of no vehicle that is
+    /// Source: An example in round figures, of the size of a freight wagon's, of no vehicle that is
     ///
     /// | parameter | value | unit |
     /// | --- | ---: | --- |
@@ -274,7 +274,7 @@ impl<T: Scalar> Model<2> for Wheelset<T> {
     const INFO: &'static ModelInfo = &ModelInfo {
         name: "Wheelset",
         docs: "A railway wheelset on its suspension, which hunts above a critical speed.\n\nLateral displacement and yaw of a wheelset with conical wheels on straight track at the constant speed v, restrained\nby springs to a vehicle that does not move. Forces of creep are linear; those of gravity and of spin are left out.\nAxes: x forward, y to the right, z down. Forces of creep are divided by the speed, so there is no motion at rest to\nspeak of.",
-        source: "Equations of the elastically restrained wheelset with linear creep: Wickens (2003), Fundamentals of Rail Vehicle Dynamics",
+        source: "Force balance of a wheelset on springs with linear creep, as in books on railway vehicles such as Wickens (2003), Fundamentals of Rail Vehicle Dynamics",
         parameters: &[
             ParameterInfo::new("m", "kg", Domain::POSITIVE).docs("Mass."),
             ParameterInfo::new("I", "kg*m^2", Domain::POSITIVE)
@@ -314,7 +314,7 @@ impl<T: Scalar> Model<2> for Wheelset<T> {
             SetInfo {
                 name: "example",
                 docs: "",
-                source: "Round figures of the size of a freight wagon's, of no vehicle that is",
+                source: "An example in round figures, of the size of a freight wagon's, of no vehicle that is",
                 values: &Wheelset::to_array(&Wheelset::<f64>::EXAMPLE),
             },
         ],

@@ -1,6 +1,6 @@
 // @generated from generated/models/whipple_tyres.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: a8704a5a1ddc5cfb
+// Hash of the source: 4689e1a6c62163ba
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
@@ -19,7 +19,7 @@ use carvallo::{
 /// the wheels reach from the centre to the ground, and those of the cross-sections, rhoR and rhoF, are parts of them.
 /// Axes: origin at the rear contact point, x forward, y to the right, z down.
 ///
-/// Source: Mechanism: Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics
+/// Source: Mechanism: a bicycle on tyres with circular cross-sections, as in Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics
 ///
 /// Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
 ///
@@ -875,7 +875,7 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
     const INFO: &'static ModelInfo = &ModelInfo {
         name: "WhippleTyres",
         docs: "The Whipple-Carvallo bicycle on tyres whose cross-sections are circles.\n\nFour rigid bodies (rear wheel R, rear frame with a rigid rider B, front frame H, front wheel F), laterally\nsymmetric. The rims of the wheels are parts of tori that roll without slip on level ground: the radii rR and rF of\nthe wheels reach from the centre to the ground, and those of the cross-sections, rhoR and rhoF, are parts of them.\nAxes: origin at the rear contact point, x forward, y to the right, z down.",
-        source: "Mechanism: Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics",
+        source: "Mechanism: a bicycle on tyres with circular cross-sections, as in Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics",
         parameters: &[
             ParameterInfo::new("w", "m", Domain::POSITIVE).docs("Wheel base."),
             ParameterInfo::new("c", "m", Domain::FINITE)
