@@ -111,6 +111,7 @@ carvallo::model! {
         let SA = mA*uA + mu*mT*xT;
 
         derivatives;
+        nonlinear;
 
         coordinates {
             /// Lean of the rear frame, positive to the right.

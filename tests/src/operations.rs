@@ -60,8 +60,23 @@ impl fmt::Display for Operations {
 pub const COLUMNS: &str =
     "model\tprogram\tadditions\tmultiplications\tdivisions\tnegations\troots\ttrigonometric\ttotal";
 
+/// The functions that may be there.
+const PROGRAMS: [&str; 11] = [
+    "kinematics",
+    "matrices",
+    "matrices_and_derivatives",
+    "validate",
+    "motion",
+    "closure_unchecked",
+    "rates_unchecked",
+    "derivatives_unchecked",
+    "accelerations_unchecked",
+    "energy_unchecked",
+    "contact_forces_unchecked",
+];
+
 /// For each shipped model and each of its programs (the matrices, also with their derivatives, the rates and forces of a
-/// mechanism, the requirements in `validate`) its name and its operations, in alphabetical order.
+/// mechanism, the requirements in `validate`, the nonlinear equations) its name and its operations, in alphabetical order.
 ///
 /// # Panics
 /// If the generated code cannot be read.
@@ -72,7 +87,7 @@ pub fn shipped() -> Vec<(String, Operations)> {
     for path in files.filter(|path| path.extension().is_some_and(|extension| extension == "rs")) {
         let model = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let source = fs::read_to_string(&path).expect("generated code");
-        for program in ["kinematics", "matrices", "matrices_and_derivatives", "validate"] {
+        for program in PROGRAMS {
             if source.contains(&format!("fn {program}(")) {
                 programs.push((format!("{model}\t{program}"), count(&source, program)));
             }

@@ -6,6 +6,7 @@ use crate::domain::Domain;
 use crate::formula::Formula;
 use crate::kinematics::Kinematics;
 use crate::matrix_name::MatrixName;
+use crate::motion::MotionModel;
 use crate::report::Region;
 use crate::states::States;
 use crate::written::Written;
@@ -47,6 +48,8 @@ pub struct Model {
     pub feedback: Vec<Feedback>,
     /// Rates and forces, of a model that is a mechanism.
     pub kinematics: Option<Kinematics<Formula>>,
+    /// What is free of the motion of a mechanism, if its nonlinear equations are asked for.
+    pub motion: Option<MotionModel>,
     /// Where the derivatives of the matrices are asked for.
     pub derivatives: Option<Span>,
     /// The names in the declaration, for editors.

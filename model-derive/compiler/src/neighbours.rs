@@ -8,7 +8,7 @@ use std::fmt;
 
 use proc_macro2::{Delimiter, Group, LineColumn, TokenStream, TokenTree};
 
-use crate::emit::{DERIVATIVES, MATRICES, find_defined_names};
+use crate::emit::{DERIVATIVES, MATRICES, MOTION, find_defined_names};
 use crate::model::Model;
 
 /// A name that is defined twice.
@@ -94,8 +94,10 @@ fn find_definitions(tokens: &[TokenTree], index: usize, is_above: bool) -> Vec<(
     match (before, &tokens[index]) {
         (_, TokenTree::Group(group)) if is_above && is_kept(before) => {
             let Some(model) = find_declared(before, group) else { return Vec::new() };
-            let has_derivatives = group.stream().into_iter().any(|token| asks_for_derivatives(&token));
-            let suffixes = ["", MATRICES].into_iter().chain(has_derivatives.then_some(DERIVATIVES));
+            let asks = |statement: &str| group.stream().into_iter().any(|token| asks_for(&token, statement));
+            let optional = [("derivatives", DERIVATIVES), ("nonlinear", MOTION)];
+            let optional = optional.into_iter().filter(|(statement, _)| asks(statement)).map(|(_, suffix)| suffix);
+            let suffixes = ["", MATRICES].into_iter().chain(optional);
             suffixes.map(|suffix| (format!("{model}{suffix}"), format!("the model `{model}` above"))).collect()
         }
         ([.., TokenTree::Ident(keyword)], TokenTree::Ident(name)) if is_kept(before) => {
@@ -114,11 +116,11 @@ fn find_definitions(tokens: &[TokenTree], index: usize, is_above: bool) -> Vec<(
     }
 }
 
-/// Whether these are the braces of a model, with the statement `derivatives;`.
-fn asks_for_derivatives(braces: &TokenTree) -> bool {
+/// Whether these are the braces of a model, with a statement of this one word.
+fn asks_for(braces: &TokenTree, statement: &str) -> bool {
     let TokenTree::Group(statements) = braces else { return false };
     let mut statements = statements.stream().into_iter();
-    statements.any(|token| matches!(token, TokenTree::Ident(word) if word == "derivatives"))
+    statements.any(|token| matches!(token, TokenTree::Ident(word) if word == statement))
 }
 
 /// Attributes that take nothing away.
@@ -173,6 +175,7 @@ mod tests {
             ),
             ("model! { model AMatrices {} } model! { model A { } }", "A", "AMatrices"),
             ("model! { model A { derivatives; } } model! { model ADerivatives { } }", "ADerivatives", "ADerivatives"),
+            ("model! { model A { nonlinear; } } model! { model AMotion { } }", "AMotion", "AMotion"),
             ("/* λ { */ model! { model A { } } pub(crate) struct AMatrices;", "A", "AMatrices"),
             ("mod m { #[derive(Debug)] /// One.\n pub enum A { B } model! { model A { } } }", "A", "A"),
             ("fn f() { let s = '{'; type A = f64; model! { model A { } } }", "A", "A"),

@@ -5,6 +5,7 @@ use proc_macro2::TokenStream;
 use crate::derivatives::{self, Derivatives};
 use crate::equations::Equations;
 use crate::model::Model;
+use crate::nonlinear::{self, MotionPrograms};
 use crate::program::Program;
 use crate::report::{self, Region, Report};
 use crate::symbolic::{self, Failure, Place};
@@ -28,6 +29,8 @@ pub struct Programs {
     pub requirements: Program,
     /// Computes the rates and forces that follow from a mechanism, if the model is one.
     pub kinematics: Option<Program>,
+    /// The nonlinear equations of motion, if the model asks for them.
+    pub motion: Option<MotionPrograms>,
     /// Computes the entries of the matrices together with their derivatives, if the model asks for them.
     pub derivatives: Option<Derivatives>,
 }
@@ -83,7 +86,8 @@ fn build_programs(model: &Model) -> Result<Programs, (Region, Failure)> {
     let kinematics = programs.next();
     let derivatives =
         model.derivatives.map(|span| derivatives::compile(model, &matrices).map_err(|why| (span.into(), why)));
-    Ok(Programs { matrices, requirements, kinematics, derivatives: derivatives.transpose()? })
+    let motion = model.motion.as_ref().map(|motion| nonlinear::compile(&motion.machine, &motion.layout));
+    Ok(Programs { matrices, requirements, kinematics, motion, derivatives: derivatives.transpose()? })
 }
 
 /// Where in the declaration a failure belongs.

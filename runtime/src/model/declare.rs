@@ -179,6 +179,17 @@
 /// ground, and no longer along those of the body. A torque on a wheel that would change the speed is refused, as anything else
 /// that would, but where the forward motion is a coordinate or the speed is held.
 ///
+/// # Nonlinear motion
+/// `nonlinear;` beside a mechanism asks for its exact equations of motion, at any lean, steer and speed: see
+/// [`motion`](crate::motion). They are in positions, of which the heights of the wheels determine some, and in speeds: the
+/// rates of the coordinates and, of a machine on wheels, the spin of the first wheel, whose contact point with the ground
+/// stands at the positions `x` and `y`. What has no name in the declaration is called `psi` (yaw), `phi` (lean), `pitch`,
+/// and `theta` with the name of a wheel for its angle.
+///
+/// Wheels roll without slip; so a wheel with `cornering` is refused, and so are matrices that are added, `feedback`, `hold forward`,
+/// links to the ground from what rolls over it, and forces on its displacements. Springs and dampers, joints and links, rotors and applied
+/// forces are as for the matrices.
+///
 /// # Units
 /// Every formula is analysed: the terms of a sum are in one unit, `sin`, `cos` and `tan` take pure numbers, and each
 /// entry of a matrix is in the unit that follows from the coordinates of its row and column, which are angles or lengths:
@@ -261,6 +272,8 @@
 ///   derivatives that are not zero for all parameters, each once, the table `NameDerivatives::PARTIALS` that says which
 ///   derivatives have them, and `with_respect_to` for all matrices derived with respect to one parameter; and
 ///   [`Differentiable<N>`](crate::Differentiable), with all of them as [`Coefficients`](crate::Coefficients).
+/// - With `nonlinear;` a struct `NameMotion<T>` with [`Motion`](crate::Motion), and `Name::motion`, which computes what does
+///   not depend on the state; and [`Nonlinear<N>`](crate::Nonlinear).
 /// - For a mechanism a struct `NameKinematics<T>` and `Name::kinematics`, if anything moves or acts beside the coordinates.
 ///
 /// A model whose structs have the names of something else in their module is one error, at its name, where that stands

@@ -23,6 +23,7 @@ mod machines;
 mod many_coordinates;
 mod mechanisms;
 mod modes;
+mod motion;
 mod multibody;
 #[cfg(feature = "compiler")]
 mod mutants;

@@ -97,6 +97,9 @@ pub fn check<'a>(declaration: &'a Declaration, report: &mut Report) -> Checked<'
     // Before mistakes elsewhere, beside which it would not be looked at.
     let tree =
         declaration.mechanism.as_ref().and_then(|mechanism| mechanism::find_tree(declaration, mechanism, report));
+    if let Some(span) = declaration.nonlinear {
+        mechanism::check_nonlinear(declaration, span, report);
+    }
 
     let order = definitions::order(declaration, &scope, report);
     // From here on positions of definitions are those of the order, in every formula that is resolved.

@@ -3,6 +3,7 @@
 mod by_speed;
 mod faults;
 mod feedback;
+mod motion;
 mod rates;
 
 use std::collections::HashSet;
@@ -18,6 +19,7 @@ use crate::kinematics::Kinematics;
 use crate::matrix_name::MatrixName;
 use crate::mechanics::{self, Declared, Derivation};
 use crate::model::Matrices;
+use crate::motion::MotionModel;
 use crate::report::{Region, Report};
 use crate::states::States;
 use crate::symbolic::{Failure, Place};
@@ -42,6 +44,8 @@ pub struct Derived {
     pub states: Vec<States>,
     /// Rates and forces, of a mechanism.
     pub kinematics: Option<Kinematics<Formula>>,
+    /// What is free of its motion, if the nonlinear equations are asked for.
+    pub motion: Option<MotionModel>,
 }
 
 impl Derived {
@@ -69,6 +73,7 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
         symmetric,
         states: declaration.states().map(Option::unwrap_or_default).collect(),
         kinematics: None,
+        motion: None,
     };
     let fed = if report.is_empty() { feedback::sort_feedback(checked, report) } else { Vec::new() };
     let Some(mechanism) = &declaration.mechanism else {
@@ -101,7 +106,8 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
             Faulty { declaration, mechanism, tree, names }.report(&faults, report);
         }
         Ok(Ok(derivation)) => {
-            let derived = adopt(derivation, nothing, checked, mechanism, assembly);
+            let motion = motion::describe_motion(&derivation, checked, assembly, report);
+            let derived = Derived { motion, ..adopt(derivation, nothing, checked, mechanism, assembly) };
             report_numbers_out_of_range(&derived, mechanism, report);
             return derived;
         }
@@ -158,6 +164,7 @@ fn adopt(
         symmetric: matrices.iter().filter(|(_, rows)| is_symmetric(rows)).map(|(name, _)| *name).collect(),
         states: complete_states(checked, &derivation.states),
         kinematics: Some(kinematics.map(|formula| formula.renumbered(&new))),
+        motion: None,
         matrices,
     }
 }

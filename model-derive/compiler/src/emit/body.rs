@@ -21,6 +21,28 @@ pub struct Body {
     strengths: Vec<Strength>,
 }
 
+/// What a program reads.
+pub struct Inputs {
+    /// As they are written.
+    pub values: Vec<TokenStream>,
+    /// For the names of functions of them.
+    pub names: Vec<String>,
+    /// The one that has as many lanes as there are.
+    pub like: usize,
+}
+
+impl Inputs {
+    /// The parameters of a model, from inside it.
+    pub fn of_model(model: &Model) -> Self {
+        let names = model.parameters.iter().map(|parameter| &parameter.name);
+        Self {
+            values: names.clone().map(|name| quote!(self.#name)).collect(),
+            names: names.map(ToString::to_string).collect(),
+            like: model.parameters.iter().position(|parameter| parameter.used).unwrap_or(0),
+        }
+    }
+}
+
 /// How strongly an expression holds together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Strength {
@@ -51,8 +73,19 @@ const MAX_DEPTH: usize = 6;
 const MAX_SCOPES: usize = 250;
 
 impl Body {
-    /// With names for some of the values, as far as nothing else has them.
+    /// Of the parameters of a model, with names for some of the values, as far as nothing else has them.
     pub fn new(program: &Program, model: &Model, names: &GeneratedNames, results: &[(Value, String)]) -> Self {
+        Self::of(program, &Inputs::of_model(model), model, names, results)
+    }
+
+    /// Of any inputs.
+    pub fn of(
+        program: &Program,
+        inputs: &Inputs,
+        model: &Model,
+        names: &GeneratedNames,
+        results: &[(Value, String)],
+    ) -> Self {
         let mut uses = program.uses();
         for instruction in &program.instructions {
             if let Instruction::Square(a) = instruction {
@@ -66,7 +99,7 @@ impl Body {
         }
         let zeros =
             program.outputs.iter().filter(|value| program.instructions[**value] == Instruction::Constant(0.0)).count();
-        let variable = names.values(program, model, results);
+        let variable = names.values(program, model, &inputs.names, results);
         let pairs = pairs(program);
         let mut body = Self { bindings: Vec::new(), values: Vec::new(), depths: Vec::new(), strengths: Vec::new() };
         for (value, instruction) in program.instructions.iter().enumerate() {
@@ -83,7 +116,7 @@ impl Body {
                 body.push(quote!(#name), 0, Strength::Atom);
                 continue;
             }
-            let expression = body.expression(*instruction, model, names);
+            let expression = body.expression(*instruction, inputs, names);
             let depth = instruction.operands().map(|value| body.depths[value] + 1).max().unwrap_or(0);
             let repeated = *instruction == Instruction::Constant(0.0) && zeros > 1;
             if depth == 0 && !repeated || uses[value] == 1 && !named[value] && depth < MAX_DEPTH {
@@ -140,7 +173,7 @@ impl Body {
         names.call(function, &argument, None)
     }
 
-    fn expression(&self, instruction: Instruction, model: &Model, names: &GeneratedNames) -> TokenStream {
+    fn expression(&self, instruction: Instruction, inputs: &Inputs, names: &GeneratedNames) -> TokenStream {
         // Operators of one strength are applied from the left.
         let sum = |a, sign: TokenStream, b| {
             let (a, b) = (self.operand(a, Strength::Sum), self.operand(b, Strength::Product));
@@ -152,11 +185,8 @@ impl Body {
         };
         let call = |function, argument| self.call(function, argument, names);
         match instruction {
-            Instruction::Parameter(index) => {
-                let name = &model.parameters[index].name;
-                quote!(self.#name)
-            }
-            Instruction::Constant(value) => constant(value, model, names),
+            Instruction::Parameter(index) => inputs.values[index].clone(),
+            Instruction::Constant(value) => constant(value, inputs, names),
             Instruction::Add(a, b) => sum(a, quote!(+), b),
             Instruction::Sub(a, b) => sum(a, quote!(-), b),
             Instruction::Mul(a, b) => product(a, quote!(*), b),
@@ -167,7 +197,7 @@ impl Body {
                 quote!(-#a)
             }
             Instruction::Reciprocal(a) => {
-                let (one, a) = (constant(1.0, model, names), self.operand(a, Strength::Atom));
+                let (one, a) = (constant(1.0, inputs, names), self.operand(a, Strength::Atom));
                 quote!(#one / #a)
             }
             Instruction::Sqrt(a) => call("sqrt", a),
@@ -179,12 +209,9 @@ impl Body {
     }
 }
 
-/// A number, in as many lanes as the parameters have.
-fn constant(value: f64, model: &Model, names: &GeneratedNames) -> TokenStream {
-    let value = number(value);
-    let some = model.parameters.iter().find(|parameter| parameter.used).or(model.parameters.first());
-    let some = some.map(|parameter| &parameter.name);
-    names.call("like", &quote!(self.#some), Some(&value))
+/// A number, in as many lanes as the inputs have.
+fn constant(value: f64, inputs: &Inputs, names: &GeneratedNames) -> TokenStream {
+    names.call("like", &inputs.values[inputs.like], Some(&number(value)))
 }
 
 /// For each angle of which sine and cosine are both wanted, the values that they are: they come from one call.

@@ -10,6 +10,7 @@ mod fields;
 mod info;
 mod kinematics;
 mod lanes;
+mod motion;
 mod names;
 mod outline;
 mod references;
@@ -23,7 +24,7 @@ use quote::quote;
 use self::names::GeneratedNames;
 #[cfg(feature = "files")]
 pub use self::names::allowed;
-pub use self::names::{DERIVATIVES, MATRICES, find_defined_names};
+pub use self::names::{DERIVATIVES, MATRICES, MOTION, find_defined_names};
 use crate::model::Model;
 use crate::pipeline::{Compiled, Programs};
 
@@ -83,6 +84,7 @@ fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Drive
         sized.then(|| lanes::emit(model, &names, matrices)),
     ];
     let kinematics = if sized { kinematics::emit(model, &names, rates) } else { None };
+    let motion = if sized { motion::emit(model, &names, programs) } else { None };
     let [derivatives, partials] = if sized { derivatives::emit(model, &names, computed) } else { [None, None] };
     let (structure, sets) = structure::emit(model, &names);
     let arrays = conversions::emit(model, &names);
@@ -91,6 +93,7 @@ fn emit_sections_with(model: &Model, programs: Option<&Programs>, driver: &Drive
         ("The parameters", Some(structure)),
         ("The coefficient matrices", evaluator),
         ("Rates and forces of the mechanism", kinematics),
+        ("The nonlinear equations of motion", motion),
         ("The derivatives of the matrices", derivatives),
         ("Parameter sets", sets),
         ("Parameters and matrices as arrays", Some(quote!(#arrays #matrix_arrays))),

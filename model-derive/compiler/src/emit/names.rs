@@ -16,11 +16,14 @@ pub const MATRICES: &str = "Matrices";
 /// What the struct of their derivatives has behind it.
 pub const DERIVATIVES: &str = "Derivatives";
 const KINEMATICS: &str = "Kinematics";
+/// What the struct of the nonlinear equations has behind it.
+pub const MOTION: &str = "Motion";
 
 /// The names of what a model defines in its module.
 pub fn find_defined_names(model: &Model) -> Vec<String> {
     let has_kinematics = model.kinematics.as_ref().is_some_and(|kinematics| !kinematics.is_empty());
-    let optional = [(has_kinematics, KINEMATICS), (model.derivatives.is_some(), DERIVATIVES)];
+    let optional =
+        [(has_kinematics, KINEMATICS), (model.derivatives.is_some(), DERIVATIVES), (model.motion.is_some(), MOTION)];
     let optional = optional.into_iter().filter(|(is_there, _)| *is_there).map(|(_, suffix)| suffix);
     ["", MATRICES].into_iter().chain(optional).map(|suffix| format!("{}{suffix}", model.name)).collect()
 }
@@ -33,6 +36,7 @@ pub struct GeneratedNames {
     pub matrices: Ident,
     pub kinematics: Ident,
     pub derivatives: Ident,
+    pub motion: Ident,
     /// Names of derivatives; labels beyond the definitions of the model mean them.
     derived: Vec<Ident>,
     /// The type parameter; another letter for a model that is called `T` itself.
@@ -56,6 +60,7 @@ impl GeneratedNames {
             matrices: format_ident!("{name}{MATRICES}", span = name.span()),
             kinematics: format_ident!("{name}{KINEMATICS}", span = name.span()),
             derivatives: format_ident!("{name}{DERIVATIVES}", span = name.span()),
+            motion: format_ident!("{name}{MOTION}", span = name.span()),
             derived: derived(model, derivatives),
             scalar: unless_taken("T", "S"),
             other: unless_taken("U", "S"),
@@ -109,6 +114,7 @@ impl GeneratedNames {
         &'a self,
         program: &Program,
         model: &'a Model,
+        inputs: &[String],
         results: &[(Value, String)],
     ) -> impl Fn(Value) -> Ident + use<'a> {
         let mut names: HashMap<Value, Ident> = HashMap::new();
@@ -120,7 +126,7 @@ impl GeneratedNames {
                 names.entry(*value).or_insert_with(|| named[*index].clone());
             }
             taken.extend(named.iter().map(ToString::to_string));
-            for (value, name) in plain(program, model).iter().chain(results) {
+            for (value, name) in plain(program, inputs).iter().chain(results) {
                 if !names.contains_key(value) && taken.insert(name.clone()) {
                     names.insert(*value, format_ident!("{name}"));
                 }
@@ -134,8 +140,8 @@ impl GeneratedNames {
     }
 }
 
-/// Zero, and sine and cosine of parameters by name: `sin_lam` is that of `lam`.
-fn plain(program: &Program, model: &Model) -> Vec<(Value, String)> {
+/// Zero, and sine and cosine of inputs by name: `sin_lam` is that of `lam`.
+fn plain(program: &Program, inputs: &[String]) -> Vec<(Value, String)> {
     let name = |(value, instruction): (Value, &Instruction)| {
         let (function, angle) = match *instruction {
             Instruction::Constant(0.0) => return Some((value, "zero".to_string())),
@@ -144,7 +150,7 @@ fn plain(program: &Program, model: &Model) -> Vec<(Value, String)> {
             _ => return None,
         };
         let Instruction::Parameter(index) = program.instructions[angle] else { return None };
-        Some((value, format!("{function}_{}", model.parameters[index].name)))
+        Some((value, format!("{function}_{}", inputs[index])))
     };
     program.instructions.iter().enumerate().filter_map(name).collect()
 }

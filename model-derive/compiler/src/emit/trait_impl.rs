@@ -35,6 +35,13 @@ pub fn emit(
     let coefficients = quote!(#runtime::Coefficients::from_rows(#matrices::rows(&self.matrices())));
     let coefficients = states::complete(coefficients, model, names);
     let requirements = requirements.filter(|_| !model.requirements.is_empty());
+    let nonlinear = model.motion.is_some().then(|| {
+        quote! {
+            fn nonlinear(&self) -> ::core::option::Option<impl #runtime::motion::Motion<Scalar = Self::Scalar>> {
+                ::core::option::Option::Some(self.motion())
+            }
+        }
+    });
     let derivatives = model.derivatives.is_some().then(|| {
         quote! {
             fn derivatives(&self) -> ::core::option::Option<#runtime::WithDerivatives<Self, #n>> {
@@ -92,6 +99,8 @@ pub fn emit(
             }
 
             #derivatives
+
+            #nonlinear
 
             fn gravity(&self) -> ::core::option::Option<#scalar> {
                 #gravity

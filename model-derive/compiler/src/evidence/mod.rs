@@ -91,6 +91,7 @@ pub fn weigh(checked: Checked<'_>, mut derived: Derived, report: &mut Report) ->
         formulas,
         feedback: declaration.feedback.iter().map(|feedback| tell(declaration, feedback)).collect(),
         kinematics: derived.kinematics,
+        motion: derived.motion,
         derivatives: declaration.derivatives,
         references: checked.references,
     }

@@ -52,6 +52,8 @@ pub struct Derivation {
     pub rates: Vec<Rate>,
     /// For each coordinate and each applied force: the force on the coordinate that it makes.
     pub forces: Vec<Vec<Formula>>,
+    /// For each joint whether its axis is proved to have unit length as it is declared.
+    pub unit_axes: Vec<bool>,
 }
 
 /// The rate of a joint, `v speed + rates · q' + v (coordinates · q + heading psi)`.
@@ -165,15 +167,18 @@ struct Linearized {
     mechanism: Mechanism<Form>,
     motions: Motions,
     matrices: Matrices,
+    unit_axes: Vec<bool>,
 }
 
 fn linearize(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Result<Linearized, Vec<Fault>> {
     let mut faults = Vec::new();
+    let mut unit_axes = Vec::new();
     for (index, joint) in mechanism.joints.iter_mut().enumerate() {
         let square = vectors::dot(&joint.axis, &joint.axis);
+        unit_axes.push(formulas.is_zero(&(&square - &Form::number(1))));
         if formulas.is_zero(&square) {
             faults.push(Fault::NoAxis { joint: index });
-        } else if !formulas.is_zero(&(&square - &Form::number(1))) {
+        } else if !unit_axes[index] {
             let length = formulas.name(format!("length_{}", joint.name), &square.in_sines().root());
             joint.axis = joint.axis.each_ref().map(|component| component.over(&length));
         }
@@ -197,13 +202,13 @@ fn linearize(mut mechanism: Mechanism<Form>, formulas: &mut Formulas<'_>) -> Res
         return Err(faults);
     }
     let matrices = projection.matrices(formulas);
-    Ok(Linearized { mechanism, motions, matrices })
+    Ok(Linearized { mechanism, motions, matrices, unit_axes })
 }
 
 impl Linearized {
     /// The formulas without the engine; of the definitions all that are used by others or by results.
     fn export(self, formulas: Formulas<'_>, parameters: usize) -> Derivation {
-        let Self { mechanism, motions, matrices } = self;
+        let Self { mechanism, motions, matrices, unit_axes } = self;
         let to_formula = |form: &Form| form.to_formula(parameters);
         let all = |row: &[Form]| row.iter().map(to_formula).collect();
         let freedom = |joint: usize| motions.freedoms.iter().position(|free| *free == joint);
@@ -240,6 +245,6 @@ impl Linearized {
         let states = Projection::states(&mechanism, &matrices);
         let matrices = matrices.iter().map(|(name, rows)| (*name, rows.iter().map(|row| all(row)).collect())).collect();
         let definitions = formulas.made().iter().map(|(name, form)| (name.clone(), to_formula(form))).collect();
-        Derivation { definitions, matrices, states, rates, forces }
+        Derivation { definitions, matrices, states, rates, forces, unit_axes }
     }
 }

@@ -3,10 +3,12 @@
 mod assemble;
 mod attachments;
 mod coordinates;
+mod nonlinear;
 mod tree;
 
 pub use self::assemble::{Assembly, assemble};
 pub use self::coordinates::axis_of;
+pub use self::nonlinear::check_nonlinear;
 pub use self::tree::{Role, Tree};
 
 use crate::report::Report;

@@ -39,6 +39,7 @@ fn key(instruction: Instruction) -> Key {
 }
 
 impl Builder {
+    /// Without instructions, for so many parameters.
     pub fn new(parameters: usize) -> Self {
         Self { program: Program::new(parameters), known: FxHashMap::default() }
     }
@@ -61,6 +62,11 @@ impl Builder {
     /// What computes a value.
     pub fn instruction(&self, value: Value) -> Instruction {
         self.program.instructions[value]
+    }
+
+    /// What there is so far.
+    pub fn program(&self) -> &Program {
+        &self.program
     }
 
     /// The program, with the outputs and labels of the old one at their new values; labels may lose theirs.

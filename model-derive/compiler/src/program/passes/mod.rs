@@ -8,6 +8,7 @@ mod quotients;
 mod signs;
 mod substitute;
 
+pub use cse::Builder;
 pub use substitute::substitute;
 
 use super::Program;

@@ -46,6 +46,7 @@ pub fn parse_declaration(input: ParseStream<'_>, report: &mut Report) -> syn::Re
         added: Vec::new(),
         feedback: Vec::new(),
         derivatives: None,
+        nonlinear: None,
         unread: Vec::new(),
     };
     parse_statements(&content, report, starts_statement, |input, report| {

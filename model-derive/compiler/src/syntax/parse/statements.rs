@@ -24,7 +24,7 @@ use crate::syntax::tree::{Assertion, Declaration, Definition, Matrix, Requiremen
 /// What is said to be expected where no statement starts.
 const STATEMENTS: &str = "a statement: `parameters { … }`, `let name = …;`, `require … > 0;`, `assert … == …;`, \
                           `set name { … }`, `coordinates { … }`, `mechanism { … }`, `feedback T on q = …;`, \
-                          `derivatives;`, `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, or \
+                          `derivatives;`, `nonlinear;`, `source \"…\";` or a matrix `M`, `C-1`, `C0`, `C1`, `Kc`, `K0`, `K1`, `K2`, or \
                           `C` or `K` with the speed in it, with `symmetric` before it if that is to be proved, and `add` if it is added to that of a \
                           mechanism";
 
@@ -66,17 +66,18 @@ pub fn starts_statement(input: ParseStream<'_>) -> bool {
     let assigned = input.peek2(Token![=]) && !input.peek2(Token![==]);
     let behind = input.fork();
     let numbered = behind.parse::<syn::Ident>().is_ok() && starts_minus_one(&behind);
-    let follows = follows || word == "derivatives" && input.peek2(Token![;]);
+    let follows = follows || (word == "derivatives" || word == "nonlinear") && input.peek2(Token![;]);
     word == "let" || KEYWORDS.iter().any(|keyword| word == keyword) && (follows || assigned || word == "C" && numbered)
 }
 
 /// What may begin a statement, beside `let`.
-const KEYWORDS: [&str; 20] = [
+const KEYWORDS: [&str; 21] = [
     "source",
     "parameters",
     "coordinates",
     "mechanism",
     "derivatives",
+    "nonlinear",
     "require",
     "assert",
     "set",
@@ -122,6 +123,12 @@ fn parse_after_keyword(
                 report.error(keyword, "a second `derivatives`: expected one, since it asks for all derivatives");
             }
             parse_semicolon(input, "`;`", "`derivatives`: it asks for all of them")
+        }
+        "nonlinear" => {
+            if model.nonlinear.replace(keyword.span()).is_some() {
+                report.error(keyword, "a second `nonlinear`: expected one");
+            }
+            parse_semicolon(input, "`;`", "`nonlinear`: it asks for the equations of the mechanism")
         }
         "require" => {
             let value = parse_expression(input)?;

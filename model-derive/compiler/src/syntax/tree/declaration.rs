@@ -44,6 +44,8 @@ pub struct Declaration {
     pub feedback: Vec<Feedback>,
     /// Where the derivatives of the matrices are asked for.
     pub derivatives: Option<Span>,
+    /// Where the nonlinear equations of motion are asked for.
+    pub nonlinear: Option<Span>,
     /// Names of statements that could not be read: they exist, so using them is no further mistake.
     pub unread: Vec<Ident>,
 }

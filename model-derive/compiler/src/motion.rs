@@ -1,0 +1,40 @@
+//! The motion of a mechanism whose nonlinear equations are asked for: what is free, and what it is called.
+
+use crate::nonlinear::{Layout, Machine};
+
+/// What the equations are derived from, and the names of what they are in.
+#[derive(Debug)]
+pub struct MotionModel {
+    /// The mechanism with what is proved of it.
+    pub machine: Machine,
+    /// Which of its joints are free.
+    pub layout: Layout,
+    /// In the order of the layout.
+    pub positions: Vec<Position>,
+    /// The names of the wheels, each with what it is.
+    pub wheels: Vec<[String; 2]>,
+}
+
+/// A position of a joint.
+#[derive(Debug)]
+pub struct Position {
+    /// That of the coordinate, or as the paper has it.
+    pub name: String,
+    /// What it is.
+    pub label: String,
+    /// `rad` or `m`.
+    pub unit: &'static str,
+    /// What the equations have to do with it.
+    pub kind: PositionKind,
+}
+
+/// What the equations have to do with a position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PositionKind {
+    /// It is free to choose, and the motion depends on it.
+    Free,
+    /// The heights of the wheels determine it.
+    Dependent,
+    /// The motion does not depend on it.
+    Ignorable,
+}

@@ -1,0 +1,81 @@
+//! What depends on the parameters alone is computed once.
+
+use crate::program::{Instruction, Program, Value, passes};
+
+/// Programs of which each reads what another one has computed before.
+#[derive(Debug)]
+pub struct Split {
+    /// From the parameters.
+    pub constants: Program,
+    /// From what that computes, and behind it the other inputs.
+    pub programs: Vec<Program>,
+}
+
+/// Splits the program of some outputs; of its inputs the first `parameters` are constant.
+pub fn split(program: &Program, parameters: usize, outputs: &[Vec<Value>]) -> Split {
+    let mut varies: Vec<bool> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        varies.push(match instruction {
+            Instruction::Parameter(index) => *index >= parameters,
+            other => other.operands().any(|value| varies[value]),
+        });
+    }
+    let is_number = |value: Value| matches!(program.instructions[value], Instruction::Constant(_));
+    let is_constant = |value: Value| !varies[value] && !is_number(value);
+    let mut constants = Vec::new();
+    let needed: Vec<Vec<bool>> = outputs.iter().map(|outputs| find_needed(program, outputs, &varies)).collect();
+    for value in 0..program.instructions.len() {
+        let read = outputs.iter().zip(&needed).any(|(outputs, needed)| {
+            let by_others = || (0..program.instructions.len()).filter(|user| needed[*user] && varies[*user]);
+            outputs.contains(&value)
+                || by_others().any(|user| program.instructions[user].operands().any(|of| of == value))
+        });
+        if is_constant(value) && read {
+            constants.push(value);
+        }
+    }
+    let inputs = constants.len() + program.parameters - parameters;
+    let run = outputs.iter().zip(&needed).map(|(outputs, needed)| {
+        let mut run = Program::new(inputs);
+        let mut new: Vec<Value> = vec![0; program.instructions.len()];
+        for (value, instruction) in program.instructions.iter().enumerate() {
+            if !needed[value] {
+                continue;
+            }
+            let constant = constants.binary_search(&value).ok();
+            new[value] = run.push(match (constant, instruction) {
+                (Some(place), _) => Instruction::Parameter(place),
+                (None, Instruction::Parameter(index)) => Instruction::Parameter(index - parameters + constants.len()),
+                (None, other) => other.map(|operand| new[operand]),
+            });
+        }
+        run.outputs = outputs.iter().map(|output| new[*output]).collect();
+        passes::optimize(run)
+    });
+    let programs = run.collect();
+    let mut first = Program { parameters, outputs: constants, ..program.clone() };
+    // Beyond the constants there is nothing that it could read.
+    let last = first.outputs.last().map_or(0, |last| last + 1);
+    let kept = find_needed(&first, &first.outputs.clone(), &vec![true; first.instructions.len()]);
+    let mut new: Vec<Value> = vec![0; last];
+    let mut alone = Program::new(parameters);
+    for (value, instruction) in first.instructions.drain(..).enumerate().take(last) {
+        if kept[value] {
+            new[value] = alone.push(instruction.map(|operand| new[operand]));
+        }
+    }
+    alone.outputs = first.outputs.iter().map(|value| new[*value]).collect();
+    Split { constants: passes::optimize(alone), programs }
+}
+
+/// The values that outputs need, down to those that do not vary.
+fn find_needed(program: &Program, outputs: &[Value], varies: &[bool]) -> Vec<bool> {
+    let mut needed = vec![false; program.instructions.len()];
+    outputs.iter().for_each(|value| needed[*value] = true);
+    for value in (0..needed.len()).rev() {
+        if needed[value] && varies[value] {
+            program.instructions[value].operands().for_each(|operand| needed[operand] = true);
+        }
+    }
+    needed
+}
