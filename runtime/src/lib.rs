@@ -32,8 +32,8 @@
 //! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
 //! Many designs at once run in the lanes of the processor ([`batch`]).
 //!
-//! Along speed, models have their critical speeds and stable ranges ([`Stability`]), and those with two coordinates
-//! eigenvalues that are followed mode by mode ([`Modes`]).
+//! Along speed, models have their critical speeds and stable ranges ([`Stability`]), and eigenvalues that are followed one by
+//! one ([`Branches`]); bicycles with two coordinates have the names of all their modes ([`Modes`]).
 //!
 //! How all of them change with the parameters, for models that were compiled with their derivatives or with derivatives of
 //! your own, and what measured standard deviations make of them, tells [`Sensitivity`].
@@ -89,8 +89,8 @@ pub use sensitivity::{
 };
 #[cfg(feature = "std")]
 pub use stability::{
-    Change, CriticalKind, CriticalSpeed, MarginalRange, Mode, ModeValue, Modes, Stability, StableRange, UndecidedRange,
-    Verdict,
+    Branches, Change, CriticalKind, CriticalSpeed, MarginalRange, Meeting, Mode, ModeValue, Modes, Stability,
+    StableRange, UndecidedRange, Verdict,
 };
 pub use system::{Coefficients, Matrix, MatrixName, Rows, StateSpace, States, System, SystemError, rows};
 

@@ -4,6 +4,8 @@ use core::fmt;
 
 use nalgebra::Complex;
 
+use super::mode::Mode;
+
 /// A speed above zero at which the kind of motion changes.
 ///
 /// The speed zero is never listed. It is the end of the speeds, not a speed at which anything changes; and without
@@ -25,6 +27,28 @@ pub struct CriticalSpeed {
     pub eigenvalue: Complex<f64>,
     /// What changes as the speed grows.
     pub change: Change,
+}
+
+impl CriticalSpeed {
+    /// What oscillates as fast as this or faster is called wobble, in rad/s: 5 Hz.
+    ///
+    /// Weave of bicycles and motorcycles is reported with 2 to 4 Hz, and up to 5 at the highest speeds, wobble with 6 to 10.
+    pub const WOBBLE: f64 = 10.0 * core::f64::consts::PI;
+
+    /// The mode that is on the imaginary axis here, by the names of machines that lean and steer, or else of all others;
+    /// `None` at a double root.
+    ///
+    /// Of two coordinates, lean and steer alone, every pair on the axis is weave: [`Modes`](crate::Modes).
+    pub fn mode(&self, is_bicycle: bool) -> Option<Mode> {
+        match (self.kind, is_bicycle) {
+            (CriticalKind::Weave, true) if self.eigenvalue.im.abs() >= Self::WOBBLE => Some(Mode::Wobble),
+            (CriticalKind::Weave, true) => Some(Mode::Weave),
+            (CriticalKind::Capsize, true) => Some(Mode::Capsize),
+            (CriticalKind::Weave, false) => Some(Mode::Flutter),
+            (CriticalKind::Capsize, false) => Some(Mode::Divergence),
+            (CriticalKind::DoubleRoot, _) => None,
+        }
+    }
 }
 
 /// What happens at a critical speed, told from the eigenvalues there and from nothing else.

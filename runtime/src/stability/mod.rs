@@ -1,6 +1,7 @@
 //! Stability along speed.
 
 mod along_speed;
+mod branches;
 mod careful;
 #[cfg(feature = "serde")]
 mod complex;
@@ -23,6 +24,7 @@ use core::any::Any;
 use crate::number::Scalar;
 use crate::system::{Coefficients, States, SystemError, require_speed};
 
+pub use branches::{Branches, Meeting};
 pub use critical::{Change, CriticalKind, CriticalSpeed};
 pub use mode::Mode;
 pub use modes::{ModeValue, Modes};

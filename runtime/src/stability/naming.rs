@@ -67,6 +67,7 @@ fn room(mode: Mode) -> usize {
     match mode {
         Mode::Castering | Mode::Capsize => 1,
         Mode::Weave => 2,
+        Mode::Wobble | Mode::Divergence | Mode::Flutter => 0,
         Mode::Real | Mode::Oscillatory => 4,
     }
 }

@@ -68,8 +68,9 @@ pub fn draw_sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
 fn style(mode: Mode) -> Style {
     match mode {
         Mode::Castering => AnsiColor::Blue.on_default(),
-        Mode::Capsize => AnsiColor::Yellow.on_default(),
-        Mode::Weave => AnsiColor::Red.on_default(),
+        Mode::Capsize | Mode::Divergence => AnsiColor::Yellow.on_default(),
+        Mode::Weave | Mode::Flutter => AnsiColor::Red.on_default(),
+        Mode::Wobble => AnsiColor::Cyan.on_default(),
         Mode::Real | Mode::Oscillatory => FAINT,
     }
 }

@@ -8,8 +8,9 @@ use super::scene::Color;
 pub fn color(mode: Mode) -> Color {
     match mode {
         Mode::Castering => Color(0x1f, 0x6f, 0xb4),
-        Mode::Capsize => Color(0xb4, 0x6a, 0x00),
-        Mode::Weave => Color(0xc0, 0x28, 0x3c),
+        Mode::Capsize | Mode::Divergence => Color(0xb4, 0x6a, 0x00),
+        Mode::Weave | Mode::Flutter => Color(0xc0, 0x28, 0x3c),
+        Mode::Wobble => Color(0x00, 0x7d, 0x7d),
         Mode::Real => Color(0x55, 0x5d, 0x66),
         Mode::Oscillatory => Color(0x7a, 0x3f, 0x9d),
     }
