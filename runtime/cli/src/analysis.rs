@@ -4,28 +4,31 @@ use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use carvallo::{
-    Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, ModelInfo, Modes, Stability, StableRange, SystemError,
-    Verdict,
+    Branches, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, ModelInfo, Modes, Stability, StableRange,
+    SystemError, Verdict,
 };
 
 use crate::design::Design;
 use crate::failure::Failure;
 use crate::number::shortest;
+use crate::reach::reach;
 
 /// Sizes beyond which a parameter makes the others vanish in rounding, or leaves the range of doubles.
 const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
 
+/// Where there is no motion at rest, eigenvalues are followed from this part of the speeds on.
+const NEAR_REST: f64 = 1.0 / 256.0;
+
 /// Real parts that differ by less than this, relative to the largest eigenvalue, differ by rounding.
 pub const ROUNDING: f64 = 1e-12;
 
-/// The coordinates of a bicycle; only for them alone the modes have names.
+/// The coordinates of a bicycle; only for them alone all modes have names.
 const BICYCLE: [&str; 2] = ["lean", "steer"];
 
-/// What happens at a critical speed, in the words of the field: capsize and weave of machines that lean and steer, divergence
-/// and flutter of any other.
+/// What a kind of critical speed is called in the words of the field: capsize and weave of machines that lean and steer,
+/// divergence and flutter of any other.
 pub fn kind(kind: CriticalKind, info: &ModelInfo) -> &'static str {
-    let has = |label: &&str| info.coordinates.iter().any(|coordinate| coordinate.label == *label);
-    match (kind, BICYCLE.iter().all(has)) {
+    match (kind, leans_and_steers(info)) {
         (CriticalKind::Weave, true) => "weave",
         (CriticalKind::Weave, false) => "flutter",
         (CriticalKind::Capsize, true) => "capsize",
@@ -34,12 +37,39 @@ pub fn kind(kind: CriticalKind, info: &ModelInfo) -> &'static str {
     }
 }
 
+/// What one critical speed is called: its kind, and wobble where what weaves is too fast for it, which takes more coordinates
+/// than lean and steer.
+pub fn name(critical: &CriticalSpeed, info: &ModelInfo) -> &'static str {
+    let mode = critical.mode(leans_and_steers(info));
+    if mode == Some(Mode::Wobble) && !is_bicycle(info) { "wobble" } else { kind(critical.kind, info) }
+}
+
+/// Whether lean and steer are among the coordinates, as those of bicycles and motorcycles.
+pub fn leans_and_steers(info: &ModelInfo) -> bool {
+    BICYCLE.iter().all(|label| info.coordinates.iter().any(|coordinate| coordinate.label == *label))
+}
+
+fn is_bicycle(info: &ModelInfo) -> bool {
+    info.coordinates.iter().map(|coordinate| coordinate.label).eq(BICYCLE)
+}
+
 /// A design with everything about it along speed.
 pub struct Analysis {
     pub design: Design,
     pub stability: Stability,
-    /// For bicycles.
-    modes: Option<Modes>,
+    followed: Followed,
+    /// The speed in m/s up to which there is something to see.
+    pub reach: f64,
+}
+
+/// How eigenvalues are told apart.
+enum Followed {
+    /// By the names that all modes of a bicycle have.
+    Bicycle(Box<Modes>),
+    /// By where they come from.
+    Any(Branches),
+    /// Nothing depends on the speed.
+    Not,
 }
 
 /// What there is at one speed.
@@ -51,10 +81,11 @@ pub struct Row<V> {
 /// The eigenvalues at one speed, in the order of their modes.
 pub type ModeRow = Row<[ModeValue; 4]>;
 
-/// The eigenvalues at one speed, sorted by real part, and where real parts are equal up to rounding, by the size of the
-/// imaginary part: so their order is the same on every machine, and pairs stay together.
+/// The eigenvalues at one speed: followed ones in the order of their branches, others sorted by real part, and where real
+/// parts are equal up to rounding, by the size of the imaginary part: so their order is the same on every machine, and pairs
+/// stay together.
 pub struct Eigenvalues {
-    pub values: Vec<Complex<f64>>,
+    pub values: Vec<ModeValue>,
     pub verdict: Verdict,
 }
 
@@ -62,6 +93,8 @@ pub struct Eigenvalues {
 pub enum Rows {
     /// Followed mode by mode.
     Modes(Vec<ModeRow>),
+    /// Followed one by one.
+    Branches(Vec<Row<Eigenvalues>>),
     Sorted(Vec<Row<Eigenvalues>>),
 }
 
@@ -72,10 +105,20 @@ impl Analysis {
         let gravity = design.gravity().unwrap_or(0.0);
         let fail = |error: SystemError| Failure::Run(format!("{}: {error}{}", design.title(), extremes(&design)));
         let stability = design.equations.stability(gravity).map_err(fail)?;
-        let is_bicycle = design.info().coordinates.iter().map(|coordinate| coordinate.label).eq(BICYCLE);
-        let modes = design.equations.of_two().filter(|_| is_bicycle).map(|two| Modes::new(two, gravity));
-        let modes = modes.transpose().map_err(fail)?;
-        Ok(Self { design, stability, modes })
+        let info = design.info();
+        let reach = reach(&stability, leans_and_steers(info));
+        let followed = match design.equations.of_two() {
+            Some(two) if is_bicycle(info) => Followed::Bicycle(Box::new(Modes::new(two, gravity).map_err(fail)?)),
+            _ if !design.model.depends_on_speed() => Followed::Not,
+            _ => {
+                // Near rest what is divided by the speed leaves every bound.
+                let from = if design.equations.without_rest().is_some() { NEAR_REST * reach } else { 0.0 };
+                let critical = &stability.critical_speeds;
+                let branches = design.equations.branches(gravity, critical, [from, reach], leans_and_steers(info));
+                Followed::Any(branches.map_err(fail)?)
+            }
+        };
+        Ok(Self { design, stability, followed, reach })
     }
 
     pub fn critical_speeds(&self) -> &[CriticalSpeed] {
@@ -93,7 +136,10 @@ impl Analysis {
 
     /// The modes that columns are for, each as often as it has eigenvalues at some speed; none without names of modes.
     pub fn mode_columns(&self) -> Vec<Mode> {
-        self.modes.as_ref().map(Modes::all).unwrap_or_default()
+        match &self.followed {
+            Followed::Bicycle(modes) => modes.all(),
+            Followed::Any(_) | Followed::Not => Vec::new(),
+        }
     }
 
     /// The eigenvalues at each of the speeds; none at rest where there are no equations of motion.
@@ -103,11 +149,19 @@ impl Analysis {
     pub fn rows(&self, speeds: &[f64]) -> Result<Rows, Failure> {
         let speeds: Vec<f64> = speeds.iter().copied().filter(|speed| self.has_equations_at(*speed)).collect();
         let speeds = speeds.as_slice();
-        Ok(match &self.modes {
-            Some(modes) => Rows::Modes(self.each(speeds, |speed| modes.at(speed))?),
-            None if self.design.model.depends_on_speed() => Rows::Sorted(self.each(speeds, |v| self.eigenvalues(v))?),
-            None => Rows::Sorted(self.each(&[0.0], |v| self.eigenvalues(v))?),
+        Ok(match &self.followed {
+            Followed::Bicycle(modes) => Rows::Modes(self.each(speeds, |speed| modes.at(speed))?),
+            Followed::Any(branches) => Rows::Branches(self.each(speeds, |speed| self.branches_at(branches, speed))?),
+            Followed::Not => Rows::Sorted(self.each(&[0.0], |_| self.sorted())?),
         })
+    }
+
+    /// Where eigenvalues that are followed one by one meet.
+    pub fn meetings(&self) -> Vec<f64> {
+        match &self.followed {
+            Followed::Any(branches) => branches.meetings().iter().map(|meeting| meeting.speed).collect(),
+            Followed::Bicycle(_) | Followed::Not => Vec::new(),
+        }
     }
 
     /// Whether there are equations of motion at a speed: at rest there may be none.
@@ -128,18 +182,24 @@ impl Analysis {
         speeds.iter().map(row).collect()
     }
 
-    fn eigenvalues(&self, speed: f64) -> Result<Eigenvalues, SystemError> {
-        let mut values = self.design.equations.eigenvalues(speed, self.design.gravity().unwrap_or(0.0))?;
-        let unit = (ROUNDING * largest(&values)).max(f64::MIN_POSITIVE);
+    fn branches_at(&self, branches: &Branches, speed: f64) -> Result<Eigenvalues, SystemError> {
+        Ok(Eigenvalues { values: branches.at(speed)?, verdict: self.stability.verdict(speed)? })
+    }
+
+    fn sorted(&self) -> Result<Eigenvalues, SystemError> {
+        let mut values = self.design.equations.eigenvalues(0.0, self.design.gravity().unwrap_or(0.0))?;
+        let unit = (ROUNDING * largest(values.iter().copied())).max(f64::MIN_POSITIVE);
         let key = |value: &Complex<f64>| [(value.re / unit).round(), value.im.abs(), value.im];
         values.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(Ordering::Equal));
-        Ok(Eigenvalues { values, verdict: self.stability.verdict(speed)? })
+        let mode = |value: Complex<f64>| if value.im == 0.0 { Mode::Real } else { Mode::Oscillatory };
+        let values = values.into_iter().map(|value| ModeValue { mode: mode(value), value }).collect();
+        Ok(Eigenvalues { values, verdict: self.stability.verdict(0.0)? })
     }
 }
 
 /// The size of the largest eigenvalue.
-pub fn largest(values: &[Complex<f64>]) -> f64 {
-    values.iter().map(|value| value.norm()).fold(0.0, f64::max)
+pub fn largest(values: impl Iterator<Item = Complex<f64>>) -> f64 {
+    values.map(|value| value.norm()).fold(0.0, f64::max)
 }
 
 /// The parameters that are probably to blame where there is no answer, as the end of a sentence.

@@ -17,9 +17,11 @@ mod options;
 mod output;
 mod plot;
 mod quantity;
+mod reach;
 mod sensitivity;
 mod simulate;
 mod speeds;
+mod strands;
 mod sweep;
 mod terminal;
 

@@ -8,8 +8,8 @@ use std::marker::PhantomData;
 
 use carvallo::simulation::{LinearMotion, Machine};
 use carvallo::{
-    Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Matrix, MatrixName, Model, ModelInfo,
-    Sensitivity, SensitivityError, Stability, States, SystemError,
+    Branches, Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Matrix, MatrixName, Model,
+    ModelInfo, Sensitivity, SensitivityError, Stability, States, SystemError,
 };
 use carvallo_models::Whipple;
 
@@ -217,6 +217,19 @@ pub trait Equations: Debug {
     /// If there are none, as for a singular mass matrix.
     fn stability(&self, gravity: f64) -> Result<Stability, SystemError>;
 
+    /// The eigenvalues followed one by one over a range of speeds in m/s, at a gravitational field strength in N/kg, with names
+    /// from critical speeds; as those of a machine that leans and steers, or of any other.
+    ///
+    /// # Errors
+    /// If there are none at some speed in the range.
+    fn branches(
+        &self,
+        gravity: f64,
+        critical_speeds: &[CriticalSpeed],
+        range: [f64; 2],
+        is_bicycle: bool,
+    ) -> Result<Branches, SystemError>;
+
     /// The coefficients of exactly two coordinates, for which there is more to be had: without C-1 and K1, and with
     /// positions and rates for states.
     fn of_two(&self) -> Option<&Coefficients<f64, 2>>;
@@ -266,6 +279,16 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
 
     fn stability(&self, gravity: f64) -> Result<Stability, SystemError> {
         Stability::new(self, gravity)
+    }
+
+    fn branches(
+        &self,
+        gravity: f64,
+        critical_speeds: &[CriticalSpeed],
+        range: [f64; 2],
+        is_bicycle: bool,
+    ) -> Result<Branches, SystemError> {
+        Branches::new(self, gravity, critical_speeds, range, is_bicycle)
     }
 
     fn of_two(&self) -> Option<&Coefficients<f64, 2>> {

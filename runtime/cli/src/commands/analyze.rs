@@ -8,6 +8,7 @@ use crate::limits::{EigenvalueLimits, SpeedLimits};
 use crate::options::{DesignOptions, Format, Picture, Speeds};
 use crate::output;
 use crate::plot::{self, Limits};
+use crate::reach;
 use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
@@ -24,8 +25,8 @@ Files: TOML as `carvallo show` writes it; YAML `name: value` and text `name = va
 BicycleParameters writes them, also as scripts of Python and MATLAB; JSON, also as --format json writes it, or with
 matrices instead of parameters. Values may be expressions, in other units, and have standard deviations: pi/10,
 atan(1/3), 18 deg, 102 cm, 1.02+/-0.01, 1.020(3).
-Pages beside the source of this program: docs/files.md has every form, docs/modes.md says what castering, capsize and
-weave are.
+Pages beside the source of this program: docs/files.md has every form, docs/modes.md says what castering, capsize,
+weave, wobble, divergence and flutter are.
 
 JSON for the Whipple model, in SI units, every number reading back to the same double:
   {\"model\", \"bicycle\", \"parameters\": {NAME: VALUE}, \"matrices\": {\"M\", \"C1\", \"K0\", \"K2\"},
@@ -36,9 +37,10 @@ JSON for the Whipple model, in SI units, every number reading back to the same d
    \"eigenvalues\": [{\"speed\", \"values\": [{\"re\", \"im\", \"mode\": \"castering\"|\"capsize\"|\"weave\"
      |\"real\"|\"oscillatory\"}]}]}
 Other models have \"name\" in the place of \"bicycle\", and those of \"M\", \"C-1\", \"C0\", \"C1\", \"Kc\", \"K0\", \"K1\", \"K2\" that they have.
-Unless lean and steer are among the coordinates, kinds are \"flutter\", \"divergence\" and \"double_root\"; unless they are
-all, eigenvalues have no \"mode\" and are sorted, and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\"; where
-nothing depends on the speed there is one row, with the speed null.
+Unless lean and steer are among the coordinates, kinds are \"flutter\", \"divergence\" and \"double_root\"; with others beside
+them there is \"wobble\", too. Eigenvalues are followed one by one, in the same order at all speeds; their modes are those
+kinds, \"real\" or \"oscillatory\", and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\". Where nothing depends
+on the speed there is one row, with the speed null.
 
 Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";
 
@@ -52,7 +54,7 @@ pub struct Options {
         long,
         value_name = "SPEEDS",
         allow_hyphen_values = true,
-        help = "In m/s: LOW:HIGH:STEP, a list, or one [default: 0:10:1 in a table, else 0:10:0.1]"
+        help = "In m/s: LOW:HIGH:STEP, a list, or one [default: 0 to 10, or as far as there are critical speeds]"
     )]
     speeds: Option<Speeds>,
     /// table, json or csv
@@ -64,7 +66,7 @@ pub struct Options {
     /// The speeds that --plot shows, in m/s [default: those of --speeds]
     #[arg(long, value_name = "LOW:HIGH", requires = "plot")]
     xlim: Option<SpeedLimits>,
-    /// The eigenvalues that --plot shows, in 1/s [default: something of every mode]
+    /// The eigenvalues that --plot shows, in 1/s; but for bicycles their real parts [default: what is slow or critical]
     #[arg(long, value_name = "LOW:HIGH", requires = "plot", allow_hyphen_values = true)]
     ylim: Option<EigenvalueLimits>,
 }
@@ -90,12 +92,15 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         }
     }
     let given = options.speeds.as_ref();
-    let speeds_or = |default: fn() -> Vec<f64>| given.map_or_else(default, |Speeds(speeds)| speeds.clone());
-    let speeds = speeds_or(if options.format == Format::Table { coarse_speeds } else { fine_speeds });
+    let speeds_or = |is_coarse: bool| match given {
+        Some(Speeds(speeds)) => speeds.clone(),
+        None => reach::speeds(analysis.reach, is_coarse),
+    };
+    let speeds = speeds_or(options.format == Format::Table);
     tell_of_rest(&analysis, &speeds)?;
     let rows = analysis.rows(&speeds)?;
     if let Some(picture) = &options.plot {
-        let x = options.xlim.map_or_else(|| extremes(&speeds_or(fine_speeds)), |SpeedLimits(low, high)| (low, high));
+        let x = options.xlim.map_or_else(|| extremes(&speeds_or(false)), |SpeedLimits(low, high)| (low, high));
         let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
         picture.write(&plot::draw_eigenvalues(&analysis, Limits { x, y })?)?;
     }
@@ -117,16 +122,6 @@ fn tell_of_rest(analysis: &Analysis, speeds: &[f64]) -> Result<(), Failure> {
     }
     note(WARNING, "note", &format!("{nothing}: left out"));
     Ok(())
-}
-
-/// The speeds of tables, in m/s.
-pub fn coarse_speeds() -> Vec<f64> {
-    (0..=10).map(f64::from).collect()
-}
-
-/// The speeds of everything that is read by programs or drawn, in m/s.
-fn fine_speeds() -> Vec<f64> {
-    (0..=100).map(|tenths| f64::from(tenths) / 10.0).collect()
 }
 
 /// The lowest and the highest of the speeds.

@@ -2,24 +2,24 @@
 
 use std::path::PathBuf;
 
-use super::analyze::coarse_speeds;
 use crate::analysis::Analysis;
 use crate::failure::Failure;
 use crate::input::DEFAULT_BICYCLE;
 use crate::options::DesignOptions;
 use crate::output;
 use crate::plot::{self, Limits};
+use crate::reach;
 use crate::terminal::print;
 
 /// The benchmark bicycle and its picture, and how to go on.
 pub fn run() -> Result<(), Failure> {
     let analysis = Analysis::new(DesignOptions::default().load()?)?;
-    let rows = analysis.rows(&coarse_speeds())?;
+    let rows = analysis.rows(&reach::speeds(analysis.reach, true))?;
     let mut text = output::render_table(&analysis, &rows);
     text.push('\n');
-    text.push_str(&output::draw_sketch(&analysis, 10.0)?);
+    text.push_str(&output::draw_sketch(&analysis, analysis.reach)?);
     let path = picture_directory().map(|directory| directory.join(format!("{DEFAULT_BICYCLE}.svg")));
-    let limits = Limits { x: (0.0, 10.0), y: None };
+    let limits = Limits { x: (0.0, analysis.reach), y: None };
     // Nobody asked for the picture, so that what keeps it from being written is no failure.
     match path
         .filter(|path| plot::draw_eigenvalues(&analysis, limits).and_then(|scene| plot::save(&scene, path)).is_ok())

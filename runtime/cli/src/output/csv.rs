@@ -8,8 +8,8 @@ use super::cells::{exact, write_rows};
 use crate::analysis::{Analysis, Rows};
 
 /// One row a speed, under a header with the units. Each mode that has two eigenvalues has numbered columns; what has no name
-/// is in further columns, and cells are empty where no eigenvalue has the name. Without names of modes all eigenvalues have
-/// numbers, and the last column tells whether the motion is stable.
+/// is in further columns, and cells are empty where no eigenvalue has the name. Of other models all eigenvalues have numbers,
+/// each the same at all speeds, and the last column tells whether the motion is stable.
 ///
 /// # Errors
 /// If it cannot be written.
@@ -27,7 +27,7 @@ pub fn write_csv(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> Re
                 lines.push([vec![exact(row.speed)], columns.iter().map(value).flat_map(cells).collect()].concat());
             }
         }
-        Rows::Sorted(rows) => {
+        Rows::Branches(rows) | Rows::Sorted(rows) => {
             // Where nothing depends on the speed there is no column for it.
             let speed = |text: String| if analysis.design.model.depends_on_speed() { vec![text] } else { Vec::new() };
             let names = (1..=analysis.design.model.eigenvalues()).map(|index| format!("eigenvalue {index}"));
@@ -37,7 +37,7 @@ pub fn write_csv(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> Re
                 lines.push(
                     [
                         speed(exact(row.speed)),
-                        row.values.values.iter().copied().map(Some).flat_map(cells).collect(),
+                        row.values.values.iter().map(|value| Some(value.value)).flat_map(cells).collect(),
                         verdict,
                     ]
                     .concat(),

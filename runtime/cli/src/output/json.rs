@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::equations::{Matrix, matrices};
 use super::head::Head;
 use super::layout::{Line, Members, Parts, write_document};
-use crate::analysis::{Analysis, Eigenvalues, Row, Rows, kind};
+use crate::analysis::{Analysis, Eigenvalues, Row, Rows, name};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -36,12 +36,12 @@ struct Event {
     verdicts: [String; 2],
 }
 
-/// The eigenvalues at one speed, with the names of their modes or with a verdict.
+/// The eigenvalues at one speed, with the names of their modes, and but for bicycles with a verdict.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum AtSpeed {
     Modes { speed: f64, values: Vec<Named> },
-    Sorted { speed: Option<f64>, verdict: String, values: Vec<Parts> },
+    Sorted { speed: Option<f64>, verdict: String, values: Vec<Named> },
 }
 
 /// An eigenvalue whose mode has a name.
@@ -68,7 +68,7 @@ pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> R
         undecided_ranges: stability.undecided.iter().map(|UndecidedRange { from, to }| Line((*from, *to))).collect(),
         eigenvalues: match rows {
             Rows::Modes(rows) => rows.iter().map(modes).map(Line).collect(),
-            Rows::Sorted(rows) => {
+            Rows::Branches(rows) | Rows::Sorted(rows) => {
                 let moves = design.model.depends_on_speed();
                 rows.iter().map(|row| Line(sorted(row, moves))).collect()
             }
@@ -79,7 +79,7 @@ pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> R
 
 fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {
     let event = |critical: &CriticalSpeed| Event {
-        kind: kind(critical.kind, info),
+        kind: name(critical, info),
         speed: critical.speed,
         eigenvalue: critical.eigenvalue.into(),
         change: critical.change.to_string(),
@@ -93,13 +93,15 @@ fn ranges(stability: &Stability) -> Vec<Line<Range>> {
 }
 
 fn modes(Row { speed, values }: &Row<[ModeValue; 4]>) -> AtSpeed {
-    let named =
-        |ModeValue { mode, value: Complex { re, im } }: &ModeValue| Named { re: *re, im: *im, mode: mode.to_string() };
     AtSpeed::Modes { speed: *speed, values: values.iter().map(named).collect() }
 }
 
 /// Where nothing depends on the speed there is none.
 fn sorted(Row { speed, values: Eigenvalues { values, verdict } }: &Row<Eigenvalues>, moves: bool) -> AtSpeed {
-    let values = values.iter().copied().map(Parts::from).collect();
+    let values = values.iter().map(named).collect();
     AtSpeed::Sorted { speed: moves.then_some(*speed), verdict: verdict.to_string(), values }
+}
+
+fn named(ModeValue { mode, value: Complex { re, im } }: &ModeValue) -> Named {
+    Named { re: *re, im: *im, mode: mode.to_string() }
 }

@@ -1,5 +1,6 @@
 //! The ways in which results are printed.
 
+mod branches;
 mod cells;
 mod columns;
 mod csv;

@@ -1,13 +1,13 @@
-//! Eigenvalues without names of modes as a table: at each speed any number of them, pairs as one.
+//! The eigenvalues of a model that does not depend on the speed, for people: any number of them, pairs as one.
 
 use std::fmt::Write as _;
 
 use anstyle::Style;
-use carvallo::{Complex, Verdict};
+use carvallo::{Complex, ModeValue, Verdict};
 
-use super::columns::{LINE, speeds, width};
-use super::{FAINT, GOOD, HEADING};
-use crate::analysis::{Analysis, Eigenvalues, ROUNDING, Row, largest};
+use super::columns::{LINE, width};
+use super::{GOOD, HEADING};
+use crate::analysis::{Eigenvalues, ROUNDING, Row, largest};
 use crate::number::fixed;
 
 /// A real eigenvalue, or a pair with the size of its imaginary parts.
@@ -17,29 +17,19 @@ struct Entry {
 }
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped.
-pub fn write_eigenvalues(analysis: &Analysis, rows: &[Row<Eigenvalues>], text: &mut String) {
-    let moves = analysis.design.model.depends_on_speed();
-    let _ = match moves {
-        true => writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s)"),
-        false => writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s) at every speed: nothing depends on v"),
-    };
-    let speeds = if moves { speeds(rows) } else { vec![String::new(); rows.len()] };
-    let v = if moves { width(&speeds, 9) } else { 0 };
-    if moves {
-        let _ = writeln!(text, "{FAINT}{:>v$}{FAINT:#}", "v (m/s)");
-    }
+pub fn write_eigenvalues(rows: &[Row<Eigenvalues>], text: &mut String) {
+    let _ = writeln!(text, "\n{HEADING}Eigenvalues{HEADING:#} (1/s) at every speed: nothing depends on v");
     let entries: Vec<Vec<Entry>> = rows.iter().map(|row| entries(&row.values.values)).collect();
     let all = || entries.iter().flatten();
     let re = width(all().map(|entry| &entry.re), 12);
     let im = width(all().filter_map(|entry| entry.im.as_ref()), 9) - 2;
-    let columns = ((LINE - v - 10) / (re + im + 5)).max(1);
+    let columns = ((LINE - 10) / (re + im + 5)).max(1);
     for (index, row) in rows.iter().enumerate() {
         let verdict = row.values.verdict;
         let style = if verdict == Verdict::Stable { GOOD } else { Style::new() };
         for (line, entries) in entries[index].chunks(columns).enumerate() {
-            let (speed, verdict) =
-                if line == 0 { (speeds[index].as_str(), verdict.to_string()) } else { Default::default() };
-            let _ = write!(text, "{style}{speed:>v$}  {verdict:<8}");
+            let verdict = if line == 0 { verdict.to_string() } else { String::new() };
+            let _ = write!(text, "{style}  {verdict:<8}");
             for (column, Entry { re: real, im: imaginary }) in entries.iter().enumerate() {
                 let _ = match imaginary {
                     Some(imaginary) => write!(text, "{real:>re$} ± {imaginary:>im$} i"),
@@ -54,10 +44,11 @@ pub fn write_eigenvalues(analysis: &Analysis, rows: &[Row<Eigenvalues>], text: &
 }
 
 /// Pairs stand where their half with the negative imaginary part does.
-fn entries(values: &[Complex<f64>]) -> Vec<Entry> {
-    let rounding = ROUNDING * largest(values);
-    let lower_half = values.iter().filter(|value| value.im <= 0.0);
-    let entry = |value: &Complex<f64>| {
+fn entries(values: &[ModeValue]) -> Vec<Entry> {
+    let values = || values.iter().map(|value| value.value);
+    let rounding = ROUNDING * largest(values());
+    let lower_half = values().filter(|value| value.im <= 0.0);
+    let entry = |value: Complex<f64>| {
         let re = if value.re.abs() < rounding { 0.0 } else { value.re };
         Entry { re: fixed(re, 6), im: (value.im < 0.0).then(|| fixed(-value.im, 6)) }
     };

@@ -6,7 +6,7 @@ use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, St
 
 use super::columns::{speeds, width};
 use super::ranges::write_ranges;
-use super::{FAINT, GOOD, HEADING, equations, sorted};
+use super::{FAINT, GOOD, HEADING, branches, equations, sorted};
 use crate::analysis::{self, Analysis, ModeRow, ROUNDING, Rows};
 use crate::design::Design;
 use crate::number::{fixed, shortest};
@@ -21,7 +21,8 @@ pub fn render_table(analysis: &Analysis, rows: &Rows) -> String {
     }
     match rows {
         Rows::Modes(rows) => write_modes(analysis, rows, &mut text),
-        Rows::Sorted(rows) => sorted::write_eigenvalues(analysis, rows, &mut text),
+        Rows::Branches(rows) => branches::write_eigenvalues(rows, &mut text),
+        Rows::Sorted(rows) => sorted::write_eigenvalues(rows, &mut text),
     }
     text
 }
@@ -42,7 +43,7 @@ fn write_critical_speeds(analysis: &Analysis, text: &mut String) {
     let width = width(&speeds, 20);
     for critical in &stability.critical_speeds {
         let CriticalSpeed { kind, speed, eigenvalue, .. } = critical;
-        let name = analysis::kind(*kind, analysis.design.info()).replace('_', " ");
+        let name = analysis::name(critical, analysis.design.info()).replace('_', " ");
         let at = match kind {
             CriticalKind::Weave => format!("±{} i", fixed(eigenvalue.im.abs(), 4)),
             CriticalKind::Capsize => "0".to_owned(),

@@ -42,8 +42,9 @@ impl Axes {
         }
     }
 
-    /// The frame with its labels, to be drawn over the data.
-    pub fn draw_frame(&self, scene: &mut Scene, x_label: &str, y_label: &str) {
+    /// The frame with its labels, to be drawn over the data. Without a label for the horizontal axis another graph goes on
+    /// below, which has it.
+    pub fn draw_frame(&self, scene: &mut Scene, x_label: Option<&str>, y_label: &str) {
         let [left, top, right, bottom] = self.area;
         if self.y.0 < 0.0 && self.y.1 > 0.0 {
             let (_, zero) = self.place(self.x.0, 0.0);
@@ -53,6 +54,9 @@ impl Axes {
         for (tick, text) in across(self.x, right - left) {
             let (x, _) = self.place(tick, self.y.0);
             scene.polyline(&[(x, bottom), (x, bottom + 5.0)], line(1.2), INK);
+            if x_label.is_none() {
+                continue;
+            }
             // The last label may be wider than the margin.
             let x = x.min(scene.width - 4.0 - font::width(&text, TEXT_SIZE) / 2.0);
             scene.text((x, bottom + 20.0), Anchor::Middle, TEXT_SIZE, INK, &text);
@@ -62,7 +66,9 @@ impl Axes {
             scene.polyline(&[(left - 5.0, y), (left, y)], line(1.2), INK);
             scene.text((left - 9.0, y + 4.5), Anchor::End, TEXT_SIZE, INK, &text);
         }
-        scene.text(((left + right) / 2.0, bottom + 43.0), Anchor::Middle, 15.0, INK, x_label);
+        if let Some(x_label) = x_label {
+            scene.text(((left + right) / 2.0, bottom + 43.0), Anchor::Middle, 15.0, INK, x_label);
+        }
         scene.upward_text((left - title_distance(self.y), (top + bottom) / 2.0), 15.0, INK, y_label);
     }
 }

@@ -10,11 +10,12 @@ const SIZE: f32 = 13.0;
 /// The height of a line of the note.
 pub const ROW: f32 = 19.0;
 
-/// The lines of the note; none if the axes show every curve.
-pub fn note(series: &[Series], y: (f64, f64), width: f32) -> Vec<String> {
+/// The lines of the note; none if the axes show every curve. Of several graphs each says which it is for.
+pub fn note(series: &[Series], y: (f64, f64), graph: Option<&str>, width: f32) -> Vec<String> {
     let mut parts: Vec<String> = series.iter().flat_map(|series| beyond(series, y)).collect();
     let Some(first) = parts.first_mut() else { return parts };
-    *first = format!("Beyond the axes: {first}");
+    let graph = graph.map(|graph| format!(" of {graph}")).unwrap_or_default();
+    *first = format!("Beyond the axes{graph}: {first}");
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         match lines.last_mut() {
@@ -49,10 +50,10 @@ fn three_digits(value: f64) -> String {
 }
 
 /// Writes the note, from the height of its first line on.
-pub fn write(lines: &[String], axes: &Axes, top: f32, scene: &mut Scene) {
+pub fn write(lines: &[String], left: f32, top: f32, scene: &mut Scene) {
     let mut base = top;
     for text in lines {
-        scene.text((axes.area[0], base), Anchor::Start, SIZE, INK, text);
+        scene.text((left, base), Anchor::Start, SIZE, INK, text);
         base += ROW;
     }
 }
@@ -62,7 +63,9 @@ pub fn draw_heads(points: &[(f32, f32)], axes: &Axes, color: Color, scene: &mut 
     let [_, top, _, bottom] = axes.area;
     for (x, y) in [points.first(), points.last()].into_iter().flatten().copied() {
         for (edge, outward) in [(top, -1.0), (bottom, 1.0)] {
-            if (y - edge).abs() < 0.01 {
+            // Frequencies end at zero where they do, and not since the axis does.
+            let is_end = outward > 0.0 && axes.y.0 == 0.0;
+            if (y - edge).abs() < 0.01 && !is_end {
                 let head = [(x, y), (x - 5.0, y - 9.0 * outward), (x + 5.0, y - 9.0 * outward)];
                 scene.polyline(&head, Paint::Fill, color);
             }

@@ -15,3 +15,19 @@ pub fn color(mode: Mode) -> Color {
         Mode::Oscillatory => Color(0x7a, 0x3f, 0x9d),
     }
 }
+
+/// The colours of what has no name, one after the other.
+const OTHERS: [Color; 7] = [
+    Color(0x1f, 0x6f, 0xb4),
+    Color(0x7a, 0x3f, 0x9d),
+    Color(0x5b, 0x7a, 0x1f),
+    Color(0x8c, 0x4a, 0x2f),
+    Color(0x55, 0x5d, 0x66),
+    Color(0x2f, 0x3f, 0x9c),
+    Color(0xa0, 0x3c, 0x78),
+];
+
+/// The colour of one of several modes without names.
+pub fn other(index: usize) -> Color {
+    OTHERS[index % OTHERS.len()]
+}

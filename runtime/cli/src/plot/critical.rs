@@ -34,8 +34,9 @@ pub fn critical(analysis: &Analysis, axes: &Axes) -> Vec<Critical> {
         if !(axes.x.0..=axes.x.1).contains(&speed) {
             continue;
         }
-        let name = analysis::kind(critical.kind, analysis.design.info()).replace('_', " ");
+        let name = analysis::name(critical, analysis.design.info()).replace('_', " ");
         let color = match critical.kind {
+            CriticalKind::Weave if name == "wobble" => color(Mode::Wobble),
             CriticalKind::Weave => color(Mode::Weave),
             CriticalKind::Capsize => color(Mode::Capsize),
             CriticalKind::DoubleRoot => INK.lighter(0.3),
@@ -70,22 +71,30 @@ pub fn avoid(critical: &[Critical], axes: &Axes, labels: &mut Labels) {
     }
 }
 
-/// The lines, which make way for the labels that had no room beside them, and the values.
-pub fn draw(critical: &[Critical], axes: &Axes, labels: &Labels, scene: &mut Scene) {
+/// The lines, which make way for the labels that had no room beside them; in the first graph they begin at the values.
+pub fn draw_lines(critical: &[Critical], axes: &Axes, labels: &Labels, is_first: bool, scene: &mut Scene) {
     let [_, top, _, bottom] = axes.area;
-    let base = |row: u8| top - 8.0 - f32::from(row) * ROW;
     for Critical { speed, color, row, .. } in critical {
         let (x, _) = axes.place(*speed, 0.0);
-        let mut from = base(*row) + 4.0;
+        let mut from = if is_first { base(top, *row) + 4.0 } else { top };
         for (to, next) in labels.crossed_at(x).into_iter().chain([(bottom, bottom)]) {
             scene.polyline(&[(x, from), (x, to)], dashed(1.2, [2.0, 3.0]), color.lighter(0.2));
             from = next;
         }
     }
+}
+
+/// The values above the frame.
+pub fn write_values(critical: &[Critical], top: f32, scene: &mut Scene) {
     for Critical { text, color, x, width, row, .. } in critical {
         // The line of a value in a higher row may pass behind this one.
-        let (base, half) = (base(*row), width / 2.0 + 3.0);
+        let (base, half) = (base(top, *row), width / 2.0 + 3.0);
         scene.rectangle([x - half, base - 12.0, x + half, base + 4.0], Paint::Fill, WHITE);
         scene.text((*x, base), Anchor::Middle, SIZE, *color, text);
     }
+}
+
+/// The baseline of the values in a row.
+fn base(top: f32, row: u8) -> f32 {
+    top - 8.0 - f32::from(row) * ROW
 }

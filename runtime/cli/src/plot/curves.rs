@@ -4,22 +4,20 @@ use carvallo::{Complex, Mode};
 
 use crate::analysis::{Analysis, ModeRow};
 
-/// Speeds of the curves, enough for lines that look smooth; more where it is not known at which of them curves turn.
+/// Speeds of the curves, enough for lines that look smooth.
 const SAMPLES: u32 = 250;
-const SAMPLES_WITHOUT_DOUBLE_ROOTS: u32 = 1000;
 
 /// Speeds and values.
 pub type Curve = Vec<(f64, f64)>;
 
-/// Evenly spaced speeds, and close ones around critical speeds, where curves turn sharply.
+/// Evenly spaced speeds, and close ones around critical speeds and where eigenvalues meet: there curves turn sharply.
 pub fn samples(analysis: &Analysis, low: f64, high: f64) -> Vec<f64> {
-    let has_double_roots = analysis.design.equations.of_two().is_some();
-    let samples = if has_double_roots { SAMPLES } else { SAMPLES_WITHOUT_DOUBLE_ROOTS };
-    let step = (high - low) / f64::from(samples);
-    let mut speeds: Vec<f64> = (0..=samples).map(|index| low + f64::from(index) * step).collect();
-    for critical in analysis.critical_speeds() {
+    let step = (high - low) / f64::from(SAMPLES);
+    let mut speeds: Vec<f64> = (0..=SAMPLES).map(|index| low + f64::from(index) * step).collect();
+    let critical = analysis.critical_speeds().iter().map(|critical| critical.speed);
+    for turn in critical.chain(analysis.meetings()) {
         let around = (0..7).map(|power| step / 4_f64.powi(power)).flat_map(|shift| [-shift, shift]);
-        speeds.extend(around.chain([0.0]).map(|shift| critical.speed + shift));
+        speeds.extend(around.chain([0.0]).map(|shift| turn + shift));
     }
     speeds.retain(|speed| (low..=high).contains(speed));
     speeds.sort_by(f64::total_cmp);
@@ -40,13 +38,13 @@ pub fn extent_of_all(extent: f64, curves: &[Curve]) -> f64 {
 }
 
 /// The number that so many tenths of the numbers are below.
-fn quantile(mut numbers: Vec<f64>, tenths: usize) -> Option<f64> {
+pub fn quantile(mut numbers: Vec<f64>, tenths: usize) -> Option<f64> {
     numbers.sort_by(f64::total_cmp);
     numbers.get(numbers.len() * tenths / 10).copied()
 }
 
 /// The next of 1, 2 and 5 times a power of ten.
-fn round(size: f64) -> f64 {
+pub fn round(size: f64) -> f64 {
     if size <= 0.0 {
         return size;
     }

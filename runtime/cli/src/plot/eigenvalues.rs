@@ -3,18 +3,23 @@
 use super::axes::{self, Axes, INK};
 use super::beyond;
 use super::critical;
-use super::curves::{Curve, clip, extent, extent_of_all, samples};
+use super::curves::{Curve, clip, samples};
 use super::font;
 use super::labels::{LINE, Labels};
+use super::panels::{Panel, panels};
 use super::scene::{Anchor, Color, Paint, Scene, line};
-use super::series::{Series, series};
+use super::series::Series;
 use crate::analysis::{Analysis, Rows};
 use crate::failure::Failure;
 
 const WIDTH: f32 = 960.0;
 const HEIGHT: f32 = 640.0;
 const RIGHT: f32 = WIDTH - 28.0;
-const BOTTOM: f32 = HEIGHT - 66.0;
+/// Of a picture with several graphs, and what is between them.
+const HEIGHT_OF_SEVERAL: f32 = 800.0;
+const GAP: f32 = 26.0;
+/// What is below the graphs.
+const BELOW: f32 = 66.0;
 const LABEL_SIZE: f32 = 15.0;
 /// A label that is further from its line than this is joined to it.
 const FAR: f32 = 14.0;
@@ -38,54 +43,56 @@ pub struct Limits {
 pub fn draw_eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Failure> {
     let (low, high) = limits.x;
     let rows = analysis.rows(&samples(analysis, low, high))?;
-    let series = series(&rows);
-    let (speed, most) = match &rows {
-        Rows::Modes(rows) => {
-            ("forward speed", extent(rows.iter().flat_map(|row| row.values.iter().map(|mode| mode.value))))
-        }
-        Rows::Sorted(rows) => ("speed", extent(rows.iter().flat_map(|row| row.values.values.iter().copied()))),
-    };
-    let y = limits.y.unwrap_or_else(|| {
-        // A mode is one, in however many pieces.
-        let pieces = series.iter().map(|series| series.curves.clone());
-        let all: Vec<Curve> = match &rows {
-            Rows::Modes(_) => pieces.map(|curves| curves.concat()).collect(),
-            Rows::Sorted(_) => pieces.flatten().collect(),
-        };
-        let extent = extent_of_all(most, &all);
-        (-extent, extent)
-    });
+    let speed = if matches!(rows, Rows::Modes(_)) { "forward speed" } else { "speed" };
+    let panels = panels(&rows, limits.y);
     let title = format!("Eigenvalues of {} against {speed}", analysis.design.title());
-    let left = axes::margin(y);
-    let note = beyond::note(&series, y, RIGHT - left);
-    let height = HEIGHT + beyond::ROW * note.len() as f32;
+    let left = panels.iter().map(|panel| axes::margin(panel.y)).fold(0.0, f32::max);
+    let notes: Vec<String> =
+        panels.iter().flat_map(|Panel { series, y, name, .. }| beyond::note(series, *y, *name, RIGHT - left)).collect();
+    let page = if panels.len() > 1 { HEIGHT_OF_SEVERAL } else { HEIGHT };
+    let bottom = page - BELOW;
+    let height = page + beyond::ROW * notes.len() as f32;
     let mut scene = Scene::new(title.clone(), WIDTH, height);
     scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
-    let mut axes = Axes { x: (low, high), y, area: [left, 0.0, RIGHT, BOTTOM] };
-    let critical = critical::critical(analysis, &axes);
+    let critical =
+        critical::critical(analysis, &Axes { x: (low, high), y: (0.0, 1.0), area: [left, 0.0, RIGHT, bottom] });
     let top = 56.0 + critical::height(&critical);
-    axes.area[1] = top;
 
-    let mut labels = Labels::new(axes.area);
-    let stable = stable_ranges(analysis, &axes);
-    for &(left, right) in &stable {
-        scene.rectangle([left, top, right, BOTTOM], Paint::Fill, STABLE);
+    let room = bottom - top - GAP * (panels.len() - 1) as f32;
+    let mut without_room = Vec::new();
+    let mut from = top;
+    for (index, Panel { series, y, label, share, .. }) in panels.iter().enumerate() {
+        let (is_first, is_last) = (index == 0, index + 1 == panels.len());
+        let to = if is_last { bottom } else { from + share * room };
+        let axes = Axes { x: (low, high), y: *y, area: [left, from, RIGHT, to] };
+        let mut labels = Labels::new(axes.area);
+        let stable = stable_ranges(analysis, &axes);
+        for &(left, right) in &stable {
+            scene.rectangle([left, from, right, to], Paint::Fill, STABLE);
+        }
+        axes.draw_grid(&mut scene);
+        if y.0 < 0.0 && y.1 > 0.0 {
+            let (_, zero) = axes.place(low, 0.0);
+            labels.avoid_line(&[(left, zero), (RIGHT, zero)], LINE);
+        }
+        critical::avoid(&critical, &axes, &mut labels);
+        // Labels know the curves, and critical speeds the labels, but curves are painted over critical speeds.
+        let mut curves = Scene::new(title.clone(), WIDTH, height);
+        let to_label = draw_curves(series, &axes, &mut curves, &mut labels);
+        if is_first {
+            write_stable_labels(&stable, &axes, &mut curves, &mut labels);
+        }
+        without_room.extend(write_labels(to_label, &mut curves, &mut labels));
+        critical::draw_lines(&critical, &axes, &labels, is_first, &mut scene);
+        scene.items.append(&mut curves.items);
+        if is_first {
+            critical::write_values(&critical, top, &mut scene);
+        }
+        let across = format!("{speed} v (m/s)");
+        axes.draw_frame(&mut scene, is_last.then_some(across.as_str()), label);
+        from = to + GAP;
     }
-    axes.draw_grid(&mut scene);
-    if y.0 < 0.0 && y.1 > 0.0 {
-        let (_, zero) = axes.place(low, 0.0);
-        labels.avoid_line(&[(left, zero), (RIGHT, zero)], LINE);
-    }
-    critical::avoid(&critical, &axes, &mut labels);
-    // Labels know the curves, and critical speeds the labels, but curves are painted over critical speeds.
-    let mut curves = Scene::new(title, WIDTH, height);
-    let to_label = draw_curves(&series, &axes, &mut curves, &mut labels);
-    write_stable_labels(&stable, top, &mut curves, &mut labels);
-    let without_room = write_labels(to_label, &mut curves, &mut labels);
-    critical::draw(&critical, &axes, &labels, &mut scene);
-    scene.items.append(&mut curves.items);
-    axes.draw_frame(&mut scene, &format!("{speed} v (m/s)"), "eigenvalue λ (1/s)");
-    beyond::write(&note, &axes, HEIGHT - 4.0, &mut scene);
+    beyond::write(&notes, left, page - 4.0, &mut scene);
     write_legend(&without_room, left, &mut scene);
     Ok(scene)
 }
@@ -98,10 +105,11 @@ fn stable_ranges(analysis: &Analysis, axes: &Axes) -> Vec<(f32, f32)> {
 }
 
 /// Across where there is room, upwards where there is little; clear of the curves, or else over them with an edge.
-fn write_stable_labels(ranges: &[(f32, f32)], top: f32, scene: &mut Scene, labels: &mut Labels) {
+fn write_stable_labels(ranges: &[(f32, f32)], axes: &Axes, scene: &mut Scene, labels: &mut Labels) {
+    let [_, top, _, bottom] = axes.area;
     let width = font::width("stable", LABEL_SIZE);
     for &(left, right) in ranges {
-        let room = [left + 3.0, top, right - 3.0, BOTTOM - 4.0];
+        let room = [left + 3.0, top, right - 3.0, bottom - 4.0];
         if right - left > width + 10.0 {
             let (x, y) = labels.inside(room, (width, LABEL_SIZE));
             scene.edged_text((x, y + 5.0), LABEL_SIZE, STABLE_TEXT, STABLE, "stable");

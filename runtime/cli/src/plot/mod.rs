@@ -11,7 +11,7 @@ mod labels;
 mod map;
 mod marks;
 mod motion;
-mod ordered;
+mod panels;
 mod path;
 mod png;
 mod scene;

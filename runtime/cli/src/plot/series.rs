@@ -1,12 +1,12 @@
 //! What is drawn of the eigenvalues, and how: curves that belong together, with their name.
 
-use carvallo::Mode;
+use carvallo::{Complex, Mode};
 
-use super::colors::color;
-use super::curves::{Curve, Pair, alone, pairs};
-use super::ordered;
+use super::colors::{color, other};
+use super::curves::{Curve, Pair, alone, extend, pairs};
 use super::scene::{Color, Paint, dashed, line};
-use crate::analysis::{ModeRow, Rows};
+use crate::analysis::{Eigenvalues, ModeRow, Row};
+use crate::strands::Strand;
 
 /// Curves of one colour and name.
 pub struct Series {
@@ -31,19 +31,44 @@ impl Series {
     }
 }
 
-/// Everything that there is to draw, in painting order.
-pub fn series(rows: &Rows) -> Vec<Series> {
-    match rows {
-        Rows::Modes(rows) => modes(rows),
-        // All of them in one colour.
-        Rows::Sorted(rows) => vec![
-            Series::imaginary("imaginary parts".to_owned(), color(Mode::Castering), ordered::imaginary(rows)),
-            Series::real("real parts".to_owned(), color(Mode::Castering), ordered::real(rows)),
-        ],
+/// The real parts and the imaginary parts of branches, each for a graph of its own, in one colour for each strand.
+pub fn strands(rows: &[Row<Eigenvalues>]) -> [Vec<Series>; 2] {
+    let strands = crate::strands::strands(rows);
+    let (mut real, mut imaginary) = (Vec::new(), Vec::new());
+    let (mut named, mut nameless) = (Vec::new(), 0);
+    for Strand { branches, modes, title } in strands {
+        let color = match modes.first() {
+            Some(mode) if !named.contains(mode) => color(*mode),
+            _ => {
+                nameless += 1;
+                other(nameless - 1)
+            }
+        };
+        named.extend(modes);
+        let values = |branch: usize| rows.iter().map(move |row| (row.speed, row.values.values[branch].value));
+        let parts = |branch: &usize| values(*branch).map(|(speed, value)| (speed, value.re)).collect();
+        real.push(Series::real(title.clone(), color, branches.iter().map(parts).collect()));
+        let oscillating =
+            branches.iter().flat_map(|&branch| oscillating(&values(branch).collect::<Vec<_>>())).collect();
+        imaginary.push(Series::real(title, color, oscillating));
     }
+    [real, imaginary]
 }
 
-fn modes(rows: &[ModeRow]) -> Vec<Series> {
+/// The imaginary parts above zero of a branch. Where a pair begins or ends its curve reaches the axis.
+fn oscillating(values: &[(f64, Complex<f64>)]) -> Vec<Curve> {
+    let mut curves = Vec::new();
+    for (index, &(speed, value)) in values.iter().enumerate() {
+        let near = [index.checked_sub(1), Some(index + 1)].into_iter().flatten();
+        let begins = value.im == 0.0 && near.flat_map(|near| values.get(near)).any(|(_, value)| value.im > 0.0);
+        extend(&mut curves, (value.im > 0.0 || begins).then_some((speed, value.im)));
+    }
+    curves.retain(|curve| curve.len() > 1);
+    curves
+}
+
+/// The modes of a bicycle, in painting order.
+pub fn modes(rows: &[ModeRow]) -> Vec<Series> {
     let mut series = Vec::new();
     let pairs = pairs(rows);
     let oscillates = |mode: Mode| pairs.iter().any(|pair| pair.modes == (mode, mode));

@@ -6,7 +6,7 @@ use super::axes::{INK, across};
 use super::colors::color;
 use super::font;
 use super::scene::{Anchor, Color, Paint, Scene, line};
-use crate::analysis::kind;
+use crate::analysis::name;
 use crate::number::{fixed, shortest, unit};
 use crate::sensitivity::{Changes, Step};
 
@@ -105,7 +105,7 @@ fn rows(changes: &Changes) -> Vec<Row> {
 fn series(changes: &Changes) -> Vec<(String, Color)> {
     let ranked = changes.ranked();
     let entry = |(index, (critical, _)): (usize, &(&carvallo::CriticalSpeed, _))| {
-        let name = kind(critical.kind, changes.design.info()).replace('_', "-");
+        let name = name(critical, changes.design.info()).replace('_', "-");
         let color = match critical.kind {
             CriticalKind::Weave => color(Mode::Weave),
             CriticalKind::Capsize => CAPSIZE,

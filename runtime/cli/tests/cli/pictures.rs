@@ -38,20 +38,41 @@ fn eigenvalues_have_axes_modes_and_critical_speeds() {
     }
 }
 
+/// Real parts above imaginary parts, and each mode with its name in both where it oscillates.
 #[test]
-fn eigenvalues_without_names_of_modes_have_two_labels() {
+fn modes_of_other_models_are_drawn_one_by_one() {
     let has = |texts: &[String], wanted: &str| texts.iter().any(|text| text == wanted);
+    let count = |texts: &[String], wanted: &str| texts.iter().filter(|text| *text == wanted).count();
     let of_three = picture(&["analyze", "--model", "ThreePipes"]);
     let of_two = picture(&["analyze", "--model", "TwoPipes"]);
     for texts in [&of_three, &of_two] {
-        for expected in ["speed v (m/s)", "eigenvalue λ (1/s)", "real parts", "imaginary parts"] {
-            assert!(has(texts, expected), "{expected} is not in {texts:?}");
+        for expected in ["speed v (m/s)", "real parts (1/s)", "imaginary parts (rad/s)", "stable"] {
+            assert_eq!(count(texts, expected), 1, "{expected}: {texts:?}");
         }
         assert!(!has(texts, "castering") && !has(texts, "weave, real part"), "{texts:?}");
     }
     assert!(has(&of_three, "Eigenvalues of ThreePipes hose against speed"), "{of_three:?}");
-    assert!(has(&of_two, "stable") && has(&of_two, "divergence 5.6256"), "{of_two:?}");
-    assert!(has(&of_three, "stable") && has(&of_three, "flutter 5.6395"), "{of_three:?}");
+    assert!(has(&of_two, "divergence 5.6256") && has(&of_three, "flutter 5.6395"));
+    assert_eq!(["flutter", "mode 2", "mode 3"].map(|name| count(&of_three, name)), [2, 2, 2], "{of_three:?}");
+    // Without anything that oscillates there is one graph.
+    let car = picture(&["analyze", "--model", "Car", "oversteering"]);
+    assert!(has(&car, "divergence 63.3542") && !has(&car, "imaginary parts (rad/s)"), "{car:?}");
+    let motorcycle = picture(&["analyze", "--model", "Motorcycle"]);
+    for expected in ["weave 5.9253", "capsize 10.7321", "wobble 55.3775"] {
+        assert!(has(&motorcycle, expected), "{motorcycle:?}");
+    }
+    assert_eq!(["weave", "wobble", "capsize"].map(|name| count(&motorcycle, name)), [2, 2, 1], "{motorcycle:?}");
+}
+
+/// Flutter of the pipe is beyond 10 1/s at 8 m/s.
+#[test]
+fn what_leaves_either_graph_is_told_apart() {
+    let notes = |arguments: &[&str]| -> Vec<String> {
+        picture(arguments).into_iter().filter(|text| text.starts_with("Beyond the axes")).collect()
+    };
+    let pipes = notes(&["analyze", "--model", "ThreePipes"]);
+    assert!(pipes[0].starts_with("Beyond the axes of real parts: flutter to 10.8 at 8 m/s; "), "{pipes:?}");
+    assert_eq!(pipes[1], "Beyond the axes of imaginary parts: mode 3 to 20.3 at 0 m/s");
 }
 
 /// Castering of the benchmark is at -24.6246 1/s at 10 m/s, weave at 10.9068 i (Meijaard et al. 2007, Table 2).

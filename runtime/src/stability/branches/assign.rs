@@ -61,6 +61,29 @@ pub(super) fn find_clear(from: &[Complex<f64>], to: &[Complex<f64>]) -> Option<V
     (0..from.len()).all(|i| is_clear(i, from, to, &places)).then_some(places)
 }
 
+/// Lets both halves of a pair go on as those of one pair, also where others are at the same place.
+pub(super) fn keep_pairs(from: &[Complex<f64>], to: &[Complex<f64>], places: &mut [usize]) {
+    let (before, after) = (partners(from), partners(to));
+    for upper in (0..from.len()).filter(|&i| side(from[i]) > 0) {
+        let (Some(lower), Some(half)) = (before[upper], after[places[upper]]) else { continue };
+        if let Some(other) = places.iter().position(|&place| place == half).filter(|_| side(to[half]) < 0) {
+            places.swap(lower, other);
+        }
+    }
+}
+
+/// Of each half of a pair the place of the other one, each once.
+fn partners(values: &[Complex<f64>]) -> Vec<Option<usize>> {
+    let mut partners = vec![None; values.len()];
+    for upper in (0..values.len()).filter(|&i| side(values[i]) > 0) {
+        let is_free = |&lower: &usize| partners[lower].is_none() && values[lower] == values[upper].conj();
+        if let Some(lower) = (0..values.len()).find(is_free) {
+            (partners[upper], partners[lower]) = (Some(lower), Some(upper));
+        }
+    }
+    partners
+}
+
 /// Whether one of them is beyond doubt.
 pub(super) fn is_clear(i: usize, from: &[Complex<f64>], to: &[Complex<f64>], places: &[usize]) -> bool {
     let (a, b) = (from[i], to[places[i]]);

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::assign::{cleaned, closest, find_clear, is_clear, side};
+use super::assign::{cleaned, closest, find_clear, is_clear, keep_pairs, side};
 use crate::system::SystemError;
 
 /// The eigenvalues at a speed.
@@ -18,14 +18,16 @@ pub(super) struct Node {
 /// A speed at which eigenvalues coincide, as far as steps tell, so that which is which from there on is a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meeting {
-    /// The speed in m/s, to about a millionth of the range that is followed.
+    /// The speed in m/s, to about a millionth of it.
     pub speed: f64,
     /// The places of the branches that meet there, ascending. Two real ones and the pair that they become are the same two
     /// branches.
     pub branches: Vec<usize>,
 }
 
-/// No step is shorter, relative to all that is followed: eigenvalues that coincide come out with half of their digits.
+/// No step is shorter, relative to the speed: eigenvalues that coincide come out with half of their digits. At low speeds it
+/// is relative to a part of all that is followed.
+const LOW: f64 = 1.0 / 64.0;
 const SHORTEST: f64 = 1.0 / (1u64 << 20) as f64;
 
 /// Meetings that are no more of the shortest steps apart are one, which took several of them.
@@ -39,7 +41,8 @@ pub(super) fn follow(eigenvalues: &Eigenvalues, speeds: &[f64]) -> Result<(Vec<N
     let (mut nodes, mut meetings): (Vec<Node>, Vec<Meeting>) = (Vec::new(), Vec::new());
     let [first, rest @ ..] = speeds else { return Ok((nodes, meetings)) };
     nodes.push(Node { speed: *first, values: eigenvalues(*first)? });
-    let shortest = SHORTEST * (speeds[speeds.len() - 1] - first);
+    let low = LOW * speeds[speeds.len() - 1];
+    let shortest = |speed: f64| SHORTEST * speed.max(low);
     // How many were computed, and up to where no node is in doubt since the last meeting.
     let (mut computed, mut beyond_doubt) = (1, 1);
     for &speed in rest {
@@ -50,7 +53,7 @@ pub(super) fn follow(eigenvalues: &Eigenvalues, speeds: &[f64]) -> Result<(Vec<N
             let last = &nodes[nodes.len() - 1];
             let (from, to) = (cleaned(&last.values), cleaned(&values));
             let places = find_clear(&from, &to);
-            if places.is_none() && next - last.speed > shortest && computed < MOST {
+            if places.is_none() && next - last.speed > shortest(next) && computed < MOST {
                 let middle = 0.5 * (last.speed + next);
                 ahead.push((next, values));
                 ahead.push((middle, eigenvalues(middle)?));
@@ -59,7 +62,8 @@ pub(super) fn follow(eigenvalues: &Eigenvalues, speeds: &[f64]) -> Result<(Vec<N
             }
             let is_clear_step = places.is_some();
             let places = places.unwrap_or_else(|| {
-                let places = go_on(&nodes[..beyond_doubt], last, next, &to);
+                let mut places = go_on(&nodes[..beyond_doubt], last, next, &to);
+                keep_pairs(&from, &to, &mut places);
                 let unclear = (0..from.len()).filter(|&i| !is_clear(i, &from, &to, &places));
                 let branches = unclear.flat_map(|i| [Some(i), nearest(i, &from)]).flatten().collect();
                 meetings.push(Meeting { speed: 0.5 * (last.speed + next), branches });
@@ -72,7 +76,7 @@ pub(super) fn follow(eigenvalues: &Eigenvalues, speeds: &[f64]) -> Result<(Vec<N
             }
         }
     }
-    Ok((nodes, joined(meetings, NEAR * shortest)))
+    Ok((nodes, joined(meetings, &|speed| NEAR * shortest(speed))))
 }
 
 /// Where it cannot be told which goes on as which: as straight on as they came, by the last two nodes that are beyond doubt,
@@ -97,8 +101,8 @@ fn nearest(i: usize, values: &[Complex<f64>]) -> Option<usize> {
 }
 
 /// Meetings at neighbouring steps are one, in their middle.
-fn joined(meetings: Vec<Meeting>, near: f64) -> Vec<Meeting> {
-    let is_near = |before: &Meeting, next: &Meeting| next.speed - before.speed <= near;
+fn joined(meetings: Vec<Meeting>, near: &dyn Fn(f64) -> f64) -> Vec<Meeting> {
+    let is_near = |before: &Meeting, next: &Meeting| next.speed - before.speed <= near(next.speed);
     let one = |meetings: &[Meeting]| {
         let mut branches: Vec<usize> = meetings.iter().flat_map(|meeting| meeting.branches.iter().copied()).collect();
         branches.sort_unstable();

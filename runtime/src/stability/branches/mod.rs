@@ -12,8 +12,8 @@ use nalgebra::Complex;
 
 use self::assign::{cleaned, closest};
 use self::follow::{Eigenvalues, Node, follow};
-use self::names::{Named, find_branches, find_names};
-use super::critical::{CriticalKind, CriticalSpeed};
+use self::names::Named;
+use super::critical::CriticalSpeed;
 use super::mode::Mode;
 use super::modes::ModeValue;
 use crate::number::Scalar;
@@ -91,24 +91,28 @@ impl Branches {
     ) -> Result<Self, SystemError> {
         require_speed(from)?;
         require_speed(to)?;
-        let critical = critical_speeds.iter().filter(|critical| critical.kind != CriticalKind::DoubleRoot);
         let even = (0..=STEPS).map(|step| from + (to - from) * f64::from(step) / f64::from(STEPS));
-        let mut speeds: Vec<f64> = even.chain(critical.map(|critical| critical.speed)).collect();
-        speeds.retain(|speed| (from..=to).contains(speed));
-        speeds.sort_by(f64::total_cmp);
+        let mut speeds: Vec<f64> = even.collect();
         speeds.dedup();
-        let (mut nodes, mut meetings) = follow(&eigenvalues, &speeds)?;
-        let mut names = find_names(&nodes, &meetings, critical_speeds, is_bicycle);
-        let order = order(&nodes, &names);
-        for node in &mut nodes {
+        let (nodes, meetings) = follow(&eigenvalues, &speeds)?;
+        let mut branches = Self { eigenvalues, nodes, meetings, names: Vec::new() };
+        branches.names = branches.find_names(critical_speeds, is_bicycle)?;
+        Ok(branches.ordered())
+    }
+
+    /// In the order that they are told in.
+    fn ordered(mut self) -> Self {
+        let Self { nodes, meetings, names, .. } = &mut self;
+        let order = order(nodes, names);
+        for node in nodes {
             node.values = order.iter().map(|&branch| node.values[branch]).collect();
         }
         for branch in meetings.iter_mut().flat_map(|meeting| &mut meeting.branches) {
             *branch = order.iter().position(|other| other == branch).unwrap_or(*branch);
         }
         meetings.iter_mut().for_each(|meeting| meeting.branches.sort_unstable());
-        names = order.iter().map(|&branch| core::mem::take(&mut names[branch])).collect();
-        Ok(Self { eigenvalues, nodes, meetings, names })
+        *names = order.iter().map(|&branch| core::mem::take(&mut names[branch])).collect();
+        self
     }
 
     /// The eigenvalues at a speed in m/s, one for each [state](crate::States), in the order of the branches: those with names
@@ -129,19 +133,6 @@ impl Branches {
     /// Where branches meet, ascending.
     pub fn meetings(&self) -> &[Meeting] {
         &self.meetings
-    }
-
-    /// What the branch that is on the imaginary axis at a critical speed is called there; `None` at a double root, and beyond
-    /// the range that was followed.
-    pub fn mode_at(&self, critical: &CriticalSpeed) -> Option<Mode> {
-        let (first, last) = (self.nodes.first()?, self.nodes.last()?);
-        let is_followed = (first.speed..=last.speed).contains(&critical.speed);
-        let branches = match critical.kind {
-            CriticalKind::DoubleRoot => Vec::new(),
-            _ if !is_followed => Vec::new(),
-            _ => find_branches(&self.nodes, critical),
-        };
-        self.name(*branches.first()?, critical.speed)
     }
 
     fn values(&self, speed: f64) -> Result<Vec<Complex<f64>>, SystemError> {

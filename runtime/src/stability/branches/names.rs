@@ -2,68 +2,87 @@
 
 use nalgebra::Complex;
 
-use super::follow::{Meeting, Node};
+use super::Branches;
+use super::assign::cleaned;
 use crate::stability::critical::{CriticalKind, CriticalSpeed};
 use crate::stability::mode::Mode;
+use crate::system::SystemError;
 
 /// A name, and the speed from which on a branch has it.
 pub(super) type Named = (f64, Option<Mode>);
 
-/// The names of each branch, ascending by speed; the first from the lowest speed on.
-///
-/// A name holds between meetings. From critical speeds it goes on to stretches that have none, the next one first; of two as
-/// near, that from below.
-pub(super) fn find_names(
-    nodes: &[Node],
-    meetings: &[Meeting],
-    critical_speeds: &[CriticalSpeed],
-    is_bicycle: bool,
-) -> Vec<Vec<Named>> {
-    let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else { return Vec::new() };
-    let mut names: Vec<Vec<Named>> = (0..first.values.len())
-        .map(|branch| {
-            let met = meetings.iter().filter(|meeting| meeting.branches.contains(&branch));
-            [first.speed].into_iter().chain(met.map(|meeting| meeting.speed)).map(|speed| (speed, None)).collect()
-        })
-        .collect();
-    let followed = critical_speeds.iter().filter(|critical| (first.speed..=last.speed).contains(&critical.speed));
-    for critical in followed {
-        let Some(mode) = critical.mode(is_bicycle) else { continue };
-        for branch in find_branches(nodes, critical) {
-            let stretch = names[branch].partition_point(|(from, _)| *from <= critical.speed).max(1) - 1;
-            // The name of a stretch is that of its first critical speed.
-            names[branch][stretch].1.get_or_insert(mode);
+/// How far below a critical speed, relative to it, the branch is looked for that is on the axis there: where branches meet at
+/// it, nothing tells them apart.
+const BELOW: f64 = 1e-4;
+
+impl Branches {
+    /// The names of each branch, ascending by speed; the first from the lowest speed on.
+    ///
+    /// A name holds between meetings. From critical speeds it goes on to stretches that have none, the next one first; of two
+    /// as near, that from below.
+    pub(super) fn find_names(
+        &self,
+        critical_speeds: &[CriticalSpeed],
+        is_bicycle: bool,
+    ) -> Result<Vec<Vec<Named>>, SystemError> {
+        let (Some(first), Some(last)) = (self.nodes.first(), self.nodes.last()) else { return Ok(Vec::new()) };
+        let mut names: Vec<Vec<Named>> = (0..first.values.len())
+            .map(|branch| {
+                let met = self.meetings.iter().filter(|meeting| meeting.branches.contains(&branch));
+                [first.speed].into_iter().chain(met.map(|meeting| meeting.speed)).map(|speed| (speed, None)).collect()
+            })
+            .collect();
+        let followed = critical_speeds.iter().filter(|critical| (first.speed..=last.speed).contains(&critical.speed));
+        for critical in followed {
+            let Some(mode) = critical.mode(is_bicycle) else { continue };
+            let below = critical.speed * (1.0 - BELOW);
+            for branch in self.on_axis(critical, &self.values(below)?) {
+                let stretch = names[branch].partition_point(|(from, _)| *from <= below).max(1) - 1;
+                // The name of a stretch is that of its first critical speed.
+                names[branch][stretch].1.get_or_insert(mode);
+            }
+        }
+        for stretches in &mut names {
+            let known: Vec<Option<Mode>> = stretches.iter().map(|(_, name)| *name).collect();
+            for (place, (_, name)) in stretches.iter_mut().enumerate() {
+                let named = (0..known.len()).filter(|&other| known[other].is_some());
+                *name = named.min_by_key(|&other| other.abs_diff(place)).and_then(|other| known[other]);
+            }
+        }
+        Ok(names)
+    }
+
+    /// The branches that are on the imaginary axis at a critical speed, by their values just below it: two of a pair, or one
+    /// that is not zero at all speeds; of a real pair that meets in zero that which is unstable.
+    fn on_axis(&self, critical: &CriticalSpeed, values: &[Complex<f64>]) -> Vec<usize> {
+        let nearest = |target: Complex<f64>, is_wanted: &dyn Fn(usize) -> bool| {
+            let wanted = (0..values.len()).filter(|&branch| is_wanted(branch));
+            let distance = |branch: usize| (values[branch] - target).norm();
+            wanted.min_by(|&i, &j| match (distance(i) - distance(j)).abs() <= TIE * distance(i) {
+                true => values[j].re.total_cmp(&values[i].re),
+                false => distance(i).total_cmp(&distance(j)),
+            })
+        };
+        let target = Complex::new(0.0, critical.eigenvalue.im);
+        match critical.kind {
+            CriticalKind::Capsize => {
+                let is_real = |branch: usize| values[branch].im == 0.0 && !self.is_zero(branch);
+                let is_any = |branch: usize| !self.is_zero(branch);
+                nearest(target, &is_real).or_else(|| nearest(target, &is_any)).into_iter().collect()
+            }
+            _ => {
+                let upper = nearest(target, &|branch| values[branch].im > 0.0);
+                let lower = nearest(target.conj(), &|branch| values[branch].im < 0.0);
+                [upper, lower].into_iter().flatten().collect()
+            }
         }
     }
-    for stretches in &mut names {
-        let known: Vec<Option<Mode>> = stretches.iter().map(|(_, name)| *name).collect();
-        for (place, (_, name)) in stretches.iter_mut().enumerate() {
-            let named = (0..known.len()).filter(|&other| known[other].is_some());
-            *name = named.min_by_key(|&other| other.abs_diff(place)).and_then(|other| known[other]);
-        }
+
+    /// Whether an eigenvalue is zero at all speeds.
+    fn is_zero(&self, branch: usize) -> bool {
+        self.nodes.iter().all(|node| cleaned(&node.values)[branch] == Complex::new(0.0, 0.0))
     }
-    names
 }
 
-/// The branches that are on the imaginary axis at a critical speed: two of a pair, or one.
-pub(super) fn find_branches(nodes: &[Node], critical: &CriticalSpeed) -> Vec<usize> {
-    let above = nodes.partition_point(|node| node.speed < critical.speed);
-    let near = |place: usize| nodes.get(place).map(|node| (node.speed - critical.speed).abs());
-    let node = match (above.checked_sub(1).and_then(near), near(above)) {
-        (Some(below), Some(distance)) if below < distance => &nodes[above - 1],
-        (_, Some(_)) => &nodes[above],
-        _ => &nodes[nodes.len() - 1],
-    };
-    let nearest = |target: Complex<f64>, is_wanted: &dyn Fn(Complex<f64>) -> bool| {
-        let wanted = (0..node.values.len()).filter(|&branch| is_wanted(node.values[branch]));
-        wanted.min_by(|&i, &j| (node.values[i] - target).norm().total_cmp(&(node.values[j] - target).norm()))
-    };
-    let target = Complex::new(0.0, critical.eigenvalue.im);
-    match critical.kind {
-        CriticalKind::Capsize => nearest(target, &|value| value.im == 0.0).into_iter().collect(),
-        _ => {
-            let halves = [nearest(target, &|value| value.im > 0.0), nearest(target.conj(), &|value| value.im < 0.0)];
-            halves.into_iter().flatten().collect()
-        }
-    }
-}
+/// Distances that differ by less, relative to them, are equal.
+const TIE: f64 = 1e-6;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::analysis::kind;
+use crate::analysis::name;
 use crate::number::shortest;
 use crate::output::columns::width;
 use crate::output::{FAINT, HEADING, equations};
@@ -27,7 +27,7 @@ pub fn write_deviations(changes: &Changes, text: &mut String) {
         .collect();
     let column = width(&speeds, 20);
     for ((critical, derivatives), speed) in ranked.iter().zip(&speeds) {
-        let kind = kind(critical.kind, changes.design.info()).replace('_', " ");
+        let kind = name(critical, changes.design.info()).replace('_', " ");
         let parts = contributions(changes, derivatives);
         let _ = writeln!(text, "  {kind:<10}{speed:<column$}m/s   {FAINT}{parts}{FAINT:#}");
     }

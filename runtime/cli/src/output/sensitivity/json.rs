@@ -5,7 +5,7 @@ use std::io::{Result, Write};
 use carvallo::Complex;
 use serde::Serialize;
 
-use crate::analysis::kind;
+use crate::analysis::name;
 use crate::output::equations::{Matrix, matrices};
 use crate::output::head::Head;
 use crate::output::layout::{Line, Members, Parts, write_document};
@@ -74,7 +74,7 @@ fn critical_speed(changes: &Changes, Critical { speed, derivatives }: &Critical)
     let numbers = |values: &[f64]| by_parameter(changes, values.iter().copied().map(positive_zero));
     let parts = |values: &[Complex<f64>]| by_parameter(changes, values.iter().copied().map(positive_zeros));
     CriticalSpeed {
-        kind: kind(speed.kind, changes.design.info()),
+        kind: name(speed, changes.design.info()),
         speed: Line(speed.speed),
         eigenvalue: Line(positive_zeros(speed.eigenvalue)),
         change: speed.change.to_string(),

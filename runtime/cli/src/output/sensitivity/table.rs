@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use carvallo::CriticalKind;
 
 use super::deviations::write_deviations;
-use crate::analysis::kind;
+use crate::analysis::{kind, name};
 use crate::number::{fixed, shortest, unit};
 use crate::output::columns::width;
 use crate::output::ranges::write_ranges;
@@ -40,7 +40,7 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
     for (critical, value) in all.zip(&values) {
         let reason = critical.derivatives.as_ref().err();
         let reason = reason.map(|reason| format!("; not ranked: {reason}")).unwrap_or_default();
-        let kind = kind(critical.speed.kind, info).replace('_', " ");
+        let kind = name(&critical.speed, info).replace('_', " ");
         let effect = describe_effect(&changes.stability, &critical.speed);
         let _ = writeln!(text, "  {kind:<13}{value:<column$}{FAINT}{effect}{reason}{FAINT:#}");
     }
@@ -83,7 +83,7 @@ fn write_ranking(changes: &Changes, text: &mut String) {
         ("unit".to_owned(), lines(&|i| unit(info.parameters[i].unit))),
     ];
     for (critical, derivatives) in &ranked {
-        let kind = kind(critical.kind, changes.design.info()).replace('_', " ");
+        let kind = name(critical, changes.design.info()).replace('_', " ");
         let name = format!("{kind} {}", fixed(critical.speed, 4));
         let effect = |i| changes.effect(derivatives, i).map_or("-".to_owned(), |effect| signed(effect, 6));
         columns.push((name, lines(&effect)));

@@ -109,7 +109,7 @@ pub fn draw_map(name: &str, axes: &[MapAxis], cells: &[MapCell]) -> Scene {
             MapCell::Error => Shade::Error,
         });
         mark_base(&mut scene, &axes, (x_axis.base, y_axis.base));
-        axes.draw_frame(&mut scene, &x_axis.label, &y_axis.label);
+        axes.draw_frame(&mut scene, Some(&x_axis.label), &y_axis.label);
         scale.draw(&mut scene, area);
     }
     let x = draw_legend(&mut scene, cells, left);

@@ -91,7 +91,7 @@ fn coordinates_of_which_only_one_is_a_state() {
         assert_eq!((oscillating.len(), creeping.len()), (2, 2));
         assert!((part(&oscillating[1], "re") + 1.0).abs() < 1e-14);
         assert!((part(&oscillating[1], "im") - 5_f64.sqrt()).abs() < 1e-14);
-        assert!((part(&creeping[1], "re") + 4.0 - 10_f64.sqrt()).abs() < 1e-14);
+        assert!(creeping.iter().any(|value| (part(value, "re") + 4.0 - 10_f64.sqrt()).abs() < 1e-14));
     }
     let header = directory.run(&["analyze", "tyre.toml", "--speeds", "1", "--format", "csv"]).ok();
     assert_eq!(header.lines().next().map(|line| line.split(',').count()), Some(6));
@@ -170,5 +170,5 @@ fn positions_on_which_nothing_depends_are_told() {
     directory.write("free.toml", "coordinates = { q1 = \"rate\" }\nM = [[1]]\nC1 = [[1]]\n");
     let json = directory.run(&["analyze", "free.toml", "--speeds", "2", "--format", "json"]).json();
     assert_eq!(json["eigenvalues"][0]["verdict"], "stable");
-    assert_eq!(json["eigenvalues"][0]["values"], serde_json::json!([{"re": -2.0, "im": 0.0}]));
+    assert_eq!(json["eigenvalues"][0]["values"], serde_json::json!([{"re": -2.0, "im": 0.0, "mode": "real"}]));
 }
