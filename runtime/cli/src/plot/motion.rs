@@ -63,7 +63,7 @@ pub fn draw_motion(motion: &Motion, linear: Option<&Motion>) -> Scene {
             draw(&named.curve, &axes, line(2.2), named.color, &mut scene);
         }
         let is_last = index + 1 == graphs.len();
-        axes.draw_frame(&mut scene, if is_last { "time t (s)" } else { "" }, graph.title);
+        axes.draw_frame(&mut scene, Some(if is_last { "time t (s)" } else { "" }), graph.title);
         top += graph.height + BELOW + if is_last { TITLE_BELOW } else { 0.0 };
     }
     let drawn = path::Drawn { motion, linear, left, right: RIGHT, top };

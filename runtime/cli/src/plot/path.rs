@@ -52,7 +52,7 @@ pub fn draw(Drawn { motion, linear, left, right, top }: &Drawn, scene: &mut Scen
             scene.circle(axes.place(x, y), 3.5, Paint::Fill, color);
         }
     }
-    axes.draw_frame(scene, "forward at the start, x (m)", "to the right, y (m)");
+    axes.draw_frame(scene, Some("forward at the start, x (m)"), "to the right, y (m)");
     axes.area[3] + BELOW
 }
 
