@@ -121,6 +121,11 @@
 ///   it moves: right-handed about an axis `through` a point, or along it. The length of `along` is of no account.
 ///   `spring` (N*m or N/m) and `damper` (N*m*s or N*s/m) act on the coordinate. In the reference configuration a spring
 ///   at a coordinate of the model carries the weight that rests on it, any other spring is unloaded.
+/// - `ball` and `planar`: joints with three freedoms, each with the name of its coordinate, and the `spring` and `damper` of a freedom
+///   behind it. `ball N: A to B, through (x, y, z), yaw a, lean b, pitch c;` turns about z, x and y, each axis turned by those
+///   before, as a free body does. `planar P: A to B, through (x, y, z), slides a along (1, 0, 0), slides b along (0, 0, 1), turns
+///   c;` moves in a plane: the point slides along two directions of A, and B turns about it, right-handed about the first
+///   direction times the second.
 /// - `link`: a spring (N/m), a damper (N*s/m) or both between two points: `link S: A to B, from (x, y, z), to (x, y, z), spring
 ///   k, damper d;`, the first on A, the second on B, which may be the `ground`. It is unloaded in the reference configuration.
 /// - `fix`: one body is a part of another one.

@@ -8,7 +8,7 @@ use crate::check::{Role, Tree};
 use crate::formula::{Factor, Formula, Names};
 use crate::mechanics::{Fault, Ground};
 use crate::report::{Region, Report};
-use crate::syntax::{Declaration, Freedom, JointKind, Mechanism};
+use crate::syntax::{Axis, Declaration, Freedom, JointKind, Mechanism};
 
 /// The declaration that faults are told of.
 pub struct Faulty<'a> {
@@ -48,12 +48,24 @@ impl Faulty<'_> {
     fn message(&self, fault: &Fault) -> (Region, String) {
         match fault {
             Fault::NoAxis { joint } => {
-                let message = format!("the axis of {} has no length: expected a direction", self.joint(*joint));
-                let along = match self.tree.joints[*joint].role {
-                    Role::Joint(index) => self.mechanism.joints[index].along.region,
-                    _ => self.region(*joint),
+                let axis = match self.tree.joints[*joint].role {
+                    Role::Joint(index) => Some(&self.mechanism.joints[index].axis),
+                    _ => None,
                 };
-                (along, message)
+                let name = self.joint(*joint);
+                match axis {
+                    Some(Axis::Normal) => {
+                        let message = format!(
+                            "{name} turns in no plane, as both of the slides before it are along one line: expected two \
+                             directions that span one"
+                        );
+                        (self.region(*joint), message)
+                    }
+                    _ => {
+                        let region = axis.and_then(Axis::along).map_or(self.region(*joint), |along| along.region);
+                        (region, format!("the axis of {name} has no length: expected a direction"))
+                    }
+                }
             }
             Fault::OffGround { wheel, below } => {
                 let wheel = &self.mechanism.wheels[*wheel];

@@ -137,3 +137,59 @@ fn a_held_speed_leaves_the_rest() {
     );
     assert_eq!([found.m[0], found.kc[0], found.k0[0]], [20.0, 500.0, -20.0]);
 }
+
+/// A body that hangs on a ball joint, with a rotor in it: about the joint its moments of inertia are in M, and its angular
+/// momentum h makes `e · (f x h)` of the rates about axes e and f.
+#[test]
+fn a_ball_joint_lets_a_body_turn_about_every_axis() {
+    let [m, l] = [3.0, 0.7];
+    let [xx, yy, zz, xy, xz, yz] = [0.4, 0.5, 0.2, 0.05, -0.03, 0.02];
+    let momentum = nalgebra::Vector3::new(0.3, -0.2, 1.5);
+    let found = matrices::<3>(
+        "model Hanging {
+            parameters {
+                m: kg, > 0; l: m, > 0; xx: kg*m^2; yy: kg*m^2; zz: kg*m^2; xy: kg*m^2; xz: kg*m^2; yz: kg*m^2;
+                hx: N*m*s; hy: N*m*s; hz: N*m*s; k: N*m; d: N*m*s; g: N/kg, gravity;
+            }
+            mechanism {
+                body B: mass m, at (1 [m], 2 [m], 3 [m] + l), inertia [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], momentum (hx, hy, hz);
+                ball N: ground to B, through (1 [m], 2 [m], 3 [m]), pitch c, yaw a, spring k, lean b, damper d, spring 2*k;
+            }
+            coordinates { b: rad; c: rad; a: rad; }
+        }",
+        &[m, l, xx, yy, zz, xy, xz, yz, momentum.x, momentum.y, momentum.z, 8.0, 0.5, 9.81],
+    );
+    let steiner = m * l * l;
+    let inertia = nalgebra::Matrix3::new(xx + steiner, xy, xz, xy, yy + steiner, yz, xz, yz, zz);
+    assert_close(&found.m, &inertia);
+    let gyroscopic = -momentum.cross_matrix();
+    let damping = nalgebra::Matrix3::from_diagonal(&nalgebra::Vector3::new(0.5, 0.0, 0.0));
+    assert_close(&found.c0, &(gyroscopic + damping));
+    let diagonal = |x, y, z| nalgebra::Matrix3::from_diagonal(&nalgebra::Vector3::new(x, y, z));
+    assert_close(&found.kc, &diagonal(16.0, 0.0, 8.0));
+    assert_close(&found.k0, &diagonal(m * l, m * l, 0.0));
+}
+
+/// Bounce and pitch of a car body on two springs, of the textbooks: `(kf + kr) w + (a kf - b kr) c` and
+/// `(a kf - b kr) w + (a² kf + b² kr) c`, with c about the normal of x and z, so with the front down.
+#[test]
+fn a_planar_body_slides_two_ways_and_turns() {
+    let [m, i, a, b, kf, kr, k] = [900.0, 1100.0, 1.2, 1.5, 3e4, 2.5e4, 4e3];
+    let found = matrices::<3>(
+        "model Bouncing {
+            parameters { m: kg, > 0; I: kg*m^2, > 0; a: m; b: m; kf: N/m; kr: N/m; k: N/m; }
+            mechanism {
+                body B: mass m, at (0, 0, -1 [m]), inertia [0, I, 0];
+                planar P: ground to B, through (0, 0, -1 [m]), slides u along (2, 0, 0), spring k, slides w along (0, 0, 1), turns c;
+                link F: ground to B, from (a, 0, 0), to (a, 0, -1 [m]), spring kf;
+                link R: ground to B, from (-b, 0, 0), to (-b, 0, -1 [m]), spring kr;
+            }
+            coordinates { u: m; w: m; c: rad; }
+        }",
+        &[m, i, a, b, kf, kr, k],
+    );
+    assert_close(&found.m, &nalgebra::Matrix3::from_diagonal(&nalgebra::Vector3::new(m, m, i)));
+    let coupled = a * kf - b * kr;
+    let expected = nalgebra::Matrix3::new(k, 0.0, 0.0, 0.0, kf + kr, coupled, 0.0, coupled, a * a * kf + b * b * kr);
+    assert_close(&found.kc, &expected);
+}

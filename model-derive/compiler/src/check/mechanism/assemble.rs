@@ -4,11 +4,11 @@ use proc_macro2::Ident;
 
 use super::coordinates::{axis_of, find_joints};
 use super::tree::{Role, Tree};
-use crate::formula::Formula;
+use crate::formula::{Factor, Formula, Term};
 use crate::mechanics::{self, Motion, Root};
 use crate::report::Report;
 use crate::states::States;
-use crate::syntax::{Declaration, Freedom, Inertia, JointKind, Mechanism};
+use crate::syntax::{Axis, Declaration, Freedom, Inertia, JointKind, Mechanism};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -57,16 +57,23 @@ pub fn assemble(
             Rolling { mass, centre, radius, tyre, axial, radial, slip }
         })
         .collect();
-    let joints: Vec<_> = mechanism
-        .joints
-        .iter()
-        .map(|joint| Held {
-            point: joint.through.as_ref().map_or(origin(), |_| attributes.vector()),
-            axis: attributes.vector(),
-            stiffness: joint.spring.as_ref().map(|_| attributes.next()),
-            damping: joint.damper.as_ref().map(|_| attributes.next()),
-        })
-        .collect();
+    let mut joints: Vec<Held> = Vec::new();
+    for joint in &mechanism.joints {
+        let point = match (&joint.through, joints.last()) {
+            (Some(_), _) => attributes.vector(),
+            (None, Some(last)) if joint.rank > 0 => last.point.clone(),
+            _ => origin(),
+        };
+        let axis = match (&joint.axis, &joints[..]) {
+            (Axis::Along(_), _) => attributes.vector(),
+            (Axis::Own(own), _) => unit_vector(*own),
+            (Axis::Normal, [.., first, second]) => cross(&first.axis, &second.axis),
+            (Axis::Normal, _) => unreachable!("two joints before it"),
+        };
+        let stiffness = joint.spring.as_ref().map(|_| attributes.next());
+        let damping = joint.damper.as_ref().map(|_| attributes.next());
+        joints.push(Held { point, axis, stiffness, damping });
+    }
     let momenta: Vec<_> =
         mechanism.bodies.iter().map(|body| body.momentum.as_ref().map(|_| attributes.vector())).collect();
     let fastened: Vec<_> = mechanism
@@ -199,6 +206,17 @@ fn origin() -> [Formula; 3] {
     [(); 3].map(|()| Formula::zero())
 }
 
+fn unit_vector(axis: usize) -> [Formula; 3] {
+    [0, 1, 2].map(|other| if other == axis { Formula::one() } else { Formula::zero() })
+}
+
+fn cross(a: &[Formula; 3], b: &[Formula; 3]) -> [Formula; 3] {
+    let product = |a: &Formula, b: &Formula| Formula::Product([a, b].map(|part| Factor::times(part.clone())).to_vec());
+    [(1, 2), (2, 0), (0, 1)].map(|(next, last)| {
+        Formula::Sum(vec![Term::plus(product(&a[next], &b[last])), Term::minus(product(&a[last], &b[next]))])
+    })
+}
+
 fn diagonal([x, y, z]: [Formula; 3]) -> [[Formula; 3]; 3] {
     let zero = Formula::zero;
     [[x, zero(), zero()], [zero(), y, zero()], [zero(), zero(), z]]
@@ -215,8 +233,7 @@ struct Held {
 
 impl Held {
     fn at_origin(axis: usize) -> Self {
-        let axis = [0, 1, 2].map(|other| if other == axis { Formula::one() } else { Formula::zero() });
-        Self { point: origin(), axis, stiffness: None, damping: None }
+        Self { point: origin(), axis: unit_vector(axis), stiffness: None, damping: None }
     }
 }
 

@@ -13,7 +13,7 @@ use crate::syntax::{Freedom, Mechanism};
 #[derive(Clone, Copy, Debug)]
 pub enum Hold {
     Free,
-    /// A joint, on a body or on the ground.
+    /// A joint, the first one of its statement, on a body or on the ground.
     Joint(usize, Option<usize>),
     /// Another body, or the ground.
     Fixed(Option<usize>),
@@ -77,7 +77,7 @@ impl<'a> Attachments<'a> {
             }
             self.hold(body, Hold::Free, &free.body, report);
         }
-        for (index, joint) in mechanism.joints.iter().enumerate() {
+        for (index, joint) in mechanism.joints.iter().enumerate().filter(|(_, joint)| joint.rank == 0) {
             let parent = self.base(&joint.parent, report);
             let Some(child) = self.movable(&joint.child, report) else { continue };
             let Some(parent) = parent else { continue };

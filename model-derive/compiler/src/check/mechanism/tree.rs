@@ -108,8 +108,10 @@ impl Attachments<'_> {
                     Some((Hold::Free, _)) => Some(last),
                     Some((Hold::Fixed(to), _)) => base(to),
                     Some((Hold::Joint(joint, parent), _)) => base(parent).map(|parent| {
-                        tree.joints.push(Node { role: Role::Joint(joint), parent });
-                        Some(tree.joints.len() - 1)
+                        mechanism.chain(joint).fold(parent, |parent, joint| {
+                            tree.joints.push(Node { role: Role::Joint(joint), parent });
+                            Some(tree.joints.len() - 1)
+                        })
                     }),
                 };
                 moved_by[body] = by;

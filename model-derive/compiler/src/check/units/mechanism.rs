@@ -10,7 +10,7 @@ use crate::check::mechanism::axis_of;
 use crate::check::names::Scope;
 use crate::mechanics::Motion;
 use crate::report::Report;
-use crate::syntax::{Declaration, Direction, Expression, Inertia, JointKind, Mechanism, Slip, Vector};
+use crate::syntax::{Axis, Declaration, Direction, Expression, Inertia, JointKind, Mechanism, Slip, Vector};
 
 const MASS: Dimension = Dimension::new([1, 0, 0]);
 const LENGTH: Dimension = Dimension::new([0, 1, 0]);
@@ -88,7 +88,9 @@ pub fn check_mechanism(
         if let Some(through) = &joint.through {
             check.position(through, &format!("the point of `{name}`"));
         }
-        check.axis(&joint.along, &name.to_string());
+        if let Some(along) = joint.axis.along() {
+            check.axis(along, &name.to_string());
+        }
         // Work over the square of the coordinate, which is an angle or a length.
         let (metres, spring, damper) = match joint.kind {
             JointKind::Revolute => (2, "N*m, as it turns", "N*m*s, as it turns"),
@@ -136,12 +138,25 @@ fn find_direction(name: &Ident, mechanism: &Mechanism, analysis: &Analysis<'_>) 
         let (motion, axis) = axis_of(*freedom);
         (motion == Motion::Turns, axis, [false; 3])
     } else {
-        let joint = mechanism.joints.iter().find(|joint| joint.name == *name)?;
-        let mut components = joint.along.components.iter().enumerate();
-        // Mistakes in it are reported where it is checked, and zero has no sign.
-        let dimension = |formula| analysis.dimension(formula, &mut Report::default());
-        let (axis, component) = components.find_map(|(axis, formula)| Some((axis, dimension(formula)?)))?;
-        (joint.kind == JointKind::Revolute, axis, component.odd)
+        let index = mechanism.joints.iter().position(|joint| joint.name == *name)?;
+        let (axis, odd) = match &mechanism.joints[index].axis {
+            Axis::Own(axis) => (*axis, [false; 3]),
+            Axis::Along(along) => {
+                let mut components = along.components.iter().enumerate();
+                // Mistakes in it are reported where it is checked, and zero has no sign.
+                let dimension = |formula| analysis.dimension(formula, &mut Report::default());
+                let (axis, component) = components.find_map(|(axis, formula)| Some((axis, dimension(formula)?)))?;
+                (axis, component.odd)
+            }
+            Axis::Normal => {
+                // A rotation about a x b changes its sign where one of the slides along a and b does.
+                let slides = [index.checked_sub(2)?, index.checked_sub(1)?];
+                let slides = slides.map(|slide| find_direction(&mechanism.joints[slide].name, mechanism, analysis));
+                let [Some(Direction::Along(a)), Some(Direction::Along(b))] = slides else { return None };
+                return Some(Direction::Along([0, 1, 2].map(|mirrored| a[mirrored] != b[mirrored])));
+            }
+        };
+        (mechanism.joints[index].kind == JointKind::Revolute, axis, odd)
     };
     Some(Direction::Along([0, 1, 2].map(|mirrored| odd[mirrored] != ((mirrored == axis) != turns))))
 }

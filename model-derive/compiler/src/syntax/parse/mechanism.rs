@@ -6,6 +6,7 @@ use syn::parse::ParseStream;
 use super::blocks::parse_block;
 use super::docs::reject_docs;
 use super::feedback::parse_feedback;
+use super::freedoms::{parse_ball, parse_planar};
 use super::names::parse_used;
 use super::parts::{parse_body, parse_force, parse_free, parse_joint, parse_link, parse_wheel};
 use super::tokens::{expected, parse_semicolon, parse_word};
@@ -38,12 +39,12 @@ pub fn parse_mechanism(
 }
 
 /// What is said to be expected where no part starts.
-const PARTS: &str = "a part of the mechanism: `body`, `wheel`, `revolute`, `prismatic`, `fix`, `free`, `link`, \
-                     `force`, `feedback` or `hold`";
+const PARTS: &str = "a part of the mechanism: `body`, `wheel`, `revolute`, `prismatic`, `ball`, `planar`, `fix`, `free`, \
+                     `link`, `force`, `feedback` or `hold`";
 
 /// What may begin a part.
-const KEYWORDS: [&str; 10] =
-    ["body", "wheel", "revolute", "prismatic", "fix", "free", "link", "force", "feedback", "hold"];
+const KEYWORDS: [&str; 12] =
+    ["body", "wheel", "revolute", "prismatic", "ball", "planar", "fix", "free", "link", "force", "feedback", "hold"];
 
 /// Whether a part starts here.
 fn starts_part(input: ParseStream<'_>) -> bool {
@@ -84,6 +85,8 @@ fn parse_part(
         "wheel" => mechanism.wheels.push(parse_wheel(input)?),
         "revolute" => mechanism.joints.push(parse_joint(input, JointKind::Revolute)?),
         "prismatic" => mechanism.joints.push(parse_joint(input, JointKind::Prismatic)?),
+        "ball" => mechanism.joints.extend(parse_ball(input)?),
+        "planar" => mechanism.joints.extend(parse_planar(input)?),
         "fix" => {
             let body = parse_used(input, "the name of a body")?;
             parse_word(input, "to", "`to` and the body that it is fixed to")?;

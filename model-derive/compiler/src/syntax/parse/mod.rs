@@ -10,6 +10,7 @@ mod docs;
 mod domains;
 mod expressions;
 mod feedback;
+mod freedoms;
 mod matrices;
 mod mechanism;
 mod names;

@@ -8,7 +8,7 @@ use super::attributes::{Attributes, Shape};
 use super::names::{parse_name, parse_used};
 use super::tokens::{expected, parse_colon, parse_semicolon, parse_text, parse_word};
 use crate::report::error;
-use crate::syntax::tree::{Body, Force, Free, Freedom, Joint, JointKind, Link, Slip, Wheel};
+use crate::syntax::tree::{Axis, Body, Force, Free, Freedom, Joint, JointKind, Link, Slip, Wheel};
 
 /// `body B "rear frame": mass mB, at (xB, 0, zB), inertia [[…], […], […]];`
 pub fn parse_body(input: ParseStream<'_>) -> syn::Result<Body> {
@@ -118,9 +118,9 @@ pub fn parse_joint(input: ParseStream<'_>, kind: JointKind) -> syn::Result<Joint
         JointKind::Revolute => Some(found.vector("through", "`through (x, y, z)`, a point of its axis")?),
         JointKind::Prismatic => None,
     };
-    let along = found.vector("along", "`along (x, y, z)`, the direction of its axis")?;
+    let axis = Axis::Along(Box::new(found.vector("along", "`along (x, y, z)`, the direction of its axis")?));
     let [spring, damper] = ["spring", "damper"].map(|word| found.optional(word));
-    Ok(Joint { kind, name, parent, child, through, along, spring, damper })
+    Ok(Joint { kind, name, parent, child, rank: 0, through, axis, spring, damper })
 }
 
 /// `free B: lean phi, yaw psi;`

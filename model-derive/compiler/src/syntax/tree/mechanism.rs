@@ -1,5 +1,7 @@
 //! The syntax tree of a mechanism.
 
+use std::ops::Range;
+
 use proc_macro2::{Ident, Span};
 
 use super::expression::Expression;
@@ -40,6 +42,13 @@ impl Mechanism {
         joints.chain(freedoms).chain(self.wheels.iter().filter_map(Wheel::deflection).map(|name| (name, false)))
     }
 
+    /// The joints of one statement, from the parent to the child: one, or those of a joint with several freedoms.
+    pub fn chain(&self, joint: usize) -> Range<usize> {
+        let first = joint - self.joints[joint].rank;
+        let others = self.joints[first + 1..].iter().take_while(|joint| joint.rank > 0).count();
+        first..first + 1 + others
+    }
+
     /// The unit of a force or torque on what has a name; what is no joint is a wheel, which is turned.
     pub fn force_unit(&self, on: &Ident) -> &'static str {
         if self.named().any(|(name, turns)| name == on && !turns) { "N" } else { "N*m" }
@@ -61,8 +70,8 @@ impl Mechanism {
             moments.into_iter().chain(&wheel.centre.components).chain(&wheel.tyre).chain(slip)
         });
         let joints = self.joints.iter().flat_map(|joint| {
-            let point = joint.through.iter().flat_map(|through| &through.components);
-            point.chain(&joint.along.components).chain(&joint.spring).chain(&joint.damper)
+            let vectors = joint.through.iter().chain(joint.axis.along());
+            vectors.flat_map(|vector| &vector.components).chain(&joint.spring).chain(&joint.damper)
         });
         let momenta = self.bodies.iter().flat_map(|body| &body.momentum).flat_map(|momentum| &momentum.components);
         let links = self.links.iter().flat_map(|link| {
@@ -159,11 +168,33 @@ pub struct Joint {
     pub name: Ident,
     pub parent: Ident,
     pub child: Ident,
-    /// Of a revolute joint.
+    /// How many joints are between it and the parent: those before it of a joint with several freedoms.
+    pub rank: usize,
+    /// Of a revolute joint; none for one that is at the point of the joint before it.
     pub through: Option<Vector>,
-    pub along: Vector,
+    pub axis: Axis,
     pub spring: Option<Expression>,
     pub damper: Option<Expression>,
+}
+
+/// The direction of the axis of a joint.
+#[derive(Clone, Debug)]
+pub enum Axis {
+    Along(Box<Vector>),
+    /// One of the axes of the model.
+    Own(usize),
+    /// Across those of the two joints before it.
+    Normal,
+}
+
+impl Axis {
+    /// Where it is written, if it is.
+    pub fn along(&self) -> Option<&Vector> {
+        match self {
+            Self::Along(vector) => Some(vector),
+            Self::Own(_) | Self::Normal => None,
+        }
+    }
 }
 
 /// `free B: lean phi, yaw psi;`

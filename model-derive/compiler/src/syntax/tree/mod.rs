@@ -12,6 +12,6 @@ pub use self::declaration::{
 };
 pub use self::expression::{Expression, Factor, Kind, Term};
 pub use self::mechanism::{
-    Body, Force, Free, Freedom, Inertia, Joint, JointKind, Link, Mechanism, Slip, Vector, Wheel,
+    Axis, Body, Force, Free, Freedom, Inertia, Joint, JointKind, Link, Mechanism, Slip, Vector, Wheel,
 };
 pub use self::unit::Unit;

@@ -89,6 +89,49 @@ impl Pair {
         Carrier { name, joint: Some(joint) }
     }
 
+    /// A joint with three freedoms from a carrier to a new body, and that body: a ball joint, or one in the plane of the axis of
+    /// the first link and that of the second. In the nonlinear model a ball turns about z, then about the x axis that this has
+    /// turned, then about the y axis that both have, which is how yaw, lean and pitch are defined.
+    pub fn three(&mut self, from: &Carrier, links: &[Link; 3], is_ball: bool) -> Carrier {
+        let first = self.numeric.joints.len();
+        let name = format!("b{first}");
+        let [a, b, c] = [0, 1, 2].map(|index| format!("q{}", first + index));
+        let point = links[2].point;
+        let through = self.vector("m", point);
+        let held = links.each_ref().map(|link| [link.stiffness, link.damping]);
+        let (words, axes): (_, [Vector3<f64>; 3]) = if is_ball {
+            (
+                [format!("yaw {a}"), format!("lean {b}"), format!("pitch {c}")],
+                [Vector3::z(), Vector3::x(), Vector3::y()],
+            )
+        } else {
+            let [first, second] = [links[0].axis, links[1].axis];
+            let [along, across] = [first, second].map(|axis| self.vector("1", axis));
+            let words =
+                [format!("slides {a} along {along}"), format!("slides {b} along {across}"), format!("turns {c}")];
+            (words, [first, second, first.cross(&second)])
+        };
+        let mut text =
+            format!("{} N{first}: {} to {name}, through {through}", if is_ball { "ball" } else { "planar" }, from.name);
+        let mut parent = from.joint;
+        for (index, (word, axis)) in words.iter().zip(axes).enumerate() {
+            let slides = !is_ball && index < 2;
+            let (unit, per) = if slides { ("m", "m^2") } else { ("rad", "1") };
+            let [stiffness, damping] = held[index];
+            let spring = self.value(&format!("N*m/({per})"), stiffness);
+            let damper = self.value(&format!("N*m*s/({per})"), damping);
+            text.push_str(&format!(", {word}, spring {spring}, damper {damper}"));
+            self.coordinates.push_str(&format!("q{}: {unit};", first + index));
+            let joint = if slides { Joint::prismatic(parent, axis) } else { Joint::revolute(parent, point, axis) };
+            parent = Some(self.numeric.joint(joint.sprung(stiffness, damping)));
+        }
+        self.parts.push_str(&format!("{text};\n"));
+        let joint = parent.expect("three joints");
+        let [.., Link { mass, centre, .. }] = links;
+        self.body(&name, joint, *mass, *centre, links[2].inertia());
+        Carrier { name, joint: Some(joint) }
+    }
+
     /// A spring and a damper between points of two bodies.
     pub fn strut(&mut self, name: &str, [from, to]: [&Carrier; 2], points: [Vector3<f64>; 2], held: [f64; 2]) {
         let [at, end] = points.map(|point| self.vector("m", point));

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use super::super::assert_close;
 use super::DIFFERENCES;
-use super::links::link;
+use super::links::{link, vector};
 use super::pair::{Carrier, Pair};
 
 proptest! {
@@ -26,6 +26,27 @@ proptest! {
         // Nothing has weight without a gravity.
         expected.k0 *= 0.0;
         assert_close(&found, &expected, DIFFERENCES, "tree");
+    }
+
+    #[test]
+    fn trees_of_balls_and_planar_bodies(
+        three in [link(), link(), link()],
+        link in link(),
+        is_ball in any::<bool>(),
+        is_first in any::<bool>(),
+        momentum in vector(3.0),
+    ) {
+        prop_assume!(three[0].axis.cross(&three[1].axis).norm() > 0.1);
+        let mut pair = Pair::default();
+        let mut carrier = Carrier { name: "ground".into(), joint: None };
+        for turn in [is_first, !is_first] {
+            carrier = if turn { pair.three(&carrier, &three, is_ball) } else { pair.joint(&carrier, &link) };
+        }
+        pair.rotor("spin", &carrier, momentum);
+        // All of it hangs on springs.
+        let found = pair.compiled::<4>(Some(9.81))?;
+        let expected = pair.numeric.linearized([0, 1, 2, 3], None);
+        assert_close(&found, &expected, DIFFERENCES, "three freedoms at once");
     }
 
     #[test]

@@ -1,0 +1,19 @@
+carvallo::model! {
+    pub model Hanging {
+        parameters {
+            m: kg, > 0;
+            l: m, > 0;
+        }
+
+        mechanism {
+            body B: mass m, at (0, 0, l), inertia 0;
+            ball N: ground to B, through (0, 0, 0), yaw a, lean b, pitch c;
+        }
+
+        coordinates {
+            a: rad; b: rad; c: rad;
+        }
+    }
+}
+
+fn main() {}
