@@ -69,6 +69,8 @@ pub mod simulation;
 #[cfg(feature = "std")]
 mod stability;
 mod system;
+#[cfg(feature = "simulation")]
+pub mod turns;
 
 pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, FormulaInfo, FormulaSubject, LengthError,

@@ -24,5 +24,6 @@ mod speeds;
 mod strands;
 mod sweep;
 mod terminal;
+mod turns;
 
 pub use self::commands::main;

@@ -1,5 +1,6 @@
 //! What the program says: data on the standard output, and everything about it on the standard error.
 
+use std::fs::File;
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::Path;
 
@@ -26,6 +27,23 @@ pub fn print(text: &str) -> Result<(), Failure> {
 pub fn write(data: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
     let mut output = BufWriter::new(std::io::stdout().lock());
     written(data(&mut output).and_then(|()| output.flush()))
+}
+
+/// Writes data or text to a file, and tells so, or else to the standard output: with its styles only where that is a
+/// terminal.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn deliver(path: Option<&Path>, data: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
+    let Some(path) = path else {
+        let mut output = BufWriter::new(anstream::stdout().lock());
+        return written(data(&mut output).and_then(|()| output.flush()));
+    };
+    let fail = |error: std::io::Error| Failure::Run(format!("cannot write {}: {error}", path.display()));
+    let mut file = BufWriter::new(anstream::StripStream::new(File::create(path).map_err(fail)?));
+    data(&mut file).and_then(|()| file.flush()).map_err(fail)?;
+    wrote(path);
+    Ok(())
 }
 
 /// A reader that has seen enough is no failure.

@@ -7,6 +7,7 @@ mod equations;
 mod lists;
 mod sensitivity;
 mod show;
+mod turns;
 
 use std::error::Error as _;
 use std::ffi::OsString;
@@ -67,6 +68,7 @@ enum Command {
     Show(show::Options),
     Equations(equations::Options),
     Simulate(Box<simulate::Options>),
+    Turns(turns::Options),
     Sweep(Box<sweep::Options>),
 }
 
@@ -91,6 +93,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Show(options)) => show::run(&options),
         Some(Command::Equations(options)) => equations::run(&options),
         Some(Command::Simulate(options)) => simulate::run(&options),
+        Some(Command::Turns(options)) => turns::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
     }
 }

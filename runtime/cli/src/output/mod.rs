@@ -17,6 +17,7 @@ pub mod sensitivity;
 mod sketch;
 mod sorted;
 mod table;
+pub mod turns;
 
 pub use self::csv::write_csv;
 pub use self::json::write_json;

@@ -7,6 +7,7 @@ mod critical;
 mod curves;
 mod eigenvalues;
 mod font;
+mod graph;
 mod labels;
 mod map;
 mod marks;
@@ -19,6 +20,7 @@ mod series;
 mod side_view;
 mod svg;
 mod tornado;
+mod turns;
 
 use std::fs::OpenOptions;
 use std::path::Path;
@@ -32,6 +34,7 @@ pub use self::motion::draw_motion;
 pub use self::scene::Scene;
 pub use self::side_view::draw_side_view;
 pub use self::tornado::draw_tornado;
+pub use self::turns::draw_turns;
 
 /// Tries whether a drawing can be written, before the work for it is done. Nothing is left of a file that was not there.
 ///

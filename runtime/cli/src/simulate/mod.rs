@@ -11,8 +11,6 @@ mod progress;
 mod solver;
 mod times;
 
-use std::fs::File;
-use std::io::{BufWriter, Write as _};
 use std::path::Path;
 
 pub use self::contacts::paths;
@@ -28,7 +26,7 @@ use crate::input::is_same_file;
 use crate::options::Format;
 use crate::quantity::{self, Mistake, Reason};
 use crate::speeds::CONTEXT as SPEED;
-use crate::terminal::{WARNING, note, print, write, wrote};
+use crate::terminal::{WARNING, deliver, note};
 use crate::{output, plot};
 
 /// Rows of a table for people, and of what is read by programs or drawn.
@@ -115,25 +113,11 @@ fn beside<'a>(motion: &Motion<'a>, options: &Options, speed: f64, times: &[f64])
 }
 
 fn tell(motion: &Motion, options: &Options) -> Result<(), Failure> {
-    let Some(path) = &options.output else {
-        return match options.format {
-            Format::Table => print(&output::motion::render_table(motion)),
-            Format::Json => write(|output| output::motion::write_json(motion, output)),
-            Format::Csv => write(|output| output::motion::write_csv(motion, output)),
-        };
-    };
-    let fail = |error: std::io::Error| Failure::Run(format!("cannot write {}: {error}", path.display()));
-    let mut file = BufWriter::new(File::create(path).map_err(fail)?);
-    let written = match options.format {
-        Format::Table => {
-            file.write_all(anstream::adapter::strip_str(&output::motion::render_table(motion)).to_string().as_bytes())
-        }
-        Format::Json => output::motion::write_json(motion, &mut file),
-        Format::Csv => output::motion::write_csv(motion, &mut file),
-    };
-    written.and_then(|()| file.flush()).map_err(fail)?;
-    wrote(path);
-    Ok(())
+    deliver(options.output.as_deref(), |output| match options.format {
+        Format::Table => output.write_all(output::motion::render_table(motion).as_bytes()),
+        Format::Json => output::motion::write_json(motion, output),
+        Format::Csv => output::motion::write_csv(motion, output),
+    })
 }
 
 /// Files that would replace each other, or what is read.

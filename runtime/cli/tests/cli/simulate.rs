@@ -149,7 +149,8 @@ fn results_go_to_files() {
 #[test]
 fn all_mistakes_are_told_at_once() {
     let directory = Directory::of_this_test();
-    let wrong = ["--duration", "-1", "--step", "0", "--speed", "fast", "--initial", "ph=1", "--force", "q=1"];
+    let wrong =
+        ["--linear", "--duration", "-1", "--step", "0", "--speed", "fast", "--initial", "ph=1", "--force", "q=1"];
     simulate(&directory, &wrong).fails(
         2,
         "error: 5 problems\n\

@@ -1,0 +1,82 @@
+//! One of several graphs above each other, with its lines named above it.
+
+use super::axes::{Axes, INK};
+use super::curves::{Curve, clip};
+use super::font;
+use super::scene::{Anchor, Color, Paint, Scene};
+
+/// The room of the names above a graph, and below it of the numbers and what they are, if they stand there.
+const NAMES: f32 = 26.0;
+const NUMBERS: f32 = 70.0;
+const GAP: f32 = 16.0;
+const TEXT_SIZE: f32 = 14.0;
+
+/// A graph.
+pub struct Graph {
+    /// What its vertical axis shows.
+    pub title: &'static str,
+    pub height: f32,
+    pub x: (f64, f64),
+    pub y: (f64, f64),
+    /// In painting order.
+    pub lines: Vec<Line>,
+    /// What else stands among the names, with the way it is painted.
+    pub note: Option<(Paint, Color, &'static str)>,
+}
+
+/// A curve in data; without a name it belongs to another one.
+pub struct Line {
+    pub name: Option<String>,
+    pub color: Color,
+    pub paint: Paint,
+    pub curve: Curve,
+}
+
+impl Graph {
+    /// Draws it from a height on the page, between left and right; the height below it. Without a label for the horizontal axis
+    /// another graph goes on below, which has it.
+    pub fn draw(&self, x_label: Option<&str>, [left, right]: [f32; 2], top: f32, scene: &mut Scene) -> f32 {
+        let named = self.lines.iter().filter_map(|line| Some((line.paint, line.color, line.name.as_deref()?)));
+        write_names(named.chain(self.note), left, top, scene);
+        let top = top + NAMES;
+        let axes = Axes { x: self.x, y: self.y, area: [left, top, right, top + self.height] };
+        axes.draw_grid(scene);
+        for line in &self.lines {
+            for piece in clip(&line.curve, axes.y) {
+                let points: Vec<(f32, f32)> = piece.into_iter().map(|(x, y)| axes.place(x, y)).collect();
+                scene.polyline(&points, line.paint, line.color);
+            }
+        }
+        axes.draw_frame(scene, x_label, self.title);
+        top + self.height + if x_label.is_some() { NUMBERS } else { GAP }
+    }
+}
+
+/// What lines are called, side by side; the height below it is [`NAMES`] further down.
+pub fn write_names<'a>(
+    names: impl Iterator<Item = (Paint, Color, &'a str)>,
+    left: f32,
+    top: f32,
+    scene: &mut Scene,
+) -> f32 {
+    let (mut x, base) = (left, top + 14.0);
+    for (paint, color, name) in names {
+        scene.polyline(&[(x, base - 5.0), (x + 28.0, base - 5.0)], paint, color);
+        scene.text((x + 34.0, base), Anchor::Start, TEXT_SIZE, INK, name);
+        x += 34.0 + font::width(name, TEXT_SIZE) + 24.0;
+    }
+    top + NAMES
+}
+
+/// A range with some room at both ends; what hardly changes is shown as that.
+pub fn roomy((low, high): (f64, f64)) -> (f64, f64) {
+    let least = 0.1 * high.abs().max(low.abs()).max(1e-5);
+    let missing = (least - (high - low)).max(0.0) / 2.0;
+    let room = 0.06 * (high - low).max(least);
+    (low - missing - room, high + missing + room)
+}
+
+/// The least and the largest of some values.
+pub fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
