@@ -29,23 +29,26 @@ const SAME: f64 = 1e-11;
 
 impl Equations {
     /// Sorts what was found, and finds what counts of unstable eigenvalues show to be missing.
-    pub(super) fn complete(&self, Findings { found, samples }: Findings) -> Result<Course, SystemError> {
+    pub(super) fn complete(&self, Findings { found, samples, unexamined }: Findings) -> Result<Course, SystemError> {
         let mut course = self.course(found)?;
         for _ in 0..ROUNDS {
             let gaps = course.gaps(&samples);
-            if gaps.is_empty() {
-                return Ok(course);
+            if gaps.is_empty() || self.is_exhausted() {
+                break;
             }
             let mut found = course.found.clone();
             for &([low, high], unstable) in gaps.iter().take(GAPS) {
-                self.bisect([low, high], unstable, &mut found)?;
+                if !self.is_exhausted() {
+                    self.bisect([low, high], unstable, &mut found)?;
+                }
             }
             if found.len() == course.found.len() {
                 break;
             }
             course = self.course(found)?;
         }
-        course.undecided = union(course.gaps(&samples).into_iter().map(|(gap, _)| gap).collect());
+        let gaps = course.gaps(&samples).into_iter().map(|(gap, _)| gap);
+        course.undecided = union(gaps.chain(unexamined).collect());
         Ok(course)
     }
 

@@ -4,7 +4,7 @@ use core::cell::RefCell;
 
 use nalgebra::Complex;
 
-use super::condition::{Divergence, Drifting, Flutter, count_zero_sums, count_zeros};
+use super::condition::{Divergence, Drifting, Flutter};
 use super::equations::Equations;
 use super::isolation::{Bracket, isolate};
 use super::newton::Crossing;
@@ -27,6 +27,8 @@ pub(super) struct Findings {
     pub(super) found: Vec<Found>,
     /// Speeds, and how many eigenvalues are unstable there.
     pub(super) samples: Vec<(f64, usize)>,
+    /// The ends of brackets that were left as they were, when so much had been computed that the search ended.
+    pub(super) unexamined: Vec<[f64; 2]>,
 }
 
 /// How far a bracket may be left for what is in it, relative to its width: two brackets may share an end that is a zero.
@@ -46,43 +48,68 @@ const CLOSE: f64 = 1e-4;
 /// Scaled speeds, none of them special, at which is seen what holds at all speeds.
 const SAMPLES: [f64; 5] = [0.137, 0.613, 1.291, 3.17, 11.9];
 
+/// The binary orders of magnitude, in steps, of scaled speeds at which eigenvalues are counted where rounding hides the
+/// conditions. Farther away it hides the eigenvalues as well.
+const ORDERS: core::ops::RangeInclusive<i32> = -10..=10;
+const STEP: f64 = 0.6;
+
 impl Equations {
     /// All critical speeds, in no order.
     pub(super) fn find_crossings(&self) -> Result<Findings, SystemError> {
-        let mut found = Vec::new();
-        let left_out = if self.states() < 2 { 0 } else { self.least_at_samples(count_zero_sums)? };
+        let (mut found, mut unexamined) = (Vec::new(), Vec::new());
         let condition = Divergence(self);
-        let mut drifts = 0;
-        if let Some(divergence) = Normalized::new(&condition)? {
+        let divergence = Normalized::new(&condition)?;
+        let drifts = if divergence.is_some() { 0 } else { self.least_at_samples(Self::count_zeros)? };
+        let left_out =
+            if self.states() < 2 { 0 } else { self.least_at_samples(|this, v| this.count_zero_sums(v, drifts))? };
+        if let Some(divergence) = divergence {
             for bracket in isolate(&divergence, true, NARROW_DIVERGENCE)? {
-                self.find_divergences(&bracket, left_out > 0, &mut found);
+                if self.is_exhausted() {
+                    unexamined.push([bracket.low, bracket.high]);
+                } else {
+                    self.find_divergences(&bracket, left_out > 0, &mut found);
+                }
             }
         } else {
-            drifts = self.least_at_samples(count_zeros)?;
             self.find_divergences_beside(drifts, &mut found)?;
         }
         if self.states() < 2 {
-            return Ok(Findings { found, samples: Vec::new() });
+            return Ok(Findings { found, samples: Vec::new(), unexamined });
         }
         let condition = Flutter { equations: self, left_out, drifts, samples: RefCell::default() };
-        if let Some(flutter) = Normalized::new(&condition)? {
-            // Far beyond all critical speeds eigenvalues differ so much that rounding has the better of the small ones.
-            condition.samples.borrow_mut().clear();
-            for bracket in isolate(&flutter, self.is_polynomial(), NARROW_FLUTTER)? {
+        let flutter = Normalized::new(&condition)?;
+        // Far beyond all critical speeds eigenvalues differ so much that rounding has the better of the small ones.
+        condition.samples.borrow_mut().clear();
+        if left_out == 0 && flutter.is_none() {
+            // Then it has the better of them at all speeds, but not of more digits.
+            for order in ORDERS {
+                let v = 2f64.powf(STEP * f64::from(order));
+                condition.samples.borrow_mut().push((v, self.count(v)?.unstable));
+            }
+        }
+        if let Some(flutter) = flutter {
+            let mut brackets = isolate(&flutter, self.is_polynomial(), NARROW_FLUTTER)?;
+            // What is certain comes first, and takes least.
+            brackets.sort_by_key(|bracket| bracket.zero.is_none());
+            for bracket in brackets {
+                if self.is_exhausted() {
+                    unexamined.push([bracket.low, bracket.high]);
+                    continue;
+                }
                 self.find_flutters(&bracket, &mut found)?;
                 if left_out > 0 && bracket.zero.is_some() {
                     self.find_meetings(&bracket, &mut found)?;
                 }
             }
         }
-        Ok(Findings { found, samples: condition.samples.into_inner() })
+        Ok(Findings { found, samples: condition.samples.into_inner(), unexamined })
     }
 
     /// The least number of something at speeds of which none is special.
-    fn least_at_samples(&self, count: impl Fn(&Spectrum) -> usize) -> Result<usize, SystemError> {
+    fn least_at_samples(&self, count: impl Fn(&Self, f64) -> Result<usize, SystemError>) -> Result<usize, SystemError> {
         let mut least = usize::MAX;
         for v in SAMPLES {
-            least = least.min(count(&self.spectrum(v)?));
+            least = least.min(count(self, v)?);
             if least == 0 {
                 break;
             }

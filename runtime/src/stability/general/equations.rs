@@ -1,5 +1,7 @@
 //! Equations of motion of any number of coordinates along the speed, in units in which their numbers are about one.
 
+use core::cell::Cell;
+
 use super::combination::Combination;
 use super::field::RealField;
 use super::functions::{GRAVITY, ONE, OVER_SPEED, SPEED, SQUARE, Values, values};
@@ -47,7 +49,12 @@ pub(super) struct Equations {
     /// Eigenvalues that are zero at all speeds, of coordinates that nothing holds and that are not declared as such.
     pub(super) zeros: usize,
     pub(super) units: Units,
+    /// How many eigenvalue problems and pencils were computed, each in units of the time that it takes, about.
+    effort: Cell<usize>,
 }
+
+/// The effort at which a search ends: hundreds of times what is usual.
+const MOST: usize = 40_000;
 
 impl Equations {
     pub(super) fn new(matrices: &Matrices, gravity: f64) -> Result<Self, SystemError> {
@@ -87,7 +94,9 @@ impl Equations {
             [[Column::Both, Column::Position], [Column::Both, Column::Rate]].map(|with| has(column, with))
         });
         let layout = Layout::new(states);
-        let mut equations = Self { mass, damping, stiffness, gravity, columns, layout, solved: None, zeros, units };
+        let effort = Cell::new(0);
+        let mut equations =
+            Self { mass, damping, stiffness, gravity, columns, layout, solved: None, zeros, units, effort };
         if !equations.columns.contains(&Column::Position) {
             equations.solved = Some(equations.solve()?);
         }
@@ -113,6 +122,16 @@ impl Equations {
         Ok(Combination::new(self.layout.states(), FUNCTIONS.map(transposed)))
     }
 
+    /// Counts what is computed.
+    pub(super) fn tally(&self, effort: usize) {
+        self.effort.set(self.effort.get() + effort);
+    }
+
+    /// Whether so much was computed that the search ends here.
+    pub(super) fn is_exhausted(&self) -> bool {
+        self.effort.get() >= MOST
+    }
+
     /// Whether damping is divided by the speed.
     pub(super) fn excludes_rest(&self) -> bool {
         self.damping.term(OVER_SPEED).is_some()
@@ -135,6 +154,7 @@ impl Equations {
 
     /// The eigenvalues at a scaled speed, of the states alone, by the QR algorithm.
     pub(super) fn spectrum(&self, v: f64) -> Result<Spectrum, SystemError> {
+        self.tally(1);
         let values = self.values(v);
         let rows = match &self.solved {
             Some(rows) => rows.at(&values),

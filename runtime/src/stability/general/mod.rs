@@ -6,7 +6,7 @@
 //!
 //! - [`units`], [`functions`], [`combination`], [`equations`], [`pencil`]: the equations in scaled units, their
 //!   eigenvalues and their pencil at a speed;
-//! - [`condition`], [`product`], [`polynomial`]: the conditions, and what they are as polynomials;
+//! - [`condition`], [`sums`], [`product`], [`polynomial`]: the conditions, and what they are as polynomials;
 //! - [`samples`], [`bernstein`], [`isolation`]: all of their zeros, each in an interval of its own;
 //! - [`field`], [`inverse`], [`newton`]: critical speeds and eigenvalues to all digits;
 //! - [`crossings`]: the critical speeds in the intervals;
@@ -28,6 +28,7 @@ mod pencil;
 mod polynomial;
 mod product;
 mod samples;
+mod sums;
 #[cfg(test)]
 mod tests;
 mod units;

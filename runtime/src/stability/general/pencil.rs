@@ -16,6 +16,8 @@ pub(super) struct Pencil<C> {
 impl Equations {
     /// The pencil and its derivatives.
     pub(super) fn pencil<C: ComplexField>(&self, s: C, v: C::Real) -> Pencil<C> {
+        // Complex numbers take longer, and those of twice the precision longer still.
+        self.tally(size_of::<C>() / size_of::<f64>());
         let (values, square) = (self.values(v), s * s);
         let zeros = Square::filled(self.columns.len(), C::real(0.0.into()));
         let mut pencil = Pencil {

@@ -203,3 +203,49 @@ fn what_diverges_beside_a_zero_at_all_speeds_is_found() {
     let verdicts = [0.9, 1.1].map(|factor| stability.verdict(factor * critical));
     assert_eq!(verdicts, [Ok(Verdict::Marginal), Ok(Verdict::Unstable)]);
 }
+
+/// `s^2 + (v - 1) 1e-3 s + 1` beside `s^2 + (1 + v) 1e5 s + 1e5` and `s^2 + 3e4 s + 7e4`: all sums of two eigenvalues that could
+/// be zero are small beside the largest eigenvalue at all speeds.
+#[test]
+fn what_is_slow_beside_the_others_is_not_taken_for_undamped() {
+    let stability = stability(&Coefficients {
+        c0: diagonal([-1e-3, 1e5, 3e4]),
+        c1: diagonal([1e-3, 1e5, 0.0]),
+        kc: diagonal([1.0, 1e5, 7e4]),
+        ..regular()
+    });
+    assert_speeds(&stability, &[(WEAVE, 1.0, Change::Stabilizes, 1.0)]);
+    assert_eq!([0.5, 2.0].map(|speed| stability.verdict(speed)), [Ok(Verdict::Unstable), Ok(Verdict::Stable)]);
+}
+
+/// Entries of any size at random places: what is not decided within the bound is said, and does not take minutes.
+#[test]
+fn entries_of_any_size_end_the_search() {
+    let mut state = 12_u64;
+    let mut random = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut entries = |share: f64| {
+        Matrix::<f64, 5>::from_fn(|_, _| {
+            let (is_there, sign, order) = (random() < share, random() - 0.5, 18.0 * random() - 9.0);
+            if is_there { sign.signum() * 10f64.powf(order) } else { 0.0 }
+        })
+    };
+    for _ in 0..2 {
+        let coefficients = Coefficients {
+            m: entries(1.0),
+            cm1: entries(0.3),
+            c0: entries(0.5),
+            c1: entries(0.5),
+            kc: entries(0.7),
+            k1: entries(0.3),
+            k2: entries(0.5),
+            ..Default::default()
+        };
+        let begin = std::time::Instant::now();
+        let stability = Stability::general(&coefficients, 0.0).expect("an answer");
+        assert!(stability.critical_speeds.iter().all(|critical| critical.speed.is_finite() && critical.speed > 0.0));
+        assert!(begin.elapsed().as_secs() < 60, "{:?}", begin.elapsed());
+    }
+}
