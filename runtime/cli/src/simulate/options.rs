@@ -7,15 +7,21 @@ use clap::Args;
 use crate::options::{DesignOptions, Format, Picture};
 
 const HELP: &str = "\
-Names of positions: the coordinates of the model, and of bicycles also x, y (where the rear wheel touches the ground,
-forward and to the right), psi (yaw), phi (lean), delta (steer), thetaR and thetaF (angles of the wheels about axes to the
-right, so that they decrease as it rolls forward). Their rates are NAME_rate, their forces NAME. Angles are in rad, unless a unit
-stands behind them; x, y and z (down) are along axes of the ground.
+A bicycle moves by the nonlinear equations of its four bodies; so do other models that have such equations, and with --linear,
+or if a model has no others, the linear ones at the speed are solved exactly.
 
-What --initial leaves out is zero; what follows from the rest, as the rates of wheels that roll, cannot be given.
+Names of positions: the coordinates of the model, and of bicycles x, y (where the rear wheel touches the ground, forward
+and to the right), psi (yaw), phi (lean), pitch, delta (steer), thetaR and thetaF (angles of the wheels about axes to the
+right, so that they decrease as it rolls forward). Their rates are NAME_rate; torques on lean and steer are phi and delta.
+Angles are in rad, unless a unit stands behind them; x, y and z (down) are along axes of the ground. The speed is that of the
+rear wheel, -rR thetaR_rate.
 
-The linear equations at the speed are solved exactly, for every model. Forces are constant, or a file with a time in s
-and a force in each line, linear between them; two lines at one time are a jump.
+What --initial leaves out is zero; what follows from the rest, such as the pitch and the rates of wheels that roll, cannot be
+given. Forces are constant, or a file with a time in s and a force in each line, linear between them; two lines at one time
+are a jump.
+
+A fall (a lean of 80 degrees, or a front wheel that turns around) ends the run; that, a stop, and a wheel that would lift off
+are told.
 
 Examples:
   carvallo simulate --speed 4.6 --initial phi_rate=0.5 --duration 10
@@ -59,7 +65,7 @@ pub struct Options {
         help = "The time between rows in s [default: a hundredth of T, in a table a twentieth]"
     )]
     pub step: Option<String>,
-    /// Solves the linear equations
+    /// Solves the linear equations, not the nonlinear ones
     #[arg(long)]
     pub linear: bool,
     /// table, json or csv

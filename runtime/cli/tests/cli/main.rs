@@ -18,6 +18,7 @@ mod shapes;
 mod show;
 mod simulate;
 mod sweep;
+mod turns;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};

@@ -198,3 +198,156 @@ fn what_leaves_the_range_of_doubles_ends_early() {
     assert_eq!((run.code, run.stderr.as_str()), (Some(0), &*format!("note: the motion ends before 800 s: {reason}\n")));
     assert_eq!(run.stdout.lines().count(), 9);
 }
+
+/// The state of Table 1 of Basu-Mandal, Chatterjee & Papadopoulos (2007), and the accelerations and contact forces there, at
+/// 80 digits from nine coordinates and six velocity constraints.
+#[test]
+fn accelerations_and_forces_are_those_of_basu_mandal() {
+    let directory = Directory::of_this_test();
+    let state = [
+        "--speed",
+        "2.6738968984467",
+        "--initial",
+        "phi=0.62066704164769661923132169164",
+        "--initial",
+        "delta=-0.2311385135743",
+        "--initial",
+        "phi_rate=-0.6068425835418",
+        "--initial",
+        "delta_rate=-0.4859824687093",
+        "--duration",
+        "0",
+        "--format",
+        "json",
+    ];
+    let json = simulate(&directory, &state).json();
+    assert_eq!(json["equations"], "nonlinear");
+    let row = &json["rows"][0];
+    for (member, name, expected) in [
+        ("positions", "pitch", 0.015885352100443954),
+        ("rates", "thetaR", -8.912989661489),
+        ("rates", "thetaF", -8.013362058415453),
+        ("rates", "psi", -0.7830033527064925),
+        ("rates", "pitch", 0.011918552806873832),
+        ("accelerations", "psi", -0.8353281706380009),
+        ("accelerations", "phi", 7.855528112824301),
+        ("accelerations", "pitch", -0.12055438978837053),
+        ("accelerations", "delta", 4.6198904039398005),
+        ("accelerations", "thetaR", -1.8472554144219437),
+        ("accelerations", "thetaF", -2.454807290455227),
+    ] {
+        assert_near(&row[member][name], expected, 1e-13);
+    }
+    let forces = [
+        ("R", [-0.8268320661887361, 168.70716387615093, -363.68224003958716]),
+        ("F", [20.4511484159195, 82.03990066142602, -158.81666855997656]),
+    ];
+    for (wheel, expected) in forces {
+        for (axis, expected) in expected.into_iter().enumerate() {
+            assert_near(&row["contact_forces"][wheel][axis], expected, 1e-11);
+        }
+    }
+}
+
+/// The manoeuvre of the IFToMM benchmark "Uncontrolled bicycle", from a simulation of other equations; and the energy, which
+/// nothing takes.
+#[test]
+fn a_bicycle_rides_by_its_nonlinear_equations() {
+    let directory = Directory::of_this_test();
+    let ride = ["--speed", "4.6", "--initial", "phi_rate=0.5", "--duration", "10", "--step", "0.5", "--format", "json"];
+    let json = simulate(&directory, &ride).json();
+    let rows = json["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 21);
+    for (index, lean, steer, yaw, wheel) in [
+        (4, 0.056180808696033015, 0.06309731908372167, 0.19266341653680374, -15.456681927629731),
+        (20, 0.001964643254998543, 0.002208916927520156, 0.2368300432429335, -15.408195856620347),
+    ] {
+        let (positions, rates) = (&rows[index]["positions"], &rows[index]["rates"]);
+        let pairs = [
+            (&positions["phi"], lean),
+            (&positions["delta"], steer),
+            (&positions["psi"], yaw),
+            (&rates["thetaR"], wheel),
+        ];
+        pairs.into_iter().for_each(|(found, expected)| assert_near(found, expected, 1e-9));
+    }
+    let energy = |row: &Value| {
+        ["kinetic", "potential"].map(|part| row["energy"][part].as_f64().expect("a number")).iter().sum::<f64>()
+    };
+    assert!(rows.iter().all(|row| (energy(row) / energy(&rows[0]) - 1.0).abs() < 1e-10));
+    // The wheels carry the weight of 94 kg, and no more on the whole.
+    let weight: f64 =
+        ["R", "F"].map(|wheel| rows[20]["contact_forces"][wheel][2].as_f64().expect("a number")).iter().sum();
+    assert!((weight + 94.0 * 9.81).abs() < 0.1, "{weight}");
+}
+
+#[test]
+fn a_fall_ends_the_run_and_is_told() {
+    let directory = Directory::of_this_test();
+    let run = simulate(&directory, &["--speed", "0", "--initial", "phi=0.1", "--duration", "10", "--format", "csv"]);
+    assert_eq!(run.code, Some(0));
+    let last = run.stderr.lines().last().expect("a note");
+    let (time, end) =
+        last.strip_prefix("note: the motion ends at ").and_then(|rest| rest.split_once(" s: ")).expect("an end");
+    assert_eq!(end, "it falls: it leans by 80 degrees");
+    let row: Vec<f64> =
+        run.stdout.lines().last().expect("a row").split(',').map(|cell| cell.parse().expect("a number")).collect();
+    assert!((row[0] - time.parse::<f64>().expect("a time")).abs() < 1e-6);
+    assert!((row[4] - 80_f64.to_radians()).abs() < 1e-12, "{}", row[4]);
+}
+
+/// As it falls at a slow walk, a steered bicycle is turned back.
+#[test]
+fn a_stop_is_told() {
+    let directory = Directory::of_this_test();
+    let run =
+        simulate(&directory, &["--speed", "0.3", "--initial", "delta=0.5", "--initial", "phi=0.2", "--duration", "1"]);
+    assert!(run.stderr.contains(" s it stops, and turns back\n"), "{}", run.stderr);
+}
+
+#[test]
+fn what_follows_cannot_be_given() {
+    let directory = Directory::of_this_test();
+    let given = ["--initial", "thetaR_rate=1", "--initial", "pitch=0.1", "--initial", "psi_rate=1"];
+    simulate(&directory, &[&["--speed", "5", "--duration", "1"], &given[..]].concat()).fails(
+        2,
+        "error: 3 problems\n\
+         --initial thetaR_rate=1: the rate of `thetaR` cannot be given: it follows from --speed\n\
+         --initial pitch=0.1: the position of `pitch` cannot be given: it follows, since every wheel is on the ground\n\
+         --initial psi_rate=1: the rate of `psi` cannot be given: it follows, since wheels roll\n",
+    );
+}
+
+/// A model without a mechanism has linear equations alone, and is simulated by them.
+#[test]
+fn models_without_nonlinear_equations_say_so() {
+    let directory = Directory::of_this_test();
+    let run = ["--model", "Pendulum", "--initial", "theta=0.1", "--duration", "1"];
+    let nonlinear = simulate(&directory, &run);
+    let note = "note: the model Pendulum has no nonlinear equations; these are the linear ones\n";
+    assert_eq!((nonlinear.code, nonlinear.stderr.as_str()), (Some(0), note));
+    assert_eq!(nonlinear.stdout, simulate(&directory, &[&run[..], &["--linear"]].concat()).ok());
+}
+
+#[test]
+fn motions_and_paths_are_drawn() {
+    let directory = Directory::of_this_test();
+    for (name, arguments) in [
+        ("ride.svg", vec!["--speed", "4.6", "--initial", "phi_rate=0.5", "--duration", "5"]),
+        ("fall.svg", vec!["--speed", "2", "--initial", "phi_rate=0.5", "--duration", "5"]),
+        ("linear.svg", vec!["--linear", "--speed", "4.6", "--initial", "phi_rate=0.5", "--duration", "5"]),
+        ("pendulum.svg", vec!["--linear", "--model", "Pendulum", "--initial", "theta=0.1", "--duration", "5"]),
+    ] {
+        let run = simulate(&directory, &[&arguments[..], &["--plot", name]].concat());
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let svg = std::fs::read_to_string(directory.0.join(name)).expect("a picture");
+        assert!(svg.contains("time t (s)") && !svg.contains("NaN"), "{name}");
+        assert_eq!(svg.contains("path of the front wheel"), name != "pendulum.svg");
+        assert_eq!(svg.contains("the same by the linear equations"), name == "ride.svg" || name == "fall.svg");
+    }
+    let run = simulate(&directory, &["--speed", "5", "--duration", "0", "--plot", "still.svg"]);
+    assert_eq!(
+        (run.code, run.stderr.as_str()),
+        (Some(2), "error: --plot still.svg: a picture needs a duration above 0\n")
+    );
+}
