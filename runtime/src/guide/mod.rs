@@ -1,6 +1,6 @@
 //! The guide: what Carvallo can do, page by page, with examples that run.
 //!
-//! Who declares models of machines begins with [`formulas`] or [`mechanisms`], whose syntax [`model!`](crate::model)
+//! What equations a machine can have stands in [`form`]. Who declares models begins with [`formulas`] or [`mechanisms`], whose syntax [`model!`](crate::model)
 //! documents to the last word, and reads in [`safeguards`] how the compiler looks for mistakes. [`stability`], [`batches`]
 //! and [`sensitivities`] are about what is done with a model, and [`any_model`] about functions of your own that take every
 //! model. Who wants the evaluators of a finished model, in a simulation
@@ -37,6 +37,8 @@
 #[allow(unused_imports)]
 use crate::{batch::*, *};
 
+#[doc = include_str!("form.md")]
+pub mod form {}
 #[doc = include_str!("formulas.md")]
 pub mod formulas {}
 #[doc = include_str!("mechanisms.md")]

@@ -8,7 +8,7 @@ use nalgebra::Complex;
 use super::{Sensitivity, implicit};
 use crate::pencil::Equations;
 use crate::stability::CriticalSpeed;
-use crate::system::{States, SystemError};
+use crate::system::{Coefficients, States, SystemError};
 
 /// How a critical speed changes with each parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,7 +75,14 @@ impl<const N: usize> Sensitivity<N> {
     /// # Errors
     /// If a derivative leaves the range of `f64`.
     pub fn critical_speed(&self, critical: &CriticalSpeed) -> Result<CriticalDerivative, SystemError> {
-        let has_quartic = !self.coefficients.has_odd_powers() && self.coefficients.states == [States::Both; N];
+        let Coefficients { kc, k0, k2, states, .. } = &self.coefficients;
+        // Without the position of a coordinate, one of the four eigenvalues is zero, and nothing else is different.
+        let is_there = |column: usize| match states[column] {
+            States::Both => true,
+            States::Rate => [kc, k0, k2].iter().all(|stiffness| stiffness.column(column).iter().all(|&k| k == 0.0)),
+            States::Position => false,
+        };
+        let has_quartic = !self.coefficients.has_odd_powers() && (0..N).all(is_there);
         match (self as &dyn Any).downcast_ref::<Sensitivity<2>>() {
             Some(two) if has_quartic => two.of_quartic(critical),
             _ => self.implicit(critical),
