@@ -90,9 +90,13 @@ impl<'e> Formulas<'e> {
         if let Some(index) = self.values.iter().position(|known| *known == form) {
             return self.stand_ins[index].clone();
         }
-        let opposite = self.simplest(&-&form);
-        if let Some(index) = self.values.iter().position(|known| *known == opposite) {
-            return -&self.stand_ins[index];
+        // What no other is opposite to at some values has no need to be written the other way round.
+        let at_sample = self.at_sample(&form);
+        if self.sample.1.iter().any(|known| known.is_perhaps_opposite_to(at_sample)) {
+            let opposite = self.simplest(&-&form);
+            if let Some(index) = self.values.iter().position(|known| *known == opposite) {
+                return -&self.stand_ins[index];
+            }
         }
         self.push(form);
         self.names.push(name.into());

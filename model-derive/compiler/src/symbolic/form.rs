@@ -46,7 +46,13 @@ impl Form {
         if self.operations() <= 1 {
             return self.clone();
         }
-        let mut forms = vec![atom.clone(), atom.collect_factors(), atom.expand().collect_factors(), atom.factor()];
+        let mut forms = vec![atom.clone(), atom.collect_factors()];
+        let expanded = atom.expand();
+        // Most formulas of mechanisms are expanded as they stand.
+        if expanded != *atom {
+            forms.push(expanded.collect_factors());
+        }
+        forms.push(atom.factor());
         if atom.count_operations().inversions > 0 {
             forms.push(atom.together());
         }

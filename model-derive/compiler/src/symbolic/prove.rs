@@ -57,11 +57,15 @@ pub(super) fn prove(engine: &Engine, pair: &Equations, depth: Depth) -> Result<P
         if maybe_zero(&difference) && difference.is_zero() {
             return Ok(Proof::Found);
         }
-        if difference.operations() > MAX_OPERATIONS || difference.is_too_long() {
+        if difference.operations() > MAX_OPERATIONS {
             return Ok(Proof::TooLong);
         }
         let next = names.find(|(name, _)| depth == Depth::Formulas && difference.mentions(name));
-        let Some((name, value)) = next else { return Ok(Proof::NotFound) };
+        let Some((name, value)) = next else {
+            // On the way it is not asked, which would take longer than the next replacement, and no harm is done there.
+            let is_too_long = depth == Depth::Formulas && difference.is_too_long();
+            return Ok(if is_too_long { Proof::TooLong } else { Proof::NotFound });
+        };
         difference = difference.replace(name, value);
     }
 }

@@ -63,6 +63,13 @@ impl Sample {
         self.value.is_finite()
     }
 
+    /// Whether it may be another one with the opposite sign, whatever rounding has done.
+    pub fn is_perhaps_opposite_to(self, other: Self) -> bool {
+        let sum = Self { value: self.value + other.value, error: self.error + other.error };
+        let rounding = f64::EPSILON * (self.value.abs() + other.value.abs());
+        !(sum.value.abs() > SAFETY * (sum.error + rounding) && sum.value.is_finite())
+    }
+
     /// Whether it is another number than zero, whatever rounding has done.
     pub fn is_not_zero(self) -> bool {
         self.value.abs() > SAFETY * self.error && self.value.is_finite()
