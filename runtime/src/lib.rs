@@ -29,7 +29,8 @@
 //! A mechanism that was compiled with its nonlinear equations moves by them: accelerations, contact forces, energy
 //! ([`Motion`]).
 //!
-//! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace) and its eigenvalues.
+//! At one speed and gravity the matrices make a [`System`], with its [state-space form](StateSpace), its eigenvalues and their
+//! [eigenvectors](Eigenvectors).
 //! Many designs at once run in the lanes of the processor ([`batch`]).
 //!
 //! Along speed, models have their critical speeds and stable ranges ([`Stability`]), and eigenvalues that are followed one by
@@ -72,6 +73,8 @@ mod system;
 #[cfg(feature = "simulation")]
 pub mod turns;
 
+#[cfg(feature = "std")]
+pub use eigenvalues::Eigenvectors;
 pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, FormulaInfo, FormulaSubject, LengthError,
     Model, ModelInfo, Nonlinear, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo,

@@ -10,6 +10,7 @@ use carvallo::{
 
 use crate::design::Design;
 use crate::failure::Failure;
+use crate::model::Shape;
 use crate::number::shortest;
 use crate::reach::reach;
 
@@ -98,6 +99,18 @@ pub enum Rows {
     Sorted(Vec<Row<Eigenvalues>>),
 }
 
+impl Rows {
+    /// The speeds with their eigenvalues.
+    pub fn values(&self) -> Vec<(f64, &[ModeValue])> {
+        match self {
+            Self::Modes(rows) => rows.iter().map(|row| (row.speed, row.values.as_slice())).collect(),
+            Self::Branches(rows) | Self::Sorted(rows) => {
+                rows.iter().map(|row| (row.speed, row.values.values.as_slice())).collect()
+            }
+        }
+    }
+}
+
 impl Analysis {
     /// # Errors
     /// If the equations of motion have no answer, such as for a singular mass matrix.
@@ -167,6 +180,17 @@ impl Analysis {
     /// Whether there are equations of motion at a speed: at rest there may be none.
     pub fn has_equations_at(&self, speed: f64) -> bool {
         speed != 0.0 || self.design.equations.without_rest().is_none()
+    }
+
+    /// The eigenvectors at the speed of a row, in the order of its eigenvalues.
+    ///
+    /// # Errors
+    /// If one leaves the range of doubles.
+    pub fn shapes(&self, speed: f64, values: &[ModeValue]) -> Result<Vec<Shape>, Failure> {
+        let gravity = self.design.gravity().unwrap_or(0.0);
+        let values: Vec<Complex<f64>> = values.iter().map(|value| value.value).collect();
+        let shapes = self.design.equations.eigenvectors(speed, gravity, &values);
+        shapes.map_err(|error| Failure::Run(format!("{} at {} m/s: {error}", self.design.title(), shortest(speed))))
     }
 
     fn each<V>(&self, speeds: &[f64], values: impl Fn(f64) -> Result<V, SystemError>) -> Result<Vec<Row<V>>, Failure> {

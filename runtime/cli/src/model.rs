@@ -8,8 +8,8 @@ use std::marker::PhantomData;
 
 use carvallo::simulation::{LinearMotion, Machine};
 use carvallo::{
-    Branches, Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Matrix, MatrixName, Model,
-    ModelInfo, Sensitivity, SensitivityError, Stability, States, SystemError,
+    Branches, Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Eigenvectors, Matrix,
+    MatrixName, Model, ModelInfo, Sensitivity, SensitivityError, Stability, States, SystemError,
 };
 use carvallo_models::Whipple;
 
@@ -193,6 +193,15 @@ fn as_of_two<T: Any, Two: Any>(value: &T) -> Option<&Two> {
     (value as &dyn Any).downcast_ref()
 }
 
+/// The right and the left eigenvector of an eigenvalue, by coordinate.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// As [`Eigenvectors`] has it.
+    pub right: Vec<Complex<f64>>,
+    /// As [`Eigenvectors`] has it.
+    pub left: Vec<Complex<f64>>,
+}
+
 /// The linearized equations of motion for any number of coordinates.
 pub trait Equations: Debug {
     /// All matrices, with their rows.
@@ -210,6 +219,12 @@ pub trait Equations: Debug {
     /// # Errors
     /// If there is none, as for a singular mass matrix.
     fn motion(&self, speed: f64, gravity: f64) -> Result<LinearMotion, SystemError>;
+
+    /// The eigenvectors of all eigenvalues at a speed, given in any order, in the same order.
+    ///
+    /// # Errors
+    /// If one leaves the range of doubles.
+    fn eigenvectors(&self, speed: f64, gravity: f64, values: &[Complex<f64>]) -> Result<Vec<Shape>, SystemError>;
 
     /// The critical speeds and stable ranges at a gravitational field strength in N/kg.
     ///
@@ -275,6 +290,17 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
 
     fn motion(&self, speed: f64, gravity: f64) -> Result<LinearMotion, SystemError> {
         LinearMotion::new(&self.at(speed, gravity)?)
+    }
+
+    fn eigenvectors(&self, speed: f64, gravity: f64, values: &[Complex<f64>]) -> Result<Vec<Shape>, SystemError> {
+        let vectors = self.at(speed, gravity)?.eigenvectors(values)?;
+        // Adding zero turns -0 into 0.
+        let positive_zeros = |entry: &Complex<f64>| Complex::new(entry.re + 0.0, entry.im + 0.0);
+        let shape = |vectors: Eigenvectors<N>| Shape {
+            right: vectors.right.iter().map(positive_zeros).collect(),
+            left: vectors.left.iter().map(positive_zeros).collect(),
+        };
+        Ok(vectors.into_iter().map(shape).collect())
     }
 
     fn stability(&self, gravity: f64) -> Result<Stability, SystemError> {

@@ -15,6 +15,8 @@ mod resolvent;
 #[cfg(feature = "std")]
 mod state_matrix;
 mod two_coordinates;
+#[cfg(feature = "std")]
+mod vectors;
 
 #[cfg(feature = "batch")]
 pub(crate) use four::Four;
@@ -26,3 +28,5 @@ pub(crate) use quartic::Quartic;
 pub(crate) use state_matrix::{Layout, solve};
 #[cfg(feature = "batch")]
 pub(crate) use two_coordinates::quick_eigenvalues;
+#[cfg(feature = "std")]
+pub use vectors::Eigenvectors;

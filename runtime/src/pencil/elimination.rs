@@ -79,13 +79,10 @@ impl Elimination {
         true
     }
 
-    /// The first pivot over another one, counted from the last: over the last but one it is large where a second vector is a
-    /// null vector.
-    pub(crate) fn disparity(&self, from_last: usize) -> f64 {
-        match self.size().checked_sub(1 + from_last) {
-            Some(place) => self.at(0, 0).norm() / self.at(place, place).norm(),
-            None => 1.0,
-        }
+    /// A pivot, counted from the last, in a unit in which the terms of the entries are of about one: where the last but one is
+    /// tiny there is a second null vector. What is beyond the first is one.
+    pub(crate) fn pivot(&self, from_last: usize) -> f64 {
+        self.size().checked_sub(1 + from_last).map_or(1.0, |place| self.at(place, place).norm())
     }
 
     /// The x with `Q x = 0` but for the last pivot; of several such vectors one by its number, independent of the others.
@@ -180,7 +177,7 @@ mod tests {
         for (found, expected) in left.iter().zip([z(-1.0, 0.0), z(1.0, 0.0), z(0.0, -1.0)]) {
             assert!((*found / left[1] - expected).norm() < 1e-30);
         }
-        assert!(elimination.disparity(1) < 100.0 && elimination.disparity(0) > 1e25);
+        assert!(elimination.pivot(1) > 0.01 && elimination.pivot(0) < 1e-25);
     }
 
     /// What is in the range of the matrix is solved for, in units that differ by a factor of 2^300.

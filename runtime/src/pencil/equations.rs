@@ -2,7 +2,7 @@
 
 use super::matrices::Matrices;
 use crate::numeric::DoubleDouble;
-use crate::system::{Coefficients, MatrixName, States};
+use crate::system::{Coefficients, MatrixName, States, System};
 
 /// The coefficient matrices, or derivatives of them, row by row.
 #[derive(Clone, Debug)]
@@ -75,5 +75,14 @@ impl Equations {
             [size_of(stiffness), size_of(damping), size_of(mass)],
             &self.states,
         )
+    }
+}
+
+impl Matrices {
+    /// Those of a system.
+    pub(crate) fn of_system<const N: usize>(system: &System<N>) -> Self {
+        let rows = [&system.k, &system.c, &system.m].map(|matrix| matrix.transpose().as_slice().to_vec());
+        let wide = rows.clone().map(|rows| rows.into_iter().map(DoubleDouble::from).collect());
+        Self::new(wide, rows.map(|rows| rows.into_iter().map(f64::abs).collect()), &system.states)
     }
 }

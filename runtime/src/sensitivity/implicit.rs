@@ -136,7 +136,7 @@ impl Condition {
         let elimination = Elimination::new(&value, &matrices.sizes(s.norm(), 0));
         let (right, left) = (elimination.right(0), elimination.left(0));
         // A second null vector: two eigenvalues are there at once, and not as at a double root, where there is one vector.
-        if is_large(elimination.disparity(1)) {
+        if is_large(1.0 / elimination.pivot(1)) {
             return Err(NotDifferentiable::Coincidence);
         }
         let slope = matrices.at(s, 1);

@@ -1,9 +1,10 @@
 //! `carvallo analyze`: everything about one design along speed.
 
+use carvallo::ModeValue;
 use clap::Args;
 
 use crate::analysis::Analysis;
-use crate::failure::Failure;
+use crate::failure::{Failure, Place};
 use crate::limits::{EigenvalueLimits, SpeedLimits};
 use crate::options::{DesignOptions, Format, Picture, Speeds};
 use crate::output;
@@ -18,6 +19,7 @@ Examples:
   carvallo analyze --set 'w=102 cm' --set c=0   The benchmark bicycle, changed
   carvallo analyze my-bike.toml --plot my-bike.png
   carvallo analyze matrices.json                Matrices M, C1, K0, … of 1 to 12 coordinates
+  carvallo analyze --speeds 5 --eigenvectors    The shapes of the modes: sizes and phases of lean and steer
 
 DESIGN is a name that `carvallo bicycles` lists, or with --model a parameter set that `carvallo models` lists; the path
 of a file; or - for the standard input. A file that says `model = \"NAME\"` chooses its model by itself.
@@ -40,7 +42,7 @@ Other models have \"name\" in the place of \"bicycle\", and those of \"M\", \"C-
 Unless lean and steer are among the coordinates, kinds are \"flutter\", \"divergence\" and \"double_root\"; with others beside
 them there is \"wobble\", too. Eigenvalues are followed one by one, in the same order at all speeds; their modes are those
 kinds, \"real\" or \"oscillatory\", and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\". Where nothing depends
-on the speed there is one row, with the speed null.
+on the speed there is one row, with the speed null. With --eigenvectors each has \"right\" and \"left\": docs/json.md.
 
 Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";
 
@@ -60,6 +62,9 @@ pub struct Options {
     /// table, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
+    /// The shapes of the modes at each speed, too, in a table or as JSON
+    #[arg(long)]
+    eigenvectors: bool,
     /// Draws the eigenvalues against speed; .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<Picture>,
@@ -72,6 +77,10 @@ pub struct Options {
 }
 
 pub fn run(options: &Options) -> Result<(), Failure> {
+    if options.eigenvectors && options.format == Format::Csv {
+        let place = Place::Option("--eigenvectors".to_owned());
+        return Err(Failure::at(place, "CSV has no columns for them; they are in a table and in --format json"));
+    }
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
         if options.xlim.is_none()
@@ -99,14 +108,18 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let speeds = speeds_or(options.format == Format::Table);
     tell_of_rest(&analysis, &speeds)?;
     let rows = analysis.rows(&speeds)?;
+    let at_row = |(speed, values): (f64, &[ModeValue])| analysis.shapes(speed, values);
+    let shapes = options.eigenvectors.then(|| rows.values().into_iter().map(at_row).collect::<Result<Vec<_>, _>>());
+    let shapes = shapes.transpose()?;
+    let shapes = shapes.as_deref();
     if let Some(picture) = &options.plot {
         let x = options.xlim.map_or_else(|| extremes(&speeds_or(false)), |SpeedLimits(low, high)| (low, high));
         let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
         picture.write(&plot::draw_eigenvalues(&analysis, Limits { x, y })?)?;
     }
     match options.format {
-        Format::Table => print(&output::render_table(&analysis, &rows)),
-        Format::Json => write(|output| output::write_json(&analysis, &rows, output)),
+        Format::Table => print(&output::render_table(&analysis, &rows, shapes)),
+        Format::Json => write(|output| output::write_json(&analysis, &rows, shapes, output)),
         Format::Csv => write(|output| output::write_csv(&analysis, &rows, output)),
     }
 }

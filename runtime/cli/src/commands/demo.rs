@@ -15,7 +15,7 @@ use crate::terminal::print;
 pub fn run() -> Result<(), Failure> {
     let analysis = Analysis::new(DesignOptions::default().load()?)?;
     let rows = analysis.rows(&reach::speeds(analysis.reach, true))?;
-    let mut text = output::render_table(&analysis, &rows);
+    let mut text = output::render_table(&analysis, &rows, None);
     text.push('\n');
     text.push_str(&output::draw_sketch(&analysis, analysis.reach)?);
     let path = picture_directory().map(|directory| directory.join(format!("{DEFAULT_BICYCLE}.svg")));

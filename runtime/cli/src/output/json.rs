@@ -8,7 +8,8 @@ use serde::Serialize;
 use super::equations::{Matrix, matrices};
 use super::head::Head;
 use super::layout::{Line, Members, Parts, write_document};
-use crate::analysis::{Analysis, Eigenvalues, Row, Rows, name};
+use crate::analysis::{Analysis, Eigenvalues, ModeRow, Row, Rows, name};
+use crate::model::Shape;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -50,11 +51,23 @@ struct Named {
     re: f64,
     im: f64,
     mode: String,
+    /// The eigenvectors, by coordinate, where they are asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    right: Option<Vec<Parts>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left: Option<Vec<Parts>>,
 }
 
+/// With eigenvectors at each speed, if there are any.
+///
 /// # Errors
 /// If it cannot be written.
-pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> Result<()> {
+pub fn write_json(
+    analysis: &Analysis,
+    rows: &Rows,
+    shapes: Option<&[Vec<Shape>]>,
+    output: &mut dyn Write,
+) -> Result<()> {
     let Analysis { design, stability, .. } = analysis;
     let info = design.info();
     let parameters = info.parameters.iter().zip(&design.parameters);
@@ -66,13 +79,7 @@ pub fn write_json(analysis: &Analysis, rows: &Rows, output: &mut dyn Write) -> R
         critical_speeds: events(stability, info),
         stable_ranges: ranges(stability),
         undecided_ranges: stability.undecided.iter().map(|UndecidedRange { from, to }| Line((*from, *to))).collect(),
-        eigenvalues: match rows {
-            Rows::Modes(rows) => rows.iter().map(modes).map(Line).collect(),
-            Rows::Branches(rows) | Rows::Sorted(rows) => {
-                let moves = design.model.depends_on_speed();
-                rows.iter().map(|row| Line(sorted(row, moves))).collect()
-            }
-        },
+        eigenvalues: eigenvalues(rows, shapes, design.model.depends_on_speed()),
     };
     write_document(&document, output)
 }
@@ -92,16 +99,30 @@ fn ranges(stability: &Stability) -> Vec<Line<Range>> {
     stability.stable_ranges.iter().map(|StableRange { from, to }| Line((*from, *to))).collect()
 }
 
-fn modes(Row { speed, values }: &Row<[ModeValue; 4]>) -> AtSpeed {
-    AtSpeed::Modes { speed: *speed, values: values.iter().map(named).collect() }
-}
-
 /// Where nothing depends on the speed there is none.
-fn sorted(Row { speed, values: Eigenvalues { values, verdict } }: &Row<Eigenvalues>, moves: bool) -> AtSpeed {
-    let values = values.iter().map(named).collect();
-    AtSpeed::Sorted { speed: moves.then_some(*speed), verdict: verdict.to_string(), values }
+fn eigenvalues(rows: &Rows, shapes: Option<&[Vec<Shape>]>, moves: bool) -> Vec<Line<AtSpeed>> {
+    let named = |(row, (_, values)): (usize, (f64, &[ModeValue]))| -> Vec<Named> {
+        let shape = |index: usize| shapes.map(|shapes| &shapes[row][index]);
+        values.iter().enumerate().map(|(index, value)| named(value, shape(index))).collect()
+    };
+    let values = rows.values().into_iter().enumerate().map(named);
+    match rows {
+        Rows::Modes(rows) => {
+            let at = |(row, values): (&ModeRow, _)| Line(AtSpeed::Modes { speed: row.speed, values });
+            rows.iter().zip(values).map(at).collect()
+        }
+        Rows::Branches(rows) | Rows::Sorted(rows) => {
+            let at = |(row, values): (&Row<Eigenvalues>, _)| {
+                let verdict = row.values.verdict.to_string();
+                Line(AtSpeed::Sorted { speed: moves.then_some(row.speed), verdict, values })
+            };
+            rows.iter().zip(values).map(at).collect()
+        }
+    }
 }
 
-fn named(ModeValue { mode, value: Complex { re, im } }: &ModeValue) -> Named {
-    Named { re: *re, im: *im, mode: mode.to_string() }
+fn named(ModeValue { mode, value: Complex { re, im } }: &ModeValue, shape: Option<&Shape>) -> Named {
+    let parts = |vector: &Vec<Complex<f64>>| vector.iter().copied().map(Parts::from).collect();
+    let (right, left) = (shape.map(|shape| parts(&shape.right)), shape.map(|shape| parts(&shape.left)));
+    Named { re: *re, im: *im, mode: mode.to_string(), right, left }
 }

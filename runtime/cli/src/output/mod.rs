@@ -14,6 +14,7 @@ pub mod motion;
 mod parameters;
 mod ranges;
 pub mod sensitivity;
+mod shapes;
 mod sketch;
 mod sorted;
 mod table;

@@ -6,13 +6,17 @@ use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, St
 
 use super::columns::{speeds, width};
 use super::ranges::write_ranges;
+use super::shapes::write_shapes;
 use super::{FAINT, GOOD, HEADING, branches, equations, sorted};
 use crate::analysis::{self, Analysis, ModeRow, ROUNDING, Rows};
 use crate::design::Design;
+use crate::model::Shape;
 use crate::number::{fixed, shortest};
 
+/// With eigenvectors at each speed, if there are any.
+///
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
-pub fn render_table(analysis: &Analysis, rows: &Rows) -> String {
+pub fn render_table(analysis: &Analysis, rows: &Rows, shapes: Option<&[Vec<Shape>]>) -> String {
     let mut text = String::new();
     write_heading(&analysis.design, &mut text);
     equations::write_equations(&analysis.design, &mut text);
@@ -23,6 +27,9 @@ pub fn render_table(analysis: &Analysis, rows: &Rows) -> String {
         Rows::Modes(rows) => write_modes(analysis, rows, &mut text),
         Rows::Branches(rows) => branches::write_eigenvalues(rows, &mut text),
         Rows::Sorted(rows) => sorted::write_eigenvalues(rows, &mut text),
+    }
+    if let Some(shapes) = shapes {
+        write_shapes(analysis, rows, shapes, &mut text);
     }
     text
 }

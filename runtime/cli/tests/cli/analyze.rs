@@ -299,3 +299,47 @@ mF = 1.81
 IFxx = 0.027
 IFyy = 0.052
 ";
+
+/// Undamped, the halves of a pair become real through zero, and nothing is left there but zero.
+#[test]
+fn a_double_root_at_zero_is_zero() {
+    let text = Directory::of_this_test().run(&["analyze", "--model", "TypicalSection"]).ok();
+    assert!(text.contains("two real eigenvalues become an oscillation, at λ = 0.0000\n"), "{text}");
+}
+
+/// At 5 m/s by mpmath at 30 digits, from the matrices of Meijaard et al. (2007), Table 1: null vectors on both sides.
+#[test]
+fn eigenvectors_are_shapes_of_the_modes() {
+    let directory = Directory::of_this_test();
+    let arguments = ["analyze", "--speeds", "5", "--eigenvectors"];
+    let json = directory.run(&[&arguments[..], &["--format", "json"]].concat()).json();
+    let expected = [
+        ("castering", [(0.0022845799397661, 0.0), (1.0, 0.0)], [(0.00975922584904304, 0.0), (-0.300715917361048, 0.0)]),
+        ("capsize", [(1.0, 0.0), (0.428171013447849, 0.0)], [(0.0107739065546498, 0.0), (-0.354381142315253, 0.0)]),
+        (
+            "weave",
+            [(0.758790036615888, -0.133838846873162), (1.0, 0.0)],
+            [(-0.00718615016866993, -0.000408536144502747), (0.226225825106488, -0.0439048449316772)],
+        ),
+    ];
+    let values = json["eigenvalues"][0]["values"].as_array().unwrap();
+    for (value, (mode, right, left)) in values.iter().zip(expected) {
+        assert_eq!(value["mode"], mode);
+        for (found, expected) in [(&value["right"], right), (&value["left"], left)] {
+            for (component, (re, im)) in expected.into_iter().enumerate() {
+                assert_near(&found[component]["re"], re, 1e-11);
+                assert_near(&found[component]["im"], im, 1e-11);
+            }
+        }
+    }
+    // atan(0.13384/0.75879) is 10 degrees, by which lean leads steer in the half that is shown.
+    let table = directory.run(&arguments).ok();
+    assert!(table.contains("  weave -0.7753 + 4.4649 i       0.7705 at    10°   1.0000"), "{table}");
+    let message = "error: --eigenvectors: CSV has no columns for them; they are in a table and in --format json\n";
+    directory.run(&[&arguments[..], &["--format", "csv"]].concat()).fails(2, message);
+    // Of any number of coordinates, rates where only these are states.
+    let table = directory.run(&["analyze", "--model", "Motorcycle", "--speeds", "20", "--eigenvectors"]).ok();
+    let title = table.lines().find(|line| line.starts_with("  at 20 m/s")).unwrap_or_default();
+    let names: Vec<&str> = title.split_whitespace().skip(3).collect();
+    assert_eq!(names, ["y’", "psi’", "phi", "delta", "er", "ef"]);
+}

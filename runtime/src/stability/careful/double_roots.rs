@@ -14,6 +14,9 @@ const NEAR: f64 = 1e-12;
 /// The same where the terms of the discriminant cancel to their noise.
 const NEAR_NOISE: f64 = 1e-6;
 
+/// The digits of double-double arithmetic, but for a few.
+const RESOLUTION: f64 = 1.0 / (1u128 << 100) as f64;
+
 /// A double eigenvalue.
 pub(super) struct DoubleRoot {
     /// The scaled eigenvalue.
@@ -71,7 +74,10 @@ fn find_double_root(characteristic: &Characteristic, discriminant: &Polynomial, 
         }
     }
     let Jet { by_v, by_ss, .. } = point.jet(characteristic);
-    DoubleRoot { eigenvalue: real(point.eigenvalue.to_f64()), unfolding: by_v.sign() * by_ss.sign() }
+    // Scaled eigenvalues are of about one: far below that is what rounding leaves of zero.
+    let eigenvalue = point.eigenvalue.to_f64();
+    let eigenvalue = if eigenvalue.abs() <= RESOLUTION { 0.0 } else { eigenvalue };
+    DoubleRoot { eigenvalue: real(eigenvalue), unfolding: by_v.sign() * by_ss.sign() }
 }
 
 /// The two eigenvalues at a scaled speed that are closest to each other, of those that are not zero at all speeds.
@@ -102,7 +108,6 @@ impl Point {
     /// rounded to `f64`: less than for the discriminant, whose terms are large and cancel.
     fn polished(mut self, characteristic: &Characteristic) -> Option<(Self, f64)> {
         const STEPS: usize = 12;
-        const RESOLUTION: f64 = 1.0 / (1u128 << 100) as f64;
         for _ in 0..STEPS {
             let jet = self.jet(characteristic);
             let determinant = jet.determinant();

@@ -1,0 +1,65 @@
+//! Eigenvectors for people: for each mode the size and the phase of each coordinate.
+
+use std::fmt::Write as _;
+
+use carvallo::{Complex, ModeValue, States};
+
+use super::columns::width;
+use super::{FAINT, HEADING};
+use crate::analysis::{Analysis, Rows};
+use crate::model::Shape;
+use crate::number::{fixed, shortest};
+
+/// The eigenvectors at each of some speeds, of pairs those of the half with a positive imaginary part.
+///
+/// Writing to a string cannot fail, so that the results of `write!` are dropped.
+pub fn write_shapes(analysis: &Analysis, rows: &Rows, shapes: &[Vec<Shape>], text: &mut String) {
+    let _ = writeln!(
+        text,
+        "\n{HEADING}Eigenvectors{HEADING:#}  sizes relative to the largest, and by how many degrees each leads it"
+    );
+    let coordinates: Vec<String> = analysis
+        .design
+        .info()
+        .coordinates
+        .iter()
+        .map(|coordinate| {
+            let name = coordinate.name;
+            if coordinate.states == States::Rate { format!("{name}\u{2019}") } else { name.to_owned() }
+        })
+        .collect();
+    let moves = analysis.design.model.depends_on_speed();
+    for ((speed, values), shapes) in rows.values().into_iter().zip(shapes) {
+        let shown = values.iter().zip(shapes).filter(|(value, _)| value.value.im >= 0.0);
+        let rows: Vec<(String, Vec<String>)> = shown
+            .map(|(value, shape)| (eigenvalue(value), shape.right.iter().copied().map(phasor).collect()))
+            .collect();
+        let first = width(rows.iter().map(|(name, _)| name), 10) + 2;
+        let columns: Vec<usize> = (0..coordinates.len())
+            .map(|index| width(rows.iter().map(|(_, cells)| &cells[index]).chain([&coordinates[index]]), 12) + 1)
+            .collect();
+        let at = if moves { format!("at {} m/s", shortest(speed)) } else { "at every speed".to_owned() };
+        let titles: String = coordinates.iter().zip(&columns).map(|(name, width)| format!("{name:>width$}")).collect();
+        let _ = writeln!(text, "  {FAINT}{at:<first$}{titles}{FAINT:#}");
+        for (name, cells) in &rows {
+            let cells: String = cells.iter().zip(&columns).map(|(cell, width)| format!("{cell:>width$}")).collect();
+            let _ = writeln!(text, "  {name:<first$}{cells}");
+        }
+    }
+}
+
+/// Its name, where it has one, and its value.
+fn eigenvalue(ModeValue { mode, value }: &ModeValue) -> String {
+    let im = if value.im == 0.0 { String::new() } else { format!(" + {} i", fixed(value.im, 4)) };
+    format!("{mode} {}{im}", fixed(value.re, 4))
+}
+
+/// `0.5312 at -32.1°`, and without a phase what is the largest or not there.
+fn phasor(value: Complex<f64>) -> String {
+    let degrees = value.arg().to_degrees();
+    match value.norm() {
+        0.0 => "0".to_owned(),
+        size if value.im == 0.0 && value.re > 0.0 => format!("{}         ", fixed(size, 4)),
+        size => format!("{} at {degrees:>5.0}°", fixed(size, 4)),
+    }
+}
