@@ -18,6 +18,8 @@ const DICTIONARY: &[&str] = &[
     "wheel",
     "revolute",
     "prismatic",
+    "load",
+    "cornering",
     "ball",
     "planar",
     "slides",

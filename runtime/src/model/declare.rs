@@ -117,6 +117,9 @@
 ///   follows over that length, and `deflection` names the coordinate of first order that is the deflection of the tyre. On
 ///   such wheels lateral motion and yaw are coordinates, of which only the rates are states: `free B: lateral y, yaw psi`.
 ///   The rate of the lateral one is the velocity to the right in the axes of the body, at the origin.
+///   `cornering` and `camber` may have steady loads of wheels in them, `cornering c1*load(R) - c2*load(R)^2`, in N: what each wheel
+///   bears at rest, from where the masses are. What a machine shifts between its wheels as it rolls and turns changes side forces
+///   only in the second order, since no tyre slips or leans while it runs straight.
 /// - `revolute` and `prismatic`: a joint, called like its coordinate, from one body, or the `ground`, `to` the one that
 ///   it moves: right-handed about an axis `through` a point, or along it. The length of `along` is of no account.
 ///   `spring` (N*m or N/m) and `damper` (N*m*s or N*s/m) act on the coordinate. In the reference configuration a spring
@@ -136,7 +139,10 @@
 ///   is its pitch. Freedoms that have a name can be coordinates; the others are what the wheels determine.
 ///   `forward` is what the machine moves beside its motion at the speed v: as a coordinate of its own it lets the machine speed
 ///   up and slow down (a pendulum on wheels). Where coordinates would do that, and it shall be left out, `hold forward;` says
-///   that whatever force it takes keeps the speed.
+///   that whatever force it takes keeps the speed, along the way of the point at the origin. That neglects what the machine would
+///   speed up and slow down by, and what this would do to the coordinates in turn: as of a frame that nods on its suspension, or
+///   of one whose masses are beside its middle and that yaws. Where the forward motion is light or weakly driven, make it a
+///   coordinate.
 /// - `force`: a force or torque that acts on a joint or freedom, positive like its coordinate; on a wheel, by its name, a torque
 ///   about its axle, along y, from the body that carries it.
 ///

@@ -4,6 +4,7 @@ mod constants;
 mod definitions;
 mod domains;
 mod feedback;
+mod loads;
 mod matrices;
 mod mechanism;
 mod names;
@@ -20,6 +21,7 @@ use proc_macro2::Ident;
 
 use self::domains::ExactDomain;
 pub use self::feedback::{Law, Term};
+use self::loads::Loads;
 pub use self::matrices::WrittenMatrices;
 pub use self::mechanism::{Assembly, Role, Tree};
 use self::names::Scope;
@@ -169,8 +171,11 @@ fn check_mechanism(
 ) -> (Vec<Formula>, Option<Assembly>) {
     let Some(mechanism) = &declaration.mechanism else { return (Vec::new(), None) };
     units::check_mechanism(declaration, mechanism, dimensions, scope, defined, report);
-    let attributes: Vec<_> = declaration.attributes().map(|formula| resolve::resolve(formula, scope, report)).collect();
-    let assembly = mechanism::assemble(declaration, mechanism, tree, &attributes, report);
+    let loads = Loads::new(declaration, mechanism);
+    // Where nothing is derived yet, a load is some force.
+    let attributes = loads.resolve(declaration, scope, |_| Formula::one(), report);
+    let derived = loads.resolve(declaration, scope, |parameter| Formula::Parameter(parameter), &mut Report::default());
+    let assembly = mechanism::assemble(declaration, mechanism, tree, &derived, loads.first(), report);
     // Without coordinates it is not known what is determined by others.
     let assembly = assembly.filter(|_| report.is_empty() && !declaration.coordinates.is_empty());
     (attributes, assembly)

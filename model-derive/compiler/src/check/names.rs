@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Ident;
 
-use crate::formula::Function;
+use crate::formula::{Formula, Function};
 use crate::nearest::{ask_for, find_nearest};
 use crate::report::Report;
 use crate::syntax::{Declaration, reserved};
@@ -32,11 +32,14 @@ pub struct Scope {
     pub excused: HashSet<String>,
     /// Definitions from this position on depend on the speed.
     pub steady: usize,
+    /// What stands for the steady load of each wheel, where a formula may have it.
+    pub loads: Option<Vec<(String, Formula)>>,
 }
 
 impl Scope {
     pub fn new(declaration: &Declaration, report: &mut Report) -> Self {
-        let mut scope = Self { names: HashMap::new(), order: Vec::new(), excused: HashSet::new(), steady: usize::MAX };
+        let mut scope =
+            Self { names: HashMap::new(), order: Vec::new(), excused: HashSet::new(), steady: usize::MAX, loads: None };
         for (index, parameter) in declaration.parameters.iter().enumerate() {
             scope.declare(&parameter.name, Meaning::Parameter(index), report);
         }

@@ -51,9 +51,13 @@ fn formulas(declaration: &Declaration) -> Vec<&Expression> {
 /// The uses of parameters and definitions in formulas and sets, and of what may be coordinates and parts in a mechanism.
 fn find_uses(declaration: &Declaration, formulas: &[&Expression], scope: &Scope) -> Vec<(Target, Ident)> {
     let mut uses = Vec::new();
+    let wheels = declaration.mechanism.iter().flat_map(|mechanism| &mechanism.wheels);
+    let wheels: Vec<&Ident> = wheels.map(|wheel| &wheel.name).collect();
+    let is_wheel = |name: &Ident| wheels.contains(&name);
     let mut note = |name: &Ident| match scope.get(name) {
         Some(Meaning::Parameter(_)) => uses.push((Target::Parameter, name.clone())),
         Some(Meaning::Definition(_) | Meaning::Speed(_)) => uses.push((Target::Definition, name.clone())),
+        None if is_wheel(name) => uses.push((Target::Part, name.clone())),
         None => uses.push((Target::Definition, name.clone())),
         Some(Meaning::Coordinate) => uses.push((Target::Coordinate, name.clone())),
         Some(Meaning::Refused) => {}

@@ -3,6 +3,7 @@
 use super::constants;
 use super::feedback::RATE;
 use super::names::{Meaning, Scope, unknown_function};
+use super::units::LOAD;
 use super::units::declared::Quantity;
 use crate::formula::{Factor, Formula, Function, Term};
 use crate::report::Report;
@@ -31,6 +32,12 @@ fn resolve_names(expression: &Expression, in_speed: bool, scope: &mut Scope, rep
         );
         report.error(expression.region, message);
         return Formula::Pi;
+    }
+    if let Kind::Call(name, argument) = &expression.kind
+        && name == LOAD
+        && scope.get(name).is_none()
+    {
+        return resolve_load(expression, argument, scope, report);
     }
     let mut inner = |value: &Expression| resolve_names(value, in_speed, scope, report);
     match &expression.kind {
@@ -114,6 +121,31 @@ fn resolve_names(expression: &Expression, in_speed: bool, scope: &mut Scope, rep
                 Formula::Pi
             }
         },
+    }
+}
+
+/// `load(R)`: the steady load of a wheel.
+fn resolve_load(expression: &Expression, argument: &Expression, scope: &Scope, report: &mut Report) -> Formula {
+    let Some(loads) = &scope.loads else {
+        let message = format!(
+            "`{expression}`, the steady load of a wheel, may stand in the `cornering` and `camber` of wheels alone: expected \
+             parameters and definitions"
+        );
+        report.error(expression.region, message);
+        return Formula::Pi;
+    };
+    let wheel = match &argument.kind {
+        Kind::Name(name) => loads.iter().find(|(known, _)| name == known),
+        _ => None,
+    };
+    match wheel {
+        Some((_, load)) => load.clone(),
+        None => {
+            let names: Vec<String> = loads.iter().map(|(name, _)| format!("`{name}`")).collect();
+            let message = format!("`{argument}` is no wheel: expected the load of one of {}", names.join(", "));
+            report.error(argument.region, message);
+            Formula::Pi
+        }
     }
 }
 

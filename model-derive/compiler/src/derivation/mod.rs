@@ -90,7 +90,7 @@ pub fn derive(checked: &Checked<'_>, report: &mut Report) -> Derived {
     };
     let Some(assembly) = checked.assembly.as_ref().filter(|_| report.is_empty()) else { return nothing };
     let declared = Declared {
-        parameters: declaration.parameters.len(),
+        parameters: declaration.parameters.len() + assembly.mechanism.loads.map_or(0, |_| mechanism.wheels.len()),
         definitions: checked.definitions.clone(),
         attributes: checked.attributes.clone(),
     };

@@ -50,6 +50,11 @@ impl<'e> Formulas<'e> {
         self.values.push(value);
     }
 
+    /// A parameter, as a formula.
+    pub fn parameter(&self, index: usize) -> Form {
+        self.engine.parameter(index)
+    }
+
     /// The value of a formula for some values of the parameters.
     pub fn at_sample(&self, form: &Form) -> Sample {
         Sample::of(&form.to_formula(self.parameters), &self.sample.0, &self.sample.1)

@@ -29,8 +29,11 @@ pub struct Mechanism<V> {
     pub added: Vec<(MatrixName, Vec<Vec<V>>)>,
     /// What follows from the motion.
     pub fed: Vec<Fed<V>>,
-    /// Whether there is gravity.
-    pub has_weight: bool,
+    /// The parameter that is the gravity, if there is one.
+    pub gravity: Option<usize>,
+    /// The parameter that stands for the steady load of the first wheel, before those of the others, where formulas of side
+    /// forces have loads in them.
+    pub loads: Option<usize>,
 }
 
 /// What feedback adds to a matrix of all joints.
@@ -216,7 +219,8 @@ impl<V> Mechanism<V> {
             holds_speed: self.holds_speed,
             added,
             fed,
-            has_weight: self.has_weight,
+            gravity: self.gravity,
+            loads: self.loads,
         })
     }
 

@@ -9,6 +9,7 @@
 //! ```
 
 use super::contact::{Condition, Contact};
+use super::formulas::Formulas;
 use super::matrix::{self, Matrix};
 use super::mechanism::{Mechanism, Slip, Wheel};
 use crate::symbolic::Form;
@@ -23,13 +24,14 @@ pub struct SideForces {
 }
 
 impl SideForces {
-    pub fn new(mechanism: &Mechanism<Form>, contacts: &[Contact<'_>]) -> Self {
+    /// `loads` are those of the wheels along z, divided by gravity.
+    pub fn new(mechanism: &Mechanism<Form>, contacts: &[Contact<'_>], loads: &[Form], formulas: &Formulas<'_>) -> Self {
         let count = mechanism.joints.len();
         let zeros = || matrix::new(count, count, |_, _| Form::number(0));
         let mut forces = Self { over_speed: zeros(), damping: zeros(), stiffness: zeros(), by_speed: zeros() };
         for (Wheel { slip, .. }, contact) in mechanism.wheels.iter().zip(contacts) {
             if let Some(slip) = slip {
-                forces.add(slip, contact);
+                forces.add(&with_loads(slip, mechanism, loads, formulas), contact);
             }
         }
         forces
@@ -70,6 +72,19 @@ impl SideForces {
             *entry = &*entry + &(&stiffness * moved);
         }
     }
+}
+
+/// The same with the loads in the place of the parameters that stand for them. In the reference motion no tyre slips or leans,
+/// so what changes a load changes no side force in the first order.
+fn with_loads(slip: &Slip<Form>, mechanism: &Mechanism<Form>, loads: &[Form], formulas: &Formulas<'_>) -> Slip<Form> {
+    let (Some(first), Some(gravity)) = (mechanism.loads, mechanism.gravity) else { return slip.clone() };
+    let gravity = formulas.parameter(gravity);
+    let settled = |form: &Form| {
+        loads.iter().enumerate().fold(form.clone(), |form, (wheel, load)| {
+            form.replace(&formulas.parameter(first + wheel), &-&(&gravity * load))
+        })
+    };
+    Slip { cornering: settled(&slip.cornering), camber: slip.camber.as_ref().map(settled), ..slip.clone() }
 }
 
 /// Adds the products of the entries of a column and a row, times a factor.

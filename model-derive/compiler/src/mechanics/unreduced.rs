@@ -35,9 +35,9 @@ impl Unreduced {
     ) -> Result<Self, Vec<Fault>> {
         let count = mechanism.joints.len();
         let composites = Composites::new(mechanism, formulas);
-        let loads = match mechanism.has_weight {
-            true => find_loads(mechanism, contacts, &composites, formulas)?,
-            false => vec![Form::number(0); contacts.len()],
+        let loads = match mechanism.gravity {
+            Some(_) => find_loads(mechanism, contacts, &composites, formulas)?,
+            None => vec![Form::number(0); contacts.len()],
         };
         let momenta = find_spin_momenta(mechanism, formulas);
         let name = |what: &str, row: usize, column: usize| {
@@ -47,7 +47,7 @@ impl Unreduced {
             formulas.name(name("M", row, column), &composites.mass(row, column))
         });
         let weight = matrix::symmetric(count, |row, column| {
-            if !mechanism.has_weight {
+            if mechanism.gravity.is_none() {
                 return Form::number(0);
             }
             let lifted = contacts.iter().zip(&loads).map(|(contact, load)| load * &contact.curvature(row, column));
@@ -65,7 +65,7 @@ impl Unreduced {
         let damping = diagonal(mechanism.joints.iter().map(|joint| joint.damping.as_ref()).collect());
         let stiffness = diagonal(mechanism.joints.iter().map(|joint| joint.stiffness.as_ref()).collect());
         let SideForces { over_speed, damping: by_rates, stiffness: by_positions, by_speed } =
-            SideForces::new(mechanism, contacts);
+            SideForces::new(mechanism, contacts, &loads, formulas);
         let (mut damping, mut stiffness) = (matrix::plus(&damping, &by_rates), matrix::plus(&stiffness, &by_positions));
         add_links(mechanism, formulas, &mut stiffness, &mut damping);
         add_gyrostats(mechanism, &mut damping);

@@ -12,6 +12,8 @@ mod feedback;
 #[cfg(feature = "compiler")]
 mod identity;
 mod kinematics;
+#[cfg(feature = "compiler")]
+mod loads;
 mod others;
 #[cfg(feature = "compiler")]
 mod parts;

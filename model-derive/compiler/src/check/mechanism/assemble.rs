@@ -20,13 +20,14 @@ pub struct Assembly {
 }
 
 /// Puts the parts of a mechanism in the order of its tree, if there is one; `attributes` are the formulas of
-/// [`Declaration::attributes`].
+/// [`Declaration::attributes`], and `loads` is the first parameter in them that stands for the load of a wheel.
 /// Mistakes are reported in any case.
 pub fn assemble(
     declaration: &Declaration,
     mechanism: &Mechanism,
     tree: Option<Tree>,
     attributes: &[Formula],
+    loads: Option<usize>,
     report: &mut Report,
 ) -> Option<Assembly> {
     // In the order of `Declaration::attributes`.
@@ -191,7 +192,8 @@ pub fn assemble(
         holds_speed: mechanism.held.is_some(),
         added,
         fed: Vec::new(),
-        has_weight: declaration.parameters.iter().any(|parameter| parameter.gravity.is_some()),
+        gravity: declaration.parameters.iter().position(|parameter| parameter.gravity.is_some()),
+        loads,
     };
     Some(Assembly { mechanism, tree })
 }

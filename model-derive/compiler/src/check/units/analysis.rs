@@ -8,6 +8,9 @@ use crate::formula::Function;
 use crate::report::{Region, Report};
 use crate::syntax::{Assertion, Declaration, Expression, Kind, Term};
 
+/// What stands before a wheel in parentheses for its steady load.
+pub const LOAD: &str = "load";
+
 /// What the names in formulas are in.
 pub struct Analysis<'a> {
     pub declaration: &'a Declaration,
@@ -44,6 +47,10 @@ impl Analysis<'_> {
             }
             Kind::Power(_, 0) => Some(Dimension::NUMBER),
             Kind::Power(base, exponent) => self.dimension(base, report)?.power(*exponent),
+            // A force; elsewhere it is a mistake of its own.
+            Kind::Call(name, _) if name == LOAD && self.scope.get(name).is_none() => {
+                return Some(Dimension::new([1, 1, -2]));
+            }
             Kind::Call(name, argument) => {
                 let inner = self.dimension(argument, report);
                 if name == RATE && !self.motions.is_empty() {

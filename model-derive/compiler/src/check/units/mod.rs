@@ -12,6 +12,7 @@ mod formulas;
 pub mod known;
 mod mechanism;
 
+pub use self::analysis::LOAD;
 pub use self::formulas::Units;
 pub use self::mechanism::check_mechanism;
 
