@@ -97,13 +97,13 @@ fn evaluate_rows(machine: &Machine, conditions: &[Ground], joints: &[usize]) -> 
 fn find_regular(all: &[Vec<f64>], rows: &[usize], columns: &[usize]) -> (Vec<usize>, Vec<usize>) {
     let (mut kept, mut chosen): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
     let mut reduced: Vec<Vec<f64>> = Vec::new();
+    let size = all.iter().flatten().fold(0.0_f64, |size, entry| size.max(entry.abs()));
     for row in rows {
         let mut rest = all[*row].clone();
         for (known, column) in reduced.iter().zip(&chosen) {
             let factor = rest[*column] / known[*column];
             rest.iter_mut().zip(known).for_each(|(entry, known)| *entry -= factor * known);
         }
-        let size = all[*row].iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
         let pivot = columns.iter().find(|column| !chosen.contains(column) && rest[**column].abs() > 1e-9 * size);
         if let Some(column) = pivot {
             kept.push(*row);

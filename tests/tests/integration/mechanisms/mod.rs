@@ -20,7 +20,7 @@ mod parts;
 #[cfg(feature = "compiler")]
 mod physical;
 #[cfg(feature = "compiler")]
-mod random;
+pub mod random;
 #[cfg(feature = "compiler")]
 mod tyres;
 #[cfg(feature = "compiler")]
@@ -32,7 +32,7 @@ use carvallo::{Coefficients, Matrix};
 
 /// The matrices of a compiled model at values of its parameters, with what of its coordinates are states.
 #[cfg(feature = "compiler")]
-fn interpreted<const N: usize>(compiled: &carvallo_compiler::Compiled, values: &[f64]) -> Coefficients<f64, N> {
+pub fn interpreted<const N: usize>(compiled: &carvallo_compiler::Compiled, values: &[f64]) -> Coefficients<f64, N> {
     let entries = compiled.programs.matrices.interpret(values);
     let mut rows = [[[0.0; N]; N]; 8];
     for ((name, _), entries) in compiled.model.matrices.iter().zip(entries.chunks(N * N)) {

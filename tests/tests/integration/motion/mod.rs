@@ -1,3 +1,9 @@
-//! Nonlinear motion of shipped mechanisms, against figures and dynamics from elsewhere.
+//! Nonlinear motion of mechanisms, against figures and dynamics from elsewhere.
 
+#[cfg(feature = "compiler")]
+mod interpreted;
+#[cfg(feature = "compiler")]
+mod linear;
 mod published;
+#[cfg(feature = "compiler")]
+mod random;

@@ -1,7 +1,7 @@
 //! Random mechanisms, compiled and as nonlinear dynamics: the derivation knows no bicycle.
 
-mod links;
-mod pair;
+pub mod links;
+pub mod pair;
 mod rolling;
 mod slipping;
 

@@ -183,11 +183,16 @@ impl Pair {
 
     /// The compiled declaration, and the values of its parameters.
     pub fn compile(&self, gravity: Option<f64>) -> Result<(Compiled, Vec<f64>), TestCaseError> {
+        self.compile_with(gravity, "")
+    }
+
+    /// The same with further statements.
+    pub fn compile_with(&self, gravity: Option<f64>, statements: &str) -> Result<(Compiled, Vec<f64>), TestCaseError> {
         let Self { parameters, parts, coordinates, values, .. } = self;
         let weight = if gravity.is_some() { "g: N/kg, gravity;" } else { "" };
         // Of moments about axes that nothing turns about there may be some.
         let mut text = format!(
-            "model Random {{ parameters {{ {parameters} {weight} }} mechanism {{ {parts} }} coordinates {{ {coordinates} }} }}"
+            "model Random {{ parameters {{ {parameters} {weight} }} mechanism {{ {parts} }} {statements} coordinates {{ {coordinates} }} }}"
         );
         let compiled = loop {
             match compile(text.parse().expect("tokens")) {

@@ -1,0 +1,176 @@
+//! Random mechanisms in random states, far from upright, against nonlinear dynamics that share no code.
+
+use carvallo_tests::designs::config;
+use carvallo_tests::multibody::dynamics::Drive;
+use carvallo_tests::multibody::{Mechanism, Wheel};
+use nalgebra::{SMatrix, SVector, Vector3};
+use proptest::prelude::*;
+
+use super::interpreted::Interpreted;
+use crate::mechanisms::random::links::{Link, link};
+use crate::mechanisms::random::pair::{Carrier, Pair};
+
+/// What accelerations may differ by, of the largest.
+const DIFFERENCE: f64 = 1e-11;
+
+/// Compares rates of speeds and energy in a state, which is given by joints with positions and rates.
+fn compare<const N: usize>(
+    motion: &Interpreted<'_>,
+    numeric: &Mechanism,
+    gravity: f64,
+    state: &[(usize, f64, f64)],
+) -> Result<(), TestCaseError> {
+    let independent = &motion.layout().conditions.independent;
+    prop_assert_eq!(independent.len(), N, "speeds at {:?}", independent);
+    let joints: [usize; N] = std::array::from_fn(|speed| independent[speed]);
+    let find = |joint: usize| state.iter().find(|(known, ..)| *known == joint).map_or((0.0, 0.0), |(_, q, u)| (*q, *u));
+    let given: Vec<(usize, f64)> = state.iter().map(|(joint, q, _)| (*joint, *q)).collect();
+    let positions = motion.close(motion.positions(&given));
+    let (q, u): ([f64; N], [f64; N]) = (joints.map(|joint| find(joint).0), joints.map(|joint| find(joint).1));
+    let drive = Drive { gravity, ..Drive::new(joints, None) };
+    let found = SVector::<f64, N>::from_vec(motion.speed_rates(&positions, &u));
+    // Forces are linear in accelerations.
+    let taken = |accelerations: [f64; N]| {
+        SVector::<f64, N>::from_column_slice(numeric.forces(&drive, [q, u, accelerations]).as_slice())
+    };
+    let still = taken([0.0; N]);
+    let mass = SMatrix::<f64, N, N>::from_columns(&std::array::from_fn::<_, N, _>(|speed| {
+        taken(std::array::from_fn(|other| f64::from(u8::from(other == speed)))) - still
+    }));
+    let expected = -mass.try_inverse().expect("a mass matrix") * still;
+    let error = (found - expected).amax();
+    prop_assert!(error <= DIFFERENCE * expected.amax().max(1.0), "{found} is not {expected}: {error:e}");
+
+    let accelerations = motion.accelerations(&positions, &u);
+    let size = accelerations.iter().fold(1.0_f64, |size, value| size.max(value.abs()));
+    for (place, (found, expected)) in accelerations.iter().zip(motion.rates_in_time(&positions, &u)).enumerate() {
+        prop_assert!((found - expected).abs() <= DIFFERENCE * size, "{place}: {found} is not {expected}");
+    }
+
+    let [kinetic, potential] = motion.energy(&positions, &u);
+    let expected = numeric.energy(&drive, [q, u, [0.0; N]]);
+    let size = kinetic.abs() + potential.abs();
+    prop_assert!((kinetic + potential - expected).abs() <= 1e-12 * size, "{kinetic} + {potential} J, not {expected} J");
+    Ok(())
+}
+
+fn state(size: f64) -> impl Strategy<Value = [f64; 6]> {
+    [-size..size, -size..size, -size..size, -3.0..3.0, -3.0..3.0, -3.0..3.0]
+}
+
+proptest! {
+    #![proptest_config(config(6))]
+
+    #[test]
+    fn trees_of_any_joints_on_a_fixed_base(links in [link(), link(), link()], [a, b, c, ad, bd, cd] in state(2.0)) {
+        let mut pair = Pair::default();
+        let mut carriers = vec![Carrier { name: "ground".into(), joint: None }];
+        for link in &links {
+            let from = link.on.get(&carriers).clone();
+            let next = pair.joint(&from, link);
+            carriers.push(next);
+        }
+        // Without gravity there is none.
+        let (compiled, values) = pair.compile_with(None, "nonlinear;")?;
+        let motion = Interpreted::new(&compiled, &values);
+        compare::<3>(&motion, &pair.numeric, 0.0, &[(0, a, ad), (1, b, bd), (2, c, cd)])?;
+    }
+
+    #[test]
+    fn vehicles_on_two_wheels_with_any_joints(
+        frame in link(),
+        links in [link(), link()],
+        front_on in any::<prop::sample::Index>(),
+        (rear, front) in ([0.1..0.5, 0.0..0.1, 1.0..5.0, 0.1..0.5, 0.05..0.3], [0.1..0.5, 0.0..0.1, 1.0..5.0, 0.1..0.5, 0.05..0.3]),
+        wheel_base in 0.9..2.0,
+        [lean, a, b, leand, ad, bd] in state(0.3),
+        spin in -30.0..30.0,
+        // Whether the wheel on a link leads.
+        front_leads in any::<bool>(),
+    ) {
+        let mut pair = Pair::default();
+        let root = pair.numeric.free_root();
+        pair.parts.push_str("free b: lean phi;\n");
+        pair.coordinates.push_str("phi: rad;");
+        let frame = frame.in_plane();
+        pair.body("b", root.pitch, frame.mass, frame.centre, frame.inertia());
+        let mut carriers = vec![Carrier { name: "b".into(), joint: Some(root.pitch) }];
+        for link in links {
+            let mut link = link.in_plane();
+            // Joints near the ground leave both wheels on it.
+            link.point *= 0.3;
+            let from = link.on.get(&carriers).clone();
+            let next = pair.joint(&from, &link);
+            carriers.push(next);
+        }
+        let wheel = |[radius, tyre, mass, axial, transverse]: [f64; 5], x, carrier| Wheel {
+            carrier, x, y: 0.0, radius, tyre, mass, axial, transverse,
+        };
+        let (first, last) = (carriers[0].clone(), front_on.get(&carriers).clone());
+        let rear = ("r", first, wheel(rear, 0.0, root.pitch));
+        let front = ("f", last.clone(), wheel(front, wheel_base, last.joint.expect("a joint")));
+        for (name, carrier, wheel) in if front_leads { [front, rear] } else { [rear, front] } {
+            pair.wheel(name, &carrier, wheel, None);
+        }
+        let (compiled, values) = pair.compile_with(Some(9.81), "nonlinear;")?;
+        let motion = Interpreted::new(&compiled, &values);
+        let joint = root.pitch + 1;
+        let state = [(root.lean, lean, leand), (joint, a, ad), (joint + 1, b, bd), (joint + 2, 0.0, spin)];
+        compare::<4>(&motion, &pair.numeric, 9.81, &state)?;
+
+        // Of the weight alone, without springs: it is raised by what the wheels bear in excess of it.
+        let mass = pair.numeric.bodies.iter().map(|body| body.mass).sum::<f64>();
+        let mut weightless = values.clone();
+        *weightless.last_mut().expect("gravity") = 0.0;
+        let light = Interpreted::new(&compiled, &weightless);
+        let given: Vec<(usize, f64)> = state.iter().map(|(joint, q, _)| (*joint, *q)).collect();
+        let speeds = [leand, ad, bd, spin];
+        let positions = motion.close(motion.positions(&given));
+        let raised = |time: f64| {
+            let (rates, second) = (motion.rates(&positions, &speeds), motion.accelerations(&positions, &speeds));
+            let later = positions.iter().zip(rates.iter().zip(&second));
+            let later = later.map(|(q, (rate, second))| q + time * rate + time * time / 2.0 * second).collect();
+            let speed_rates = motion.speed_rates(&positions, &speeds);
+            let faster: Vec<f64> = speeds.iter().zip(&speed_rates).map(|(speed, rate)| speed + time * rate).collect();
+            let later = motion.close(later);
+            (motion.potential_rate(&later, &faster) - light.potential_rate(&later, &faster)) / (mass * 9.81)
+        };
+        let step = 1e-5;
+        let expected = -mass * (9.81 + (raised(step) - raised(-step)) / (2.0 * step));
+        let [_, _, found] = motion.contact_force(&positions, &speeds);
+        prop_assert!((found - expected).abs() <= 1e-6 * expected.abs().max(100.0), "{found} N is not {expected} N");
+    }
+
+    #[test]
+    fn tricycles_of_whose_wheels_on_one_axle_one_says_all_of_sideways_motion(
+        frame in link(),
+        fork in link(),
+        trail in -0.1..0.2,
+        [angle, spin] in [-0.8..0.8, -20.0..20.0],
+        rate in -2.0..2.0,
+        tyres in [0.0..0.1, 0.0..0.1],
+    ) {
+        let mut pair = Pair::default();
+        let root = pair.numeric.free_root();
+        // Nothing is symmetric, so the speed changes in the first order.
+        pair.parts.push_str("free b: forward x;\n");
+        pair.coordinates.push_str("x: m;");
+        pair.body("b", root.pitch, frame.mass, frame.centre, frame.inertia());
+        let frame = Carrier { name: "b".into(), joint: Some(root.pitch) };
+        let axis = Vector3::new(fork.axis.x * 0.3, 0.0, 1.0);
+        let fork = Link { slides: false, point: Vector3::new(1.0 + trail, 0.0, 0.0), axis, ..fork }.in_plane();
+        let fork = pair.joint(&frame, &fork);
+        let steer = fork.joint.expect("a joint");
+        let [rear, front] = tyres;
+        for (name, x, y, tyre, carrier) in
+            [("l", 0.0, -0.4, rear, &frame), ("r", 0.0, 0.4, rear, &frame), ("f", 1.0, 0.0, front, &fork)]
+        {
+            let on = carrier.joint.expect("a joint");
+            let wheel = Wheel { carrier: on, x, y, radius: 0.3, tyre, mass: 2.0, axial: 0.12, transverse: 0.06 };
+            pair.wheel(name, carrier, wheel, None);
+        }
+        let (compiled, values) = pair.compile_with(Some(9.81), "nonlinear;")?;
+        let motion = Interpreted::new(&compiled, &values);
+        compare::<2>(&motion, &pair.numeric, 9.81, &[(steer, angle, rate), (steer + 1, 0.0, spin)])?;
+    }
+}
