@@ -17,6 +17,7 @@ mod names {
     pub struct Rate;
 }
 
+use carvallo::Motion as _;
 #[allow(unused_imports)]
 use names::*;
 
@@ -44,6 +45,7 @@ carvallo::model! {
             body bag: mass 0.5 [kg], at (0.1 [m], 0, -r), inertia [0, 0, 0.01 [kg*m^2]];
             force T "hip torque" on theta;
         }
+        nonlinear;
         coordinates { phi: rad; theta: rad; yaw: rad; }
         set example { r = 0.3; m = 1; h = 0.5; k = 20; g = 9.81; }
     }
@@ -57,4 +59,21 @@ fn main() {
     assert_eq!(kinematics.wheel_W.speed, -1.0 / 0.3);
     // Seen as a pendulum, whatever the length of the axis it is given by.
     assert_eq!(scooter.matrices().m[1][1], 3.0 * 0.5 * 0.5);
+
+    // It stands: the wheels bear its weight, and its height is its energy.
+    let weight = 9.81 * (3.0 + 0.1 + 1.0 + 1.0 + 0.5);
+    let energy = 9.81 * (3.0 * 0.8 + (0.1 + 1.0 + 1.0 + 0.5) * 0.3);
+    let motion = scooter.motion();
+    let places = motion.close(&[0.0; 9]).expect("both wheels touch the ground");
+    let borne = motion.contact_forces(&places, &[0.0; 4], &[0.0]).expect("it is regular");
+    assert!((borne[0][2] + borne[1][2] + weight).abs() < 1e-12 * weight);
+    let found = motion.energy(&places, &[0.0; 4]).expect("it is regular");
+    assert!(found.kinetic == 0.0 && (found.potential - energy).abs() < 1e-12 * energy);
+    // The same in single precision.
+    let single: ScooterMotion<f32> = scooter.to_f32().motion();
+    let places = single.close(&[0.0, 0.0, 0.0, 0.1, 0.0, -0.1, 0.2, 0.0, 0.0]).expect("both wheels touch the ground");
+    let (rates, _) = single.derivatives(&places, &[0.0, 0.0, 0.0, -10.0], &[1.0]).expect("it is regular");
+    assert!((rates[0] - 3.0).abs() < 1e-6);
+    let energy = single.energy(&places, &[0.0; 4]).expect("it is regular");
+    assert!(energy.potential.is_finite() && single.accelerations(&[f32::NAN; 9], &[0.0; 4], &[0.0]).is_err());
 }
