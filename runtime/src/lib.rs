@@ -94,8 +94,8 @@ pub use sensitivity::{
 };
 #[cfg(feature = "std")]
 pub use stability::{
-    Branches, Change, CriticalKind, CriticalSpeed, MarginalRange, Meeting, Mode, ModeValue, Modes, Stability,
-    StableRange, UndecidedRange, Verdict,
+    Branches, Change, CriticalKind, CriticalSpeed, CriticalValue, MarginalRange, Meeting, Mode, ModeValue, Modes,
+    ParameterRange, ParameterStability, ParameterStabilityError, Stability, StableRange, UndecidedRange, Verdict,
 };
 pub use system::{Coefficients, Matrix, MatrixName, Rows, StateSpace, States, System, SystemError, rows};
 

@@ -11,6 +11,7 @@ mod general;
 mod mode;
 mod modes;
 mod naming;
+mod parameter;
 mod ranges;
 mod stretches;
 mod verdict;
@@ -28,6 +29,7 @@ pub use branches::{Branches, Meeting};
 pub use critical::{Change, CriticalKind, CriticalSpeed};
 pub use mode::Mode;
 pub use modes::{ModeValue, Modes};
+pub use parameter::{CriticalValue, ParameterRange, ParameterStability, ParameterStabilityError};
 pub use ranges::{MarginalRange, StableRange, UndecidedRange};
 pub use verdict::Verdict;
 

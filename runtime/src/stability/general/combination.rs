@@ -1,7 +1,6 @@
 //! A matrix that depends on the speed.
 
 use super::field::RealField;
-use super::functions::Values;
 use crate::numeric::Square;
 
 /// The sum of functions of the speed, each times a matrix.
@@ -27,7 +26,7 @@ impl Combination {
     }
 
     /// The matrix at a speed.
-    pub(super) fn at(&self, values: &Values<f64>) -> Square<f64> {
+    pub(super) fn at(&self, values: &[(f64, Option<f64>)]) -> Square<f64> {
         let mut sum = Square::filled(self.size, 0.0);
         for (function, matrix) in &self.terms {
             let (factor, _) = values[*function];
@@ -37,7 +36,7 @@ impl Combination {
     }
 
     /// The sum of the magnitudes of the terms.
-    pub(super) fn magnitudes(&self, values: &Values<f64>) -> Square<f64> {
+    pub(super) fn magnitudes(&self, values: &[(f64, Option<f64>)]) -> Square<f64> {
         let mut sum = Square::filled(self.size, 0.0);
         for (function, matrix) in &self.terms {
             let (factor, _) = values[*function];
@@ -47,7 +46,7 @@ impl Combination {
     }
 
     /// An entry at a speed, and its derivative.
-    pub(super) fn entry<R: RealField>(&self, [row, column]: [usize; 2], values: &Values<R>) -> [R; 2] {
+    pub(super) fn entry<R: RealField>(&self, [row, column]: [usize; 2], values: &[(R, Option<R>)]) -> [R; 2] {
         let mut sums = [R::from(0.0); 2];
         for (function, matrix) in &self.terms {
             let entry = R::from(matrix[row][column]);

@@ -14,6 +14,8 @@ pub(super) struct Course {
     pub(super) groups: Vec<core::ops::Range<usize>>,
     /// Below each of the groups, and above the last.
     pub(super) between: Vec<Count>,
+    /// The lower end, and the upper one if there is one.
+    ends: (f64, Option<f64>),
     /// Scaled speeds between which something is missing.
     pub(super) undecided: Vec<[f64; 2]>,
 }
@@ -53,6 +55,9 @@ impl Equations {
     }
 
     fn course(&self, mut found: Vec<Found>) -> Result<Course, SystemError> {
+        if let (low, Some(high)) = self.variable.ends() {
+            found.retain(|found| found.v() > low && found.v() <= high);
+        }
         found.sort_by(|x, y| x.v().total_cmp(&y.v()));
         let mut groups: Vec<core::ops::Range<usize>> = Vec::new();
         for i in 0..found.len() {
@@ -61,8 +66,10 @@ impl Equations {
                 _ => groups.push(i..i + 1),
             }
         }
-        let between = (0..=groups.len()).map(|i| self.count(middle(&found, &groups, i))).collect::<Result<_, _>>()?;
-        let mut course = Course { found, groups, between, undecided: Vec::new() };
+        let ends = self.variable.ends();
+        let between =
+            (0..=groups.len()).map(|i| self.count(middle(&found, &groups, i, ends))).collect::<Result<_, _>>()?;
+        let mut course = Course { found, groups, between, ends, undecided: Vec::new() };
         course.decide_changes();
         Ok(course)
     }
@@ -103,7 +110,8 @@ impl Course {
     /// them says, with the number at the lower end.
     fn gaps(&self, samples: &[(f64, usize)]) -> Vec<([f64; 2], usize)> {
         let mut gaps = Vec::new();
-        let middles: Vec<f64> = (0..self.between.len()).map(|i| middle(&self.found, &self.groups, i)).collect();
+        let middles: Vec<f64> =
+            (0..self.between.len()).map(|i| middle(&self.found, &self.groups, i, self.ends)).collect();
         for (i, group) in self.groups.iter().enumerate() {
             let gain: isize = self.found[group.clone()].iter().map(Found::gain).sum();
             let [below, above] = [i, i + 1].map(|i| self.between[i].unstable);
@@ -137,12 +145,12 @@ fn union(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 /// A scaled speed between two neighbours.
-fn middle(found: &[Found], groups: &[core::ops::Range<usize>], i: usize) -> f64 {
+fn middle(found: &[Found], groups: &[core::ops::Range<usize>], i: usize, (low, high): (f64, Option<f64>)) -> f64 {
     let last = i.checked_sub(1).map(|i| found[groups[i].end - 1].v());
-    match (last, groups.get(i).map(|next| found[next.start].v())) {
-        (None, None) => 1.0,
-        (None, Some(next)) => 0.5 * next,
+    let next = groups.get(i).map(|next| found[next.start].v()).or(high);
+    match (last, next) {
+        (None, None) => low + 1.0,
         (Some(last), None) => 2.0 * last,
-        (Some(last), Some(next)) => 0.5 * (last + next),
+        (last, Some(next)) => 0.5 * (last.unwrap_or(low) + next),
     }
 }

@@ -26,6 +26,16 @@ impl Condition for Divergence<'_> {
     }
 }
 
+/// The determinant of what has to be regular.
+pub(super) struct Regularity<'a>(pub(super) &'a Equations);
+
+impl Condition for Regularity<'_> {
+    fn at(&self, v: f64) -> Result<Product, SystemError> {
+        let (value, error) = determinant(self.0.leading(v));
+        Ok(Product::ONE.times(value, error))
+    }
+}
+
 /// The same where `det K` is zero at all speeds: the product of the eigenvalues without so many of the smallest.
 pub(super) struct Drifting<'a> {
     pub(super) equations: &'a Equations,

@@ -4,7 +4,7 @@ use core::cell::RefCell;
 
 use nalgebra::Complex;
 
-use super::condition::{Divergence, Drifting, Flutter};
+use super::condition::{Condition, Divergence, Drifting, Flutter, Regularity};
 use super::equations::Equations;
 use super::isolation::{Bracket, isolate};
 use super::newton::Crossing;
@@ -45,9 +45,6 @@ const CANDIDATES: usize = 3;
 /// What a frequency may move by, relative to it, from the eigenvalues at six digits of the speed to all of them.
 const CLOSE: f64 = 1e-4;
 
-/// Scaled speeds, none of them special, at which is seen what holds at all speeds.
-const SAMPLES: [f64; 5] = [0.137, 0.613, 1.291, 3.17, 11.9];
-
 /// The binary orders of magnitude, in steps, of scaled speeds at which eigenvalues are counted where rounding hides the
 /// conditions. Farther away it hides the eigenvalues as well.
 const ORDERS: core::ops::RangeInclusive<i32> = -10..=10;
@@ -58,12 +55,12 @@ impl Equations {
     pub(super) fn find_crossings(&self) -> Result<Findings, SystemError> {
         let (mut found, mut unexamined) = (Vec::new(), Vec::new());
         let condition = Divergence(self);
-        let divergence = Normalized::new(&condition)?;
+        let divergence = self.normalize(&condition)?;
         let drifts = if divergence.is_some() { 0 } else { self.least_at_samples(Self::count_zeros)? };
         let left_out =
             if self.states() < 2 { 0 } else { self.least_at_samples(|this, v| this.count_zero_sums(v, drifts))? };
         if let Some(divergence) = divergence {
-            for bracket in isolate(&divergence, true, NARROW_DIVERGENCE)? {
+            for bracket in isolate(&divergence, self.is_along_speed(), NARROW_DIVERGENCE)? {
                 if self.is_exhausted() {
                     unexamined.push([bracket.low, bracket.high]);
                 } else {
@@ -77,13 +74,16 @@ impl Equations {
             return Ok(Findings { found, samples: Vec::new(), unexamined });
         }
         let condition = Flutter { equations: self, left_out, drifts, samples: RefCell::default() };
-        let flutter = Normalized::new(&condition)?;
+        let flutter = self.normalize(&condition)?;
         // Far beyond all critical speeds eigenvalues differ so much that rounding has the better of the small ones.
         condition.samples.borrow_mut().clear();
         if left_out == 0 && flutter.is_none() {
             // Then it has the better of them at all speeds, but not of more digits.
             for order in ORDERS {
-                let v = 2f64.powf(STEP * f64::from(order));
+                let v = match self.variable.ends() {
+                    (low, Some(high)) => 0.5 * (low + high) + 0.049 * (high - low) * f64::from(order),
+                    _ => 2f64.powf(STEP * f64::from(order)),
+                };
                 condition.samples.borrow_mut().push((v, self.count(v)?.unstable));
             }
         }
@@ -105,10 +105,24 @@ impl Equations {
         Ok(Findings { found, samples: condition.samples.into_inner(), unexamined })
     }
 
+    fn normalize<'a, F: Condition>(&self, condition: &'a F) -> Result<Option<Normalized<'a, F>>, SystemError> {
+        match self.variable.ends() {
+            (low, Some(high)) => Normalized::over_range(condition, [low, high]),
+            _ => Normalized::new(condition),
+        }
+    }
+
+    /// Where in a range what has to be regular is singular, if it is so anywhere.
+    pub(super) fn find_singular(&self) -> Result<Option<f64>, SystemError> {
+        let condition = Regularity(self);
+        let Some(regularity) = self.normalize(&condition)? else { return Ok(Some(self.variable.ends().0)) };
+        Ok(isolate(&regularity, self.is_along_speed(), NARROW_DIVERGENCE)?.first().map(Bracket::start))
+    }
+
     /// The least number of something at speeds of which none is special.
     fn least_at_samples(&self, count: impl Fn(&Self, f64) -> Result<usize, SystemError>) -> Result<usize, SystemError> {
         let mut least = usize::MAX;
-        for v in SAMPLES {
+        for v in self.variable.samples() {
             least = least.min(count(self, v)?);
             if least == 0 {
                 break;
@@ -120,7 +134,7 @@ impl Equations {
     /// Where another eigenvalue is zero beside those that are so at all speeds.
     fn find_divergences_beside(&self, drifts: usize, found: &mut Vec<Found>) -> Result<(), SystemError> {
         let condition = Drifting { equations: self, drifts };
-        let Some(divergence) = Normalized::new(&condition)? else { return Ok(()) };
+        let Some(divergence) = self.normalize(&condition)? else { return Ok(()) };
         for bracket in isolate(&divergence, self.is_polynomial(), NARROW_FLUTTER)? {
             let crossing = self.find_divergence_beside(bracket.start(), drifts);
             if let Some(crossing) = crossing.filter(|crossing| bracket.contains(crossing)) {

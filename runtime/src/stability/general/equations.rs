@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use super::combination::Combination;
 use super::field::RealField;
-use super::functions::{GRAVITY, ONE, OVER_SPEED, SPEED, SQUARE, Values, values};
+use super::functions::{GRAVITY, ONE, OVER_SPEED, SPEED, SQUARE, Values, Variable};
 use super::units::Units;
 use crate::eigenvalues::{Layout, Spectrum, solve};
 use crate::numeric::{DoubleDouble, Square};
@@ -41,7 +41,7 @@ pub(super) struct Equations {
     pub(super) mass: Combination,
     pub(super) damping: Combination,
     pub(super) stiffness: Combination,
-    gravity: f64,
+    pub(super) variable: Variable,
     pub(super) columns: Vec<Column>,
     layout: Layout,
     /// The transposed state matrix, where all rates are states: then no speed needs an elimination.
@@ -53,7 +53,7 @@ pub(super) struct Equations {
     effort: Cell<usize>,
 }
 
-/// The effort at which a search ends: hundreds of times what is usual.
+/// The effort at which a search ends: more than ten times what any random system of the tests takes.
 const MOST: usize = 40_000;
 
 impl Equations {
@@ -73,38 +73,50 @@ impl Equations {
             let others = [ONE, SPEED, SQUARE].map(|function| stiffness.term(function));
             others.into_iter().chain([weight]).flatten().all(|matrix| matrix.column(j).all(|entry| entry == 0.0))
         };
-        let mut zeros = 0;
-        let column = |(j, states): (usize, &States)| match states {
-            States::Position => Column::Position,
-            declared => {
-                zeros += usize::from(*declared == States::Both && is_loose(j));
-                if !is_loose(j) {
-                    Column::Both
-                } else if damping.has_zero_column(j) {
-                    zeros += 1;
-                    Column::Neither
-                } else {
-                    Column::Rate
-                }
-            }
-        };
-        let columns: Vec<Column> = matrices.states.iter().enumerate().map(column).collect();
-        let has = |column: &Column, states: [Column; 2]| states.contains(column);
-        let states = columns.iter().map(|column| {
-            [[Column::Both, Column::Position], [Column::Both, Column::Rate]].map(|with| has(column, with))
-        });
-        let layout = Layout::new(states);
-        let effort = Cell::new(0);
+        let (columns, zeros) = columns(&matrices.states, is_loose, &damping);
+        let variable = Variable::Speed { gravity };
+        let (layout, effort) = (layout(&columns), Cell::new(0));
         let mut equations =
-            Self { mass, damping, stiffness, gravity, columns, layout, solved: None, zeros, units, effort };
+            Self { mass, damping, stiffness, variable, columns, layout, solved: None, zeros, units, effort };
         if !equations.columns.contains(&Column::Position) {
-            equations.solved = Some(equations.solve()?);
+            equations.solved = Some(equations.solve(gravity)?);
         }
         Ok(equations)
     }
 
+    /// Along a parameter: from the coefficients of Chebyshev's polynomials of M, C and K.
+    pub(super) fn along_parameter(coefficients: [&[Square<f64>]; 3], states: &[States]) -> Result<Self, SystemError> {
+        let size = states.len();
+        let largest = coefficients.map(|terms| {
+            let size_at = |i: usize, j: usize| terms.iter().fold(0.0, |size: f64, term| size.max(term[i][j].abs()));
+            Square::from_fn(size, size_at)
+        });
+        let zero = || Square::filled(size, 0.0);
+        let [m, c, k] = largest;
+        let sizes = Matrices { all: [m, zero(), c, zero(), k, zero(), zero(), zero()], states: states.to_vec() };
+        let units = Units::new(&sizes, 0.0)?;
+        let mut orders = [2, 1, 0].into_iter();
+        let [mass, damping, stiffness] = coefficients.map(|terms| {
+            let order = orders.next().unwrap_or(0);
+            let scaled = terms.iter().enumerate().map(|(k, term)| (k, units.scale_matrix(term, order)));
+            Combination::new(size, scaled)
+        });
+        let (columns, zeros) = columns(states, |j| stiffness.has_zero_column(j), &damping);
+        let degree = coefficients.iter().map(|terms| terms.len()).max().unwrap_or(0);
+        let (variable, layout) = (Variable::Parameter { degree }, layout(&columns));
+        let effort = Cell::new(0);
+        Ok(Self { mass, damping, stiffness, variable, columns, layout, solved: None, zeros, units, effort })
+    }
+
+    /// What has to be regular: the columns of M, or of the damping for coordinates of first order.
+    pub(super) fn leading(&self, v: f64) -> Square<f64> {
+        let values = self.values(v);
+        let [m, c] = [&self.mass, &self.damping].map(|matrix| matrix.at(&values));
+        Square::from_fn(m.size(), |i, j| if self.columns[j] == Column::Position { c[i][j] } else { m[i][j] })
+    }
+
     /// The transposed state matrix, from a mass matrix that does not depend on the speed.
-    fn solve(&self) -> Result<Combination, SystemError> {
+    fn solve(&self, gravity: f64) -> Result<Combination, SystemError> {
         const FUNCTIONS: [usize; 4] = [OVER_SPEED, ONE, SPEED, SQUARE];
         let size = self.columns.len();
         let term = |combination: &Combination, function: usize| match combination.term(function) {
@@ -113,7 +125,7 @@ impl Equations {
         };
         let mut sides = [&self.damping, &self.stiffness].map(|sum| FUNCTIONS.map(|function| term(sum, function)));
         let static_stiffness = sides[1][ONE].entries_mut().iter_mut();
-        static_stiffness.zip(term(&self.stiffness, GRAVITY).entries()).for_each(|(k, k0)| *k += self.gravity * k0);
+        static_stiffness.zip(term(&self.stiffness, GRAVITY).entries()).for_each(|(k, k0)| *k += gravity * k0);
         solve(self.mass.at(&self.values(1.0)), sides.as_flattened_mut())?;
         let transposed = |function: usize| {
             let one = if function == ONE { 1.0 } else { 0.0 };
@@ -132,9 +144,13 @@ impl Equations {
         self.effort.get() >= MOST
     }
 
+    pub(super) fn is_along_speed(&self) -> bool {
+        matches!(self.variable, Variable::Speed { .. })
+    }
+
     /// Whether damping is divided by the speed.
     pub(super) fn excludes_rest(&self) -> bool {
-        self.damping.term(OVER_SPEED).is_some()
+        self.is_along_speed() && self.damping.term(OVER_SPEED).is_some()
     }
 
     /// Whether eigenvalues are algebraic in nothing but the coefficients: then what is made of them symmetrically is a
@@ -149,7 +165,7 @@ impl Equations {
     }
 
     pub(super) fn values<R: RealField>(&self, v: R) -> Values<R> {
-        values(v, self.gravity)
+        self.variable.values(v)
     }
 
     /// The eigenvalues at a scaled speed, of the states alone, by the QR algorithm.
@@ -180,4 +196,29 @@ impl Equations {
     pub(super) fn speed(&self, scaled: DoubleDouble) -> f64 {
         self.units.speed(scaled.to_f64())
     }
+}
+
+/// What of each coordinate is a state, and how many eigenvalues are zero everywhere though nobody said so.
+fn columns(states: &[States], is_loose: impl Fn(usize) -> bool, damping: &Combination) -> (Vec<Column>, usize) {
+    let mut zeros = 0;
+    let column = |(j, states): (usize, &States)| match states {
+        States::Position => Column::Position,
+        declared => {
+            zeros += usize::from(*declared == States::Both && is_loose(j));
+            if !is_loose(j) {
+                Column::Both
+            } else if damping.has_zero_column(j) {
+                zeros += 1;
+                Column::Neither
+            } else {
+                Column::Rate
+            }
+        }
+    };
+    (states.iter().enumerate().map(column).collect(), zeros)
+}
+
+fn layout(columns: &[Column]) -> Layout {
+    let has = |column: &Column, with: Column| *column == Column::Both || *column == with;
+    Layout::new(columns.iter().map(|column| [Column::Position, Column::Rate].map(|with| has(column, with))))
 }

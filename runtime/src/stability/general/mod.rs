@@ -10,9 +10,12 @@
 //! - [`samples`], [`bernstein`], [`isolation`]: all of their zeros, each in an interval of its own;
 //! - [`field`], [`inverse`], [`newton`]: critical speeds and eigenvalues to all digits;
 //! - [`crossings`]: the critical speeds in the intervals;
+//! - [`chebyshev`], [`along_parameter`]: the same along another parameter, over a range;
 //! - [`count`], [`complete`]: whether the numbers of unstable eigenvalues between them agree, and the search where not.
 
+mod along_parameter;
 mod bernstein;
+mod chebyshev;
 mod combination;
 mod complete;
 mod condition;
@@ -35,6 +38,7 @@ mod units;
 
 use nalgebra::Complex;
 
+pub(super) use self::along_parameter::{Found, search};
 use self::complete::Course;
 use self::count::Count;
 use self::equations::Equations;

@@ -27,6 +27,19 @@ impl<'a, F: Condition> Normalized<'a, F> {
         Ok(low.zip(high).map(|(low, high)| Self { condition, low, high }))
     }
 
+    /// Over a range, as it is; `None` if it is zero all over it, as far as rounding tells.
+    pub(super) fn over_range(condition: &'a F, [low, high]: [f64; 2]) -> Result<Option<Self>, SystemError> {
+        const POINTS: i32 = 7;
+        for k in 1..POINTS {
+            let v = low + (high - low) * f64::from(k) / f64::from(POINTS);
+            if condition.at(v)?.error <= CERTAIN {
+                let [low, high] = [low, high].map(|from| Asymptote { power: 0, from });
+                return Ok(Some(Self { condition, low, high }));
+            }
+        }
+        Ok(None)
+    }
+
     /// The speeds outside of which the condition has no zero.
     pub(super) fn range(&self) -> [f64; 2] {
         [self.low.from, self.high.from]
@@ -42,6 +55,9 @@ impl<'a, F: Condition> Normalized<'a, F> {
     }
 }
 
+/// The relative error up to which a condition is known.
+const CERTAIN: f64 = 1e-3;
+
 /// The power of the speed that a condition is proportional to, toward zero for the direction -1, toward infinity for 1.
 ///
 /// It is integral where the condition has come close to it at three speeds, each twice the one before, and at a speed that is
@@ -50,7 +66,6 @@ fn asymptote(condition: &impl Condition, direction: i32) -> Result<Option<Asympt
     /// The binary orders of magnitude at which it is tried.
     const ORDERS: [i32; 7] = [8, 12, 16, 20, 26, 34, 44];
     const INTEGRAL: f64 = 0.02;
-    const CERTAIN: f64 = 1e-3;
     let at = |order: i32| condition.at(2f64.powi(direction * order));
     let mut last = None;
     for order in ORDERS {

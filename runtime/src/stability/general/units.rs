@@ -77,6 +77,12 @@ impl Units {
         ]
     }
 
+    /// A matrix that is multiplied by a power of s, and does not depend on the speed.
+    pub(super) fn scale_matrix(&self, matrix: &Square<f64>, power: i32) -> Square<f64> {
+        let time = -(2 - power) * self.time;
+        Square::from_fn(matrix.size(), |i, j| ldexp(matrix[i][j], self.rows[i] + self.columns[j] + time))
+    }
+
     /// A gravitational field strength in these units.
     pub(super) fn scale_gravity(&self, gravity: f64) -> f64 {
         ldexp(gravity, -self.gravity)
