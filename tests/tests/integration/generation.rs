@@ -141,7 +141,7 @@ fn documentation_has_units_requirements_and_sets_as_code() {
          M = [[I/f]]; C0 = [[c + b]]; set light { I = 1e-9; c = 0.25; b = -1/8; f = 1; } }",
     );
     let expected = [
-        "The fields are the parameters. The coordinates are `q` (swing) in `rad`.",
+        "The fields are the parameters. The coordinates are `q` (swing) in `rad`, of which only the rate is a state.",
         "- `c + b` in `kg*m^2/s`: `> 0`.",
         "`I` in `kg*m^2`: `> 0`.",
         "`b` in `N*m*s`: any finite value.",

@@ -1,6 +1,6 @@
 //! The README's coin, which does not ask for derivatives: it works everywhere else, and says what to add.
 
-use carvallo::{Model, Sensitivity, SensitivityError, Stability};
+use carvallo::{Model, Sensitivity, SensitivityError};
 use carvallo_cli::model::Shipped;
 
 carvallo::model! {
@@ -23,7 +23,7 @@ static COIN: Shipped = Shipped::of::<2, Coin>();
 fn the_command_line_takes_it_and_refuses_sensitivities_alone() {
     let values = Coin::EURO.to_array();
     let equations = COIN.equations(&values).expect("valid parameters");
-    let stability = Stability::new(equations.of_two().expect("two coordinates"), Coin::EURO.g).expect("an answer");
+    let stability = equations.stability(Coin::EURO.g).expect("an answer");
     // Textbooks: a uniform disc stays up where v^2 > g r/3.
     let expected = (9.81 * 0.011625 / 3.0_f64).sqrt();
     let found = stability.critical_speeds[0].speed;
