@@ -44,7 +44,7 @@ pub fn quantile(mut numbers: Vec<f64>, tenths: usize) -> Option<f64> {
 }
 
 /// The next of 1, 2 and 5 times a power of ten.
-pub fn round(size: f64) -> f64 {
+fn round(size: f64) -> f64 {
     if size <= 0.0 {
         return size;
     }

@@ -1,6 +1,6 @@
 //! The graphs of a picture, one below the other: what each shows, and how far its axis goes.
 
-use super::curves::{Curve, extent, extent_of_all, quantile, round};
+use super::curves::{Curve, extent, extent_of_all, quantile};
 use super::series::{Series, modes, strands};
 use crate::analysis::{Eigenvalues, ModeRow, Row, Rows};
 
@@ -60,6 +60,9 @@ fn of_branches(rows: &[Row<Eigenvalues>], y: Option<(f64, f64)>) -> Vec<Panel> {
 /// How many times as far the axis goes as what becomes stable or unstable, for what is faster.
 const FASTER: f64 = 3.0;
 
+/// How many times as far it goes to show a curve to its end.
+const NEARLY: f64 = 1.6;
+
 /// Most of what becomes stable or unstable, and what is as slow as that; not the far ends of what is fast.
 fn real_limits(series: &[Series], named: &[String]) -> (f64, f64) {
     let sizes = |series: &Series| -> Vec<f64> {
@@ -67,14 +70,22 @@ fn real_limits(series: &[Series], named: &[String]) -> (f64, f64) {
     };
     let critical = series.iter().filter(|series| named.contains(&series.name));
     let critical = critical.filter_map(|series| quantile(sizes(series), 7)).fold(0.0, f64::max);
-    let slow = series.iter().filter_map(|series| quantile(sizes(series), 5));
+    let slow = series.iter().filter_map(|series| quantile(sizes(series), 9));
     let slow = quantile(slow.collect(), 4).unwrap_or(0.0);
     let size = if critical > 0.0 { slow.clamp(critical, FASTER * critical) } else { slow };
-    let size = if size > 0.0 { round(size) } else { 1.0 };
+    let size = if size > 0.0 { size } else { 1.0 };
     // What is above zero alone, or below, needs no more of the other side than a margin.
-    let values = || series.iter().flat_map(|series| series.curves.iter().flatten()).map(|(_, value)| *value);
-    let side = |most: f64| round(1.05 * most.abs()).clamp(0.2 * size, size);
-    (-side(values().fold(0.0, f64::min)), side(values().fold(0.0, f64::max)))
+    let side = |sign: f64| {
+        let farthest = |series: &Series| {
+            let values = series.curves.iter().flatten().map(|(_, value)| sign * value);
+            values.fold(0.0, f64::max)
+        };
+        let ends: Vec<f64> = series.iter().map(farthest).collect();
+        let shown = ends.iter().copied().filter(|end| *end <= NEARLY * size).fold(0.0, f64::max);
+        let goes_on = ends.iter().any(|end| *end > NEARLY * size);
+        finely(1.03 * shown.max(if goes_on { size } else { 0.2 * size }))
+    };
+    (-side(-1.0), side(1.0))
 }
 
 /// The frequencies of what becomes stable or unstable, and most others.
