@@ -174,7 +174,7 @@ fn check_mechanism(
     let loads = Loads::new(declaration, mechanism);
     // Where nothing is derived yet, a load is some force.
     let attributes = loads.resolve(declaration, scope, |_| Formula::one(), report);
-    let derived = loads.resolve(declaration, scope, |parameter| Formula::Parameter(parameter), &mut Report::default());
+    let derived = loads.resolve(declaration, scope, Formula::Parameter, &mut Report::default());
     let assembly = mechanism::assemble(declaration, mechanism, tree, &derived, loads.first(), report);
     // Without coordinates it is not known what is determined by others.
     let assembly = assembly.filter(|_| report.is_empty() && !declaration.coordinates.is_empty());
