@@ -77,6 +77,27 @@ proptest! {
     }
 
     #[test]
+    fn trees_of_balls_and_planar_bodies(
+        three in [link(), link(), link()],
+        link in link(),
+        is_ball in any::<bool>(),
+        is_first in any::<bool>(),
+        // Short of where a ball's yaw and pitch would be about one axis.
+        [a, b, c, ad, bd, cd] in state(1.2),
+        (d, dd) in (-2.0..2.0, -3.0..3.0),
+    ) {
+        prop_assume!(three[0].axis.cross(&three[1].axis).norm() > 0.1);
+        let mut pair = Pair::default();
+        let mut carrier = Carrier { name: "ground".into(), joint: None };
+        for turn in [is_first, !is_first] {
+            carrier = if turn { pair.three(&carrier, &three, is_ball) } else { pair.joint(&carrier, &link) };
+        }
+        let (compiled, values) = pair.compile_with(None, "nonlinear;")?;
+        let motion = Interpreted::new(&compiled, &values);
+        compare::<4>(&motion, &pair.numeric, 0.0, &[(0, a, ad), (1, b, bd), (2, c, cd), (3, d, dd)])?;
+    }
+
+    #[test]
     fn vehicles_on_two_wheels_with_any_joints(
         frame in link(),
         links in [link(), link()],
