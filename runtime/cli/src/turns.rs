@@ -47,10 +47,10 @@ impl<'a> Families<'a> {
             return Err(fail("there is no capsize speed, at which steady turns begin".to_owned()));
         }
         let mut found: Result<Vec<Family>, String> = Ok(Vec::new());
-        let mut told = (Vec::new(), Vec::new());
+        let mut told = [Vec::new(), Vec::new()];
         let has_equations = design.with_machine(&mut |machine| {
             told = quantities(machine.info());
-            let steer = told.0.iter().rfind(|(place, _)| machine.info().positions[*place].kind == PositionKind::Free);
+            let steer = told[0].iter().rfind(|(place, _)| machine.info().positions[*place].kind == PositionKind::Free);
             let steer = steer.map_or(0, |(place, _)| *place);
             let family = |&capsize: &f64| {
                 let curve = Turns::from_capsize(machine, capsize).map_err(|error| error.to_string())?;
@@ -70,13 +70,13 @@ impl<'a> Families<'a> {
             return Err(fail(format!("the model {} has no nonlinear equations", design.info().name)));
         }
         let families = found.map_err(fail)?;
-        let (positions, rates) = told;
+        let [positions, rates] = told;
         Ok(Self { design, positions, rates, families })
     }
 }
 
 /// What turns are told by: positions, and rates.
-fn quantities(info: &MotionInfo) -> (Vec<(usize, Quantity)>, Vec<(usize, Quantity)>) {
+fn quantities(info: &MotionInfo) -> [Vec<(usize, Quantity)>; 2] {
     let all = || {
         let positions = info.positions.iter().enumerate();
         positions.map(|(place, position)| {
@@ -87,7 +87,7 @@ fn quantities(info: &MotionInfo) -> (Vec<(usize, Quantity)>, Vec<(usize, Quantit
         |wanted: PositionKind| all().filter(move |(kind, ..)| *kind == wanted).map(|(_, place, told)| (place, told));
     let positions = of(PositionKind::Free).chain(of(PositionKind::Dependent)).collect();
     let rates = of(PositionKind::Ignorable).filter(|(_, told)| !matches!(told.name, "x" | "y")).collect();
-    (positions, rates)
+    [positions, rates]
 }
 
 /// The largest real part of the eigenvalues near a turn, in 1/s.
