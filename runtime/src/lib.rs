@@ -47,7 +47,10 @@
 // docs.rs says of each item which feature it is for.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 // What a feature adds can be linked only where it is there.
-#![cfg_attr(not(all(feature = "derive", feature = "std", feature = "batch")), allow(rustdoc::broken_intra_doc_links))]
+#![cfg_attr(
+    not(all(feature = "derive", feature = "std", feature = "batch", feature = "simulation")),
+    allow(rustdoc::broken_intra_doc_links)
+)]
 
 #[cfg(feature = "batch")]
 pub mod batch;

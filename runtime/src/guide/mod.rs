@@ -3,7 +3,7 @@
 //! What equations a machine can have stands in [`form`]. Who declares models begins with [`formulas`] or [`mechanisms`], whose syntax [`model!`](crate::model)
 //! documents to the last word, and reads in [`safeguards`] how the compiler looks for mistakes. [`stability`], [`batches`]
 //! and [`sensitivities`] are about what is done with a model, and [`any_model`] about functions of your own that take every
-//! model. Who wants the evaluators of a finished model, in a simulation
+//! model. [`motions`] lead from a mechanism to a simulation, with a controller in it. Who wants the evaluators of a finished model, in a simulation
 //! or on a microcontroller, needs [`generated_code`] alone, and who has code by hand, or of another generator, finds in
 //! [`comparing`] how to hold one against the other. What [`symbolica`] asks of those who compile models has a page, too.
 //!
@@ -19,7 +19,8 @@
 //! | `comparing` | generated code beside code by hand |
 //!
 //! They declare models, so they need the feature `derive`: `cargo run -p carvallo --features derive --example coin`. The
-//! example `embedding` of the crate `carvallo-models` needs none: `cargo run -p carvallo-models --example embedding`.
+//! examples of the crate `carvallo-models` need none: `cargo run -p carvallo-models --example embedding`, and `riding`, a simulator
+//! of nonlinear equations that allocates nothing.
 //!
 //! # Features of this crate
 //!
@@ -53,6 +54,9 @@ pub mod any_model {}
 pub mod batches {}
 #[doc = include_str!("sensitivities.md")]
 pub mod sensitivities {}
+#[cfg(feature = "simulation")]
+#[doc = include_str!("motions.md")]
+pub mod motions {}
 #[doc = include_str!("generated_code.md")]
 pub mod generated_code {}
 #[doc = include_str!("comparing.md")]

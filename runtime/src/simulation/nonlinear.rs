@@ -17,11 +17,7 @@ use crate::motion::{Energy, MotionError};
 /// these. The positions that the heights of the wheels determine are made to do so after every step and wherever the motion
 /// is told; [`Ride::drift`] is by how much they had to be moved.
 ///
-/// ```ignore
-/// let bicycle = WhippleMechanism::BENCHMARK.motion();
-/// let start = State::new(&bicycle, &[("phi", 0.1)], &[("thetaR", -4.6 / 0.3)])?;
-/// let ride = Simulation::new(&bicycle).run(&start, &[0.0, 0.5, 1.0])?;
-/// ```
+/// The [guide](crate::guide::motions) has examples, with a controller.
 pub struct Simulation<'a> {
     machine: &'a dyn Machine,
     tolerance: f64,

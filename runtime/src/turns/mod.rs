@@ -2,14 +2,6 @@
 //!
 //! Where straight running loses its stability to capsize, a curve of circles begins: at a lean and a steer that are in
 //! balance, at one speed each. [`Turns`] follows it from there to its end, and tells of each [`Turn`] whether it is stable.
-//!
-//! ```ignore
-//! let bicycle = WhippleMechanism::BENCHMARK;
-//! let capsize = Stability::new(&bicycle.coefficients(), bicycle.g)?.critical_speeds.last()…;
-//! for turn in Turns::from_capsize(&bicycle.motion(), capsize)?.turns {
-//!     println!("at {} m/s a circle of {} m", turn.speed, turn.radius);
-//! }
-//! ```
 
 mod balance;
 mod differences;
