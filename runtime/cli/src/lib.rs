@@ -2,6 +2,7 @@
 //!
 //! A library, so that what it says of strangers' files can be tested without a process for each of them.
 
+mod along;
 mod analysis;
 mod bodies;
 mod commands;

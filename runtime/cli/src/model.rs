@@ -9,7 +9,7 @@ use std::marker::PhantomData;
 use carvallo::simulation::{LinearMotion, Machine};
 use carvallo::{
     Branches, Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Eigenvectors, Matrix,
-    MatrixName, Model, ModelInfo, Sensitivity, SensitivityError, Stability, States, SystemError,
+    MatrixName, Model, ModelInfo, ParameterStability, Sensitivity, SensitivityError, Stability, States, SystemError,
 };
 use carvallo_models::Whipple;
 
@@ -43,6 +43,15 @@ pub(crate) trait Derivation: Debug + Sync {
         let _ = (parameters, visitor);
         Ok(false)
     }
+
+    /// Stability along the parameter at a position, over a range and at a speed.
+    fn along(
+        &self,
+        parameters: &[f64],
+        position: usize,
+        range: [f64; 2],
+        speed: f64,
+    ) -> Result<ParameterStability, String>;
 
     /// How the equations of motion change with the parameters.
     fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String>;
@@ -115,6 +124,20 @@ impl Shipped {
         self.derivation.with_machine(parameters, visitor)
     }
 
+    /// Stability along the parameter at a position, over a range and at a speed in m/s.
+    ///
+    /// # Errors
+    /// A value at which a parameter or a requirement of the model does not hold; or that there is no answer.
+    pub fn along(
+        &self,
+        parameters: &[f64],
+        position: usize,
+        range: [f64; 2],
+        speed: f64,
+    ) -> Result<ParameterStability, String> {
+        self.derivation.along(parameters, position, range, speed)
+    }
+
     /// How the equations of motion change with parameters in declared order.
     ///
     /// # Errors
@@ -162,6 +185,23 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
         let machine = model.nonlinear();
         machine.iter().for_each(|machine| visitor(machine));
         Ok(machine.is_some())
+    }
+
+    fn along(
+        &self,
+        parameters: &[f64],
+        position: usize,
+        range: [f64; 2],
+        speed: f64,
+    ) -> Result<ParameterStability, String> {
+        let mut parameters = parameters.to_vec();
+        let system = |value: f64| {
+            parameters[position] = value;
+            let gravity = M::INFO.gravity.map_or(0.0, |position| parameters[position]);
+            let coefficients = valid::<N, M>(&parameters)?.coefficients();
+            coefficients.at(speed, gravity).map_err(|error| error.to_string())
+        };
+        ParameterStability::new(range, system).map_err(|error| error.to_string())
     }
 
     fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {

@@ -3,6 +3,7 @@
 use carvallo::ModeValue;
 use clap::Args;
 
+use crate::along::{Along, AlongAnalysis, Speed};
 use crate::analysis::Analysis;
 use crate::failure::{Failure, Place};
 use crate::limits::{EigenvalueLimits, SpeedLimits};
@@ -18,6 +19,7 @@ Examples:
   carvallo analyze pista --speeds 0:30:5        A measured bicycle at other speeds
   carvallo analyze --set 'w=102 cm' --set c=0   The benchmark bicycle, changed
   carvallo analyze my-bike.toml --plot my-bike.png
+  carvallo analyze --along mB=60:120 --speed 5  Against the mass of the rider and frame, at 5 m/s
   carvallo analyze matrices.json                Matrices M, C1, K0, … of 1 to 12 coordinates
   carvallo analyze --speeds 5 --eigenvectors    The shapes of the modes: sizes and phases of lean and steer
 
@@ -43,6 +45,7 @@ Unless lean and steer are among the coordinates, kinds are \"flutter\", \"diverg
 them there is \"wobble\", too. Eigenvalues are followed one by one, in the same order at all speeds; their modes are those
 kinds, \"real\" or \"oscillatory\", and beside them stands \"verdict\": \"stable\"|\"marginal\"|\"unstable\". Where nothing depends
 on the speed there is one row, with the speed null. With --eigenvectors each has \"right\" and \"left\": docs/json.md.
+With --along there are \"critical_values\" in the place of \"critical_speeds\": docs/json.md.
 
 Exit codes: 0 done; 1 the analysis has no answer, or a file cannot be read or written; 2 wrong usage or input.";
 
@@ -59,6 +62,12 @@ pub struct Options {
         help = "In m/s: LOW:HIGH:STEP, a list, or one [default: 0 to 10, or as far as there are critical speeds]"
     )]
     speeds: Option<Speeds>,
+    /// Everything against a parameter instead, over a range of it and at --speed
+    #[arg(long, value_name = "NAME=LOW:HIGH", allow_hyphen_values = true, conflicts_with_all = ["speeds", "xlim"])]
+    along: Option<Along>,
+    /// The speed of --along, in m/s
+    #[arg(long, value_name = "SPEED", requires = "along", allow_hyphen_values = true)]
+    speed: Option<Speed>,
     /// table, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
@@ -80,6 +89,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if options.eigenvectors && options.format == Format::Csv {
         let place = Place::Option("--eigenvectors".to_owned());
         return Err(Failure::at(place, "CSV has no columns for them; they are in a table and in --format json"));
+    }
+    if let Some(along) = &options.along {
+        return run_along(options, along);
     }
     if let Some(picture) = &options.plot {
         picture.check(&options.design)?;
@@ -121,6 +133,30 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Format::Table => print(&output::render_table(&analysis, &rows, shapes)),
         Format::Json => write(|output| output::write_json(&analysis, &rows, shapes, output)),
         Format::Csv => write(|output| output::write_csv(&analysis, &rows, output)),
+    }
+}
+
+fn run_along(options: &Options, along: &Along) -> Result<(), Failure> {
+    if options.eigenvectors {
+        return Err(Failure::at(Place::Option("--eigenvectors".to_owned()), "there are none with --along"));
+    }
+    if let Some(picture) = &options.plot {
+        picture.check(&options.design)?;
+    }
+    let analysis = AlongAnalysis::new(options.design.load()?, along, options.speed.map(|Speed(speed)| speed))?;
+    if options.speed.is_some() && analysis.speed.is_none() {
+        let name = analysis.design.info().name;
+        note(WARNING, "note", &format!("nothing in the model {name} depends on the speed: --speed is ignored"));
+    }
+    if let Some(picture) = &options.plot {
+        let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
+        picture.write(&plot::draw_along(&analysis, y)?)?;
+    }
+    let rows = analysis.rows(if options.format == Format::Table { 11 } else { 101 })?;
+    match options.format {
+        Format::Table => print(&output::render_along(&analysis, &rows)),
+        Format::Json => write(|output| output::write_along_json(&analysis, &rows, output)),
+        Format::Csv => write(|output| output::write_along_csv(&analysis, &rows, output)),
     }
 }
 

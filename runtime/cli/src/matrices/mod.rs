@@ -5,7 +5,8 @@ mod check;
 use std::array;
 
 use carvallo::{
-    Coefficients, CoordinateInfo, Domain, Matrix, MatrixName, ModelInfo, ParameterInfo, Sensitivity, States,
+    Coefficients, CoordinateInfo, Domain, Matrix, MatrixName, ModelInfo, ParameterInfo, ParameterStability,
+    Sensitivity, States,
 };
 
 use self::check::check;
@@ -131,6 +132,10 @@ impl<const N: usize> Derivation for Given<N> {
     }
 
     /// Each entry by itself: one, where the parameter is it, in the matrix of the derivatives by it.
+    fn along(&self, _: &[f64], _: usize, _: [f64; 2], _: f64) -> Result<ParameterStability, String> {
+        Err("matrices that are given themselves have no parameters".to_owned())
+    }
+
     fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
         let coefficients = self.coefficients(parameters)?;
         let place = |index: usize| (index / (N * N), index / N % N, index % N);

@@ -1,5 +1,6 @@
 //! The ways in which results are printed.
 
+mod along;
 mod branches;
 mod cells;
 mod columns;
@@ -20,6 +21,7 @@ mod sorted;
 mod table;
 pub mod turns;
 
+pub use self::along::{render_along, write_along_csv, write_along_json};
 pub use self::csv::write_csv;
 pub use self::json::write_json;
 pub use self::list::render_bicycles;

@@ -83,7 +83,12 @@ fn double_root(eigenvalue: Complex<f64>) -> String {
 
 /// What changes at a critical speed: of the mode, and of the motion, which another mode may keep unstable.
 pub fn describe_effect(stability: &Stability, critical: &CriticalSpeed) -> &'static str {
-    match (critical.change, stability.verdicts_around(critical)) {
+    effect(critical.change, stability.verdicts_around(critical))
+}
+
+/// The same from what the mode does and the verdicts below and above.
+pub fn effect(change: Change, verdicts: [Verdict; 2]) -> &'static str {
+    match (change, verdicts) {
         (Change::Stabilizes, [_, Verdict::Stable]) => "becomes stable",
         (Change::Stabilizes, [_, Verdict::Marginal]) => "is unstable no longer",
         (Change::Stabilizes, [_, Verdict::Unstable]) => "becomes stable, but another mode is unstable",

@@ -1,5 +1,6 @@
 //! Pictures, as SVG or PNG from one drawing.
 
+mod along;
 mod axes;
 mod beyond;
 mod colors;
@@ -27,6 +28,7 @@ use std::path::Path;
 
 use crate::failure::Failure;
 
+pub use self::along::draw_along;
 pub use self::curves::extent;
 pub use self::eigenvalues::{Limits, draw_eigenvalues};
 pub use self::map::{MapAxis, MapCell, draw_map};

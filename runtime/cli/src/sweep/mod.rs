@@ -5,7 +5,7 @@ mod evaluate;
 mod generate;
 mod map;
 mod options;
-mod parameter;
+pub mod parameter;
 mod plan;
 mod progress;
 mod read;

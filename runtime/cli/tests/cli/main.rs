@@ -1,5 +1,6 @@
 //! The command line from outside: what is printed, and the exit codes.
 
+mod along;
 mod analyze;
 mod equations;
 mod extremes;

@@ -1,0 +1,107 @@
+//! Stability along another parameter than the speed.
+
+use serde_json::Value;
+
+use crate::Directory;
+
+/// The critical values of an analysis: kind, value and the imaginary part of the eigenvalue.
+fn critical(analysis: &Value) -> Vec<(String, f64, f64)> {
+    let event = |event: &Value| {
+        let number = |value: &Value| value.as_f64().unwrap();
+        (event["kind"].as_str().unwrap().to_owned(), number(&event["value"]), number(&event["eigenvalue"]["im"]))
+    };
+    analysis["critical_values"].as_array().unwrap().iter().map(event).collect()
+}
+
+/// At a critical value of any parameter the speed is a critical one, which two coordinates have from exact polynomials.
+#[test]
+fn a_critical_value_makes_the_speed_critical() {
+    let directory = Directory::new("along-speed");
+    for (along, count) in [("g=1:20", 2), ("lam=5 deg:40 deg", 2), ("mF=0.5:30", 1), ("w=0.8:3", 1)] {
+        let analysis = directory.run(&["analyze", "--along", along, "--speed", "5", "--format", "json"]).json();
+        let found = critical(&analysis);
+        assert!(found.len() >= count, "{along}: {found:?}");
+        let name = along.split('=').next().unwrap();
+        for (kind, value, _) in found {
+            let set = format!("{name}={value:?}");
+            let at_speed = directory.run(&["analyze", "--set", &set, "--format", "json"]).json();
+            let speeds = at_speed["critical_speeds"].as_array().unwrap();
+            let is_there =
+                |event: &Value| event["kind"] == kind.as_str() && (event["speed"].as_f64().unwrap() - 5.0).abs() < 1e-9;
+            assert!(speeds.iter().any(is_there), "{set}: {kind} in {speeds:?}");
+        }
+    }
+}
+
+/// Unstable beyond `(1 + c_e / c_i) sqrt(k / m)`, at a speed of the surface of R times that: for the stiffness `k` and the
+/// internal damping in closed form.
+#[test]
+fn the_threshold_of_a_rotor_is_that_of_the_closed_form() {
+    let directory = Directory::new("along-rotor");
+    let rotor = |along: &str| {
+        let arguments = ["analyze", "--model", "JeffcottRotor", "--speed", "9", "--along", along, "--format", "json"];
+        critical(&directory.run(&arguments).json())
+    };
+    let (m, k, external, internal, speed) = (1.0, 1e4, 3.0, 2.0, 9.0 / 0.03);
+    let natural: f64 = speed / (1.0 + external / internal);
+    let [stiffness] = &rotor("k=5000:50000")[..] else { panic!("one") };
+    assert_eq!(stiffness.0, "flutter");
+    let expected = m * natural * natural;
+    assert!((stiffness.1 - expected).abs() < 1e-10 * expected, "{stiffness:?}, expected {expected}");
+    assert!((stiffness.2 - natural).abs() < 1e-9 * natural);
+    let [damping] = &rotor("ci=0.1:10")[..] else { panic!("one") };
+    let expected = external / (speed / f64::sqrt(k / m) - 1.0);
+    assert!((damping.1 - expected).abs() < 1e-10 * expected, "{damping:?}, expected {expected}");
+}
+
+#[test]
+fn the_table_the_numbers_and_the_picture_agree() {
+    let directory = Directory::new("along-formats");
+    let run = |arguments: &[&str]| {
+        directory.run(&[&["analyze", "--along", "g=1:20", "--speed", "18 km/h"], arguments].concat())
+    };
+    let analysis = run(&["--format", "json"]).json();
+    assert_eq!((analysis["along"]["name"].as_str(), analysis["along"]["unit"].as_str()), (Some("g"), Some("N/kg")));
+    assert_eq!(analysis["speed"].as_f64(), Some(5.0));
+    let found = critical(&analysis);
+    let ranges = &analysis["stable_ranges"];
+    assert_eq!((ranges[0][0].as_f64(), ranges[0][1].as_f64()), (Some(found[0].1), Some(found[1].1)));
+    let table = run(&[]).ok();
+    for (kind, value, _) in &found {
+        assert!(table.contains(&format!("{kind:<13}{value}")), "{table}");
+    }
+    let rows = analysis["eigenvalues"].as_array().unwrap();
+    assert_eq!(rows.len(), 101);
+    let csv = run(&["--format", "csv"]).ok();
+    assert_eq!(csv.lines().count(), 102);
+    assert!(csv.starts_with("g (N/kg),eigenvalue 1 re (1/s),eigenvalue 1 im (1/s),"), "{csv}");
+    // Stable in the range, by the eigenvalues themselves.
+    for row in rows {
+        let is_inside = (found[0].1..found[1].1).contains(&row["value"].as_f64().unwrap());
+        let is_stable = row["values"].as_array().unwrap().iter().all(|value| value["re"].as_f64().unwrap() < 0.0);
+        assert!(is_inside == is_stable && is_stable == (row["verdict"] == "stable"), "{row}");
+    }
+    let drawn = run(&["--plot", "along.svg"]);
+    assert_eq!((drawn.code, drawn.stderr.as_str()), (Some(0), "wrote: along.svg\n"));
+    let picture = std::fs::read_to_string(directory.0.join("along.svg")).unwrap();
+    assert!(picture.starts_with("<svg "), "{picture}");
+}
+
+#[test]
+fn mistakes_are_named() {
+    let directory = Directory::new("along-mistakes");
+    let fails = |along: &str, rest: &[&str], message: &str| {
+        let arguments = [&["analyze", "--along", along], rest].concat();
+        directory.run(&arguments).fails(2, &format!("error: --along {along}: {message}\n"));
+    };
+    let at_speed = ["--speed", "5"];
+    fails("mB=60:120", &[], "--speed is missing, the speed in m/s at which the parameter changes");
+    fails("mB=-5:120", &at_speed, "`mB` is -5 kg; it must be >= 0");
+    fails("mB=120:60", &at_speed, "the range is from 120 kg to 60 kg; it must ascend");
+    fails("mBB=1:2", &at_speed, "`mBB` is not a parameter of Whipple; did you mean `mB`?");
+    let message = "a value of `mB` is `a`; expected a number, or an expression such as `pi/10`: `a` is not known";
+    fails("mB=a:2", &at_speed, message);
+    fails("v=1:2", &[], "`v` is the speed: without --along everything is along it");
+    directory.write("matrices.json", "{\"M\": [[1]], \"C0\": [[1]], \"Kc\": [[4]]}");
+    fails("M_11=1:2", &["matrices.json"], "matrices that are given themselves have no parameters");
+}
