@@ -32,8 +32,9 @@ Columns of the result, in SI units (speeds in m/s, eigenvalues in 1/s):
                                      with --eigenvalues, for each speed V, sorted by their real parts
   error                              why a design has no results; everything else in its row is then empty
 Unless lean and steer are among the coordinates, flutter_… stands in the place of weave_… and divergence_… in that of
-capsize_…; weave_… has wobble, too. For other than two coordinates, and with C-1 or K1, there are at most 12 of each, and undecided_count says in how
-many ranges a critical speed may be missing. Models that do not depend on the speed have none, and need --eigenvalues.
+capsize_…; of motorcycles weave_… has wobble, too. For other than two coordinates, and with C-1 or K1, there are at most 12
+of each, and undecided_count says in how many ranges a critical speed may be missing. Models that do not depend on the speed
+have none, and need --eigenvalues.
 
 A sweep that was interrupted goes on where it stopped when the same command runs again: until it is finished,
 FILE.partial and FILE.journal stand beside FILE. All cores are used (RAYON_NUM_THREADS=1 for one of them); the result
