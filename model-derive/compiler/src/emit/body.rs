@@ -1,11 +1,10 @@
 //! A program as the statements of a function.
 
-use std::collections::HashMap;
-
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::names::GeneratedNames;
+use super::nesting::{self, Place, Strength};
 use super::number;
 use crate::model::Model;
 use crate::program::{Instruction, Program, Value};
@@ -15,8 +14,6 @@ pub struct Body {
     /// Variables, one or a pair, and what is bound to them.
     bindings: Vec<(Vec<Ident>, TokenStream)>,
     pub values: Vec<TokenStream>,
-    /// How deep each value's expression nests; zero for names and numbers.
-    depths: Vec<usize>,
     /// What each value's expression is to the operators around it.
     strengths: Vec<Strength>,
 }
@@ -43,32 +40,6 @@ impl Inputs {
     }
 }
 
-/// How strongly an expression holds together.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Strength {
-    Sum,
-    Product,
-    Negation,
-    /// Names, numbers and calls.
-    Atom,
-}
-
-impl Strength {
-    fn of(instruction: Instruction) -> Self {
-        match instruction {
-            Instruction::Add(..) | Instruction::Sub(..) => Self::Sum,
-            Instruction::Mul(..) | Instruction::Div(..) | Instruction::Square(_) | Instruction::Reciprocal(_) => {
-                Self::Product
-            }
-            Instruction::Neg(_) => Self::Negation,
-            _ => Self::Atom,
-        }
-    }
-}
-
-/// Values that are used once and have no name nest into the expression that uses them, up to this depth.
-const MAX_DEPTH: usize = 6;
-
 /// A program of more variables than this declares so many of them at once.
 const MAX_SCOPES: usize = 250;
 
@@ -86,46 +57,28 @@ impl Body {
         names: &GeneratedNames,
         results: &[(Value, String)],
     ) -> Self {
-        let mut uses = program.uses();
-        for instruction in &program.instructions {
-            if let Instruction::Square(a) = instruction {
-                // It is written twice.
-                uses[*a] += 1;
-            }
-        }
-        let mut named = vec![false; program.instructions.len()];
-        for value in program.labels.iter().map(|(value, _)| value).chain(&program.outputs) {
-            named[*value] = true;
-        }
-        let zeros =
-            program.outputs.iter().filter(|value| program.instructions[**value] == Instruction::Constant(0.0)).count();
         let variable = names.values(program, model, &inputs.names, results);
-        let pairs = pairs(program);
-        let mut body = Self { bindings: Vec::new(), values: Vec::new(), depths: Vec::new(), strengths: Vec::new() };
-        for (value, instruction) in program.instructions.iter().enumerate() {
-            if let Instruction::Sin(angle) | Instruction::Cos(angle) = instruction
-                && let Some(&(sine, cosine)) = pairs.get(angle)
-            {
-                let name = variable(value);
-                // The first of the two stands for both.
-                if value == sine.min(cosine) {
-                    let (s, c) = (variable(sine), variable(cosine));
-                    let both = body.call("sin_cos", *angle, names);
-                    body.bindings.push((vec![s, c], both));
+        let mut body = Self { bindings: Vec::new(), values: Vec::new(), strengths: Vec::new() };
+        for (value, (instruction, place)) in program.instructions.iter().zip(nesting::places(program)).enumerate() {
+            match place {
+                Place::Nested => {
+                    let expression = body.expression(*instruction, inputs, names);
+                    body.push(expression, Strength::of(*instruction));
+                    continue;
                 }
-                body.push(quote!(#name), 0, Strength::Atom);
-                continue;
+                Place::Variable => {
+                    let expression = body.expression(*instruction, inputs, names);
+                    body.bindings.push((vec![variable(value)], expression));
+                }
+                Place::Pair { sine, cosine, is_first: true } => {
+                    let angle = instruction.operands().next().unwrap_or_else(|| unreachable!("functions have one"));
+                    let both = body.call("sin_cos", angle, names);
+                    body.bindings.push((vec![variable(sine), variable(cosine)], both));
+                }
+                Place::Pair { .. } => {}
             }
-            let expression = body.expression(*instruction, inputs, names);
-            let depth = instruction.operands().map(|value| body.depths[value] + 1).max().unwrap_or(0);
-            let repeated = *instruction == Instruction::Constant(0.0) && zeros > 1;
-            if depth == 0 && !repeated || uses[value] == 1 && !named[value] && depth < MAX_DEPTH {
-                body.push(expression, depth, Strength::of(*instruction));
-            } else {
-                let name = variable(value);
-                body.push(quote!(#name), 0, Strength::Atom);
-                body.bindings.push((vec![name], expression));
-            }
+            let name = variable(value);
+            body.push(quote!(#name), Strength::Atom);
         }
         body
     }
@@ -154,9 +107,8 @@ impl Body {
         groups.collect()
     }
 
-    fn push(&mut self, expression: TokenStream, depth: usize, strength: Strength) {
+    fn push(&mut self, expression: TokenStream, strength: Strength) {
         self.values.push(expression);
-        self.depths.push(depth);
         self.strengths.push(strength);
     }
 
@@ -212,18 +164,4 @@ impl Body {
 /// A number, in as many lanes as the inputs have.
 fn constant(value: f64, inputs: &Inputs, names: &GeneratedNames) -> TokenStream {
     names.call("like", &inputs.values[inputs.like], Some(&number(value)))
-}
-
-/// For each angle of which sine and cosine are both wanted, the values that they are: they come from one call.
-fn pairs(program: &Program) -> HashMap<Value, (Value, Value)> {
-    let instructions = || program.instructions.iter().enumerate();
-    let sines: HashMap<Value, Value> = instructions()
-        .filter_map(|(value, i)| if let Instruction::Sin(angle) = i { Some((*angle, value)) } else { None })
-        .collect();
-    instructions()
-        .filter_map(|(value, instruction)| match instruction {
-            Instruction::Cos(angle) => Some((*angle, (*sines.get(angle)?, value))),
-            _ => None,
-        })
-        .collect()
 }

@@ -12,6 +12,7 @@ mod kinematics;
 mod lanes;
 mod motion;
 mod names;
+mod nesting;
 mod outline;
 mod references;
 mod states;
