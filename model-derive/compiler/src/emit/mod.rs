@@ -1,6 +1,8 @@
 //! A checked model and its programs to Rust.
 
 mod body;
+#[cfg(feature = "files")]
+pub mod c;
 mod conversions;
 mod derivatives;
 mod described;

@@ -8,7 +8,8 @@ use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use super::layout;
-use crate::emit::{self, Driver};
+use crate::emit::{self, Driver, c};
+use crate::pipeline::Compiled;
 
 /// A file with a declaration.
 pub struct Source {
@@ -17,52 +18,70 @@ pub struct Source {
     pub shown: String,
 }
 
-/// What a source is compiled to.
-pub struct Generated {
+/// A source that is compiled, and not yet written in a language.
+pub struct CompiledSource {
     /// The name of the file, without its extension.
     pub module: String,
-    /// The name of the model.
-    pub model: String,
-    /// The text of a Rust file.
-    pub text: String,
+    compiled: Compiled,
+    /// What every file says that is made of it.
+    header: [String; 3],
+    shown: String,
 }
 
-/// Compiles sources, which `command` does as well, and gives each model an attribute beside those in its source.
+/// Compiles sources, which `command` does as well.
 ///
 /// # Errors
 /// Every mistake of all of them, as `path:line:column: error: …` with the line and a mark below it.
-pub fn compile_all(
-    sources: &[Source],
-    command: &str,
-    attribute: Option<&TokenStream>,
-) -> Result<Vec<Generated>, String> {
-    let mut generated = Vec::new();
+pub fn compile_all(sources: &[Source], command: &str) -> Result<Vec<CompiledSource>, String> {
+    let mut all = Vec::new();
     let mut errors = Vec::new();
     for source in sources {
-        match source.compile(command, attribute) {
-            Ok(compiled) => generated.push(compiled),
+        match source.compile(command) {
+            Ok(compiled) => all.push(compiled),
             Err(error) => errors.push(error),
         }
     }
-    if errors.is_empty() { Ok(generated) } else { Err(errors.join("\n")) }
+    if errors.is_empty() { Ok(all) } else { Err(errors.join("\n")) }
 }
 
-impl Source {
-    fn compile(&self, command: &str, attribute: Option<&TokenStream>) -> Result<Generated, String> {
-        let Self { path, shown } = self;
-        let module = self.module()?;
-        let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
-        let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
-        let mut compiled = crate::compile(tokens).map_err(|error| render(&error, shown, &text))?;
+impl CompiledSource {
+    /// The name of the model.
+    pub fn model(&self) -> String {
+        self.compiled.model.name.to_string()
+    }
+
+    /// The text of a Rust file, in which the model has an attribute beside those of its source.
+    ///
+    /// # Errors
+    /// If it is no Rust.
+    pub fn write_rust(&mut self, attribute: Option<&TokenStream>) -> Result<String, String> {
+        let Self { compiled, header, shown, .. } = self;
         if compiled.model.visibility.is_empty() {
             // What is private where it is declared is for the module around its file.
             compiled.model.visibility = quote!(pub(super));
         }
         compiled.model.rust_attributes.extend(attribute.cloned());
-        let rust = layout::lay_out(&emit::emit_sections(&compiled, &Driver::File));
+        let rust = layout::lay_out(&emit::emit_sections(compiled, &Driver::File));
         let rust = rust.map_err(|error| format!("error: {shown}: the generated code is wrong: {error}"))?;
-        let text = format!("{}\n{rust}", header(shown, &text, command));
-        Ok(Generated { module, model: compiled.model.name.to_string(), text })
+        let header: String = header.iter().map(|line| format!("// {line}\n")).collect();
+        Ok(format!("{header}\n{rust}"))
+    }
+
+    /// The names and texts of two files of C.
+    pub fn write_c(&self) -> [(String, String); 2] {
+        let header = self.header.join("\n * ");
+        c::emit(&self.compiled, &self.module).map(|file| (file.name, format!("/* {header}\n */\n\n{}", file.text)))
+    }
+}
+
+impl Source {
+    fn compile(&self, command: &str) -> Result<CompiledSource, String> {
+        let Self { path, shown } = self;
+        let module = self.module()?;
+        let text = std::fs::read_to_string(path).map_err(|error| format!("error: {shown}: {error}"))?;
+        let tokens = declaration(&text).map_err(|error| render(&error, shown, &text))?;
+        let compiled = crate::compile(tokens).map_err(|error| render(&error, shown, &text))?;
+        Ok(CompiledSource { module, compiled, header: header(shown, &text, command), shown: shown.clone() })
     }
 
     /// The module that the file becomes.
@@ -76,14 +95,12 @@ impl Source {
     }
 }
 
-fn header(shown: &str, text: &str, command: &str) -> String {
-    format!(
-        "// @generated from {shown} by carvallo-compiler {}; do not edit.\n\
-         // To write it anew: {command}\n\
-         // Hash of the source: {:016x}\n",
-        env!("CARGO_PKG_VERSION"),
-        hash(text),
-    )
+fn header(shown: &str, text: &str, command: &str) -> [String; 3] {
+    [
+        format!("@generated from {shown} by carvallo-compiler {}; do not edit.", env!("CARGO_PKG_VERSION")),
+        format!("To write it anew: {command}"),
+        format!("Hash of the source: {:016x}", hash(text)),
+    ]
 }
 
 /// The same on every machine and in every checkout.

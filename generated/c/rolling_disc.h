@@ -1,0 +1,431 @@
+/* @generated from generated/models/rolling_disc.rs by carvallo-compiler 0.1.0; do not edit.
+ * To write it anew: cargo regenerate
+ * Hash of the source: e7913b7415a9f3b4
+ */
+
+/**
+ * @file rolling_disc.h
+ * @brief The model `RollingDisc`, in C99 and C++: everything is in SI units, and angles are in rad.
+ *
+ * A disc that rolls without slip on level ground, upright and straight but for small lean and yaw.
+ *
+ * Its spin balances it: it falls over, slowly, unless v^2 > g r It m r^2/(Ia (Ia + m r^2)), which is g r/3 for a
+ * uniform disc and g r/4 for a hoop. Axes: origin at the contact point, x forward, y to the right, z down.
+ *
+ * Source: Mechanism: Neimark & Fufaev (1972), Dynamics of Nonholonomic Systems
+ *
+ * Derived from a mechanism: wheel `D` (disc).
+ *
+ * The linearized equations of motion at the forward speed v in m/s and gravity g in N/kg are
+ *
+ *     M q'' + (C-1/v + C0 + v C1) q' + (Kc + g K0 + v K1 + v^2 K2) q = f
+ *
+ * with the generalized forces f and the coordinates q, in the order of rows and columns:
+ *
+ * - `phi` (lean) in rad: Lean, positive to the right.
+ * - `psi` (yaw) in rad: Yaw, positive to the right.
+ *
+ * Nothing is allocated, and all functions may be called at once. `carvallo_system.h` says how to compile for the
+ * same bits on every processor.
+ */
+
+#ifndef CARVALLO_MODEL_ROLLING_DISC_H
+#define CARVALLO_MODEL_ROLLING_DISC_H
+
+#include "carvallo_system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The number N of coordinates, and of rows and columns of each matrix. */
+#define ROLLING_DISC_N 2U
+
+/** The parameter sets, by their positions in the tables of them. */
+typedef enum {
+    /**
+     * The parameter set `uniform`.
+     *
+     * Source: A uniform disc of 1 kg: Ia = m r^2/2, It = m r^2/4
+     */
+    ROLLING_DISC_SET_UNIFORM = 0,
+    /**
+     * The parameter set `hoop`.
+     *
+     * Source: A hoop of 1 kg: Ia = m r^2, It = m r^2/2
+     */
+    ROLLING_DISC_SET_HOOP = 1
+} rolling_disc_set_t;
+
+/** How many parameter sets there are. */
+#define ROLLING_DISC_SETS 2U
+
+/** The name of a parameter set, as it is declared; a text of its own for what is none. */
+const char *rolling_disc_set_name(rolling_disc_set_t set);
+
+/**
+ * What is wrong with parameters: the first that is outside its domain, or the first requirement that does not hold.
+ */
+typedef enum {
+    /** They are valid. */
+    ROLLING_DISC_VALID = 0,
+    /** `r` in m must be finite and > 0. */
+    ROLLING_DISC_INVALID_r = 1,
+    /** `m` in kg must be finite and > 0. */
+    ROLLING_DISC_INVALID_m = 2,
+    /** `Ia` in kg*m^2 must be finite and >= 0. */
+    ROLLING_DISC_INVALID_Ia = 3,
+    /** `It` in kg*m^2 must be finite and > 0. */
+    ROLLING_DISC_INVALID_It = 4,
+    /** `g` in N/kg must be finite and >= 0. */
+    ROLLING_DISC_INVALID_g = 5
+} rolling_disc_validity_t;
+
+/** What a code means, in English, with the values that are allowed; a text of its own for what is no code. */
+const char *rolling_disc_validity_text(rolling_disc_validity_t validity);
+
+/** How many derivatives are not zero for all parameters. */
+#define ROLLING_DISC_PARTIALS 11U
+
+/** Which derivatives there are, by parameters, and where their values stand. */
+extern const carvallo_partial_t rolling_disc_partials[ROLLING_DISC_PARTIALS];
+
+/* ------------------------------------------------------------ double */
+
+/** The parameters of `RollingDisc`. */
+typedef struct {
+    /** Radius. `r`, in m: > 0. */
+    double r;
+    /** Mass. `m`, in kg: > 0. */
+    double m;
+    /** Axial moment of inertia, about the axle. `Ia`, in kg*m^2: >= 0. */
+    double Ia;
+    /** Transverse moment of inertia, about a diameter. `It`, in kg*m^2: > 0. */
+    double It;
+    /** Gravitational field strength. `g`, in N/kg: >= 0. */
+    double g;
+} rolling_disc_f64_t;
+
+/** The parameter sets, such as `rolling_disc_f64_sets[ROLLING_DISC_SET_UNIFORM]`. */
+extern const rolling_disc_f64_t rolling_disc_f64_sets[ROLLING_DISC_SETS];
+
+/**
+ * Whether parameters are valid, which no other function looks at: with those that are not, results may be infinite or
+ * no numbers.
+ *
+ * @param[in] p The parameters.
+ * @return The first thing that is wrong.
+ */
+rolling_disc_validity_t rolling_disc_f64_validate(const rolling_disc_f64_t *p);
+
+/** The coefficient matrices, row by row, in SI units. Those that are not among them are zero. */
+typedef struct {
+    /** Mass matrix M, the coefficient of q''. Symmetric, proved. */
+    double m[ROLLING_DISC_N][ROLLING_DISC_N];
+    /** Damping C1, a coefficient of v q'. */
+    double c1[ROLLING_DISC_N][ROLLING_DISC_N];
+    /** Stiffness K0, a coefficient of g q. Symmetric, proved. */
+    double k0[ROLLING_DISC_N][ROLLING_DISC_N];
+} rolling_disc_f64_matrices_t;
+
+/**
+ * The coefficient matrices, from one straight-line program:
+ * 2 additions, 2 multiplications, 1 division and 2 negations: 7 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] matrices The matrices.
+ */
+void rolling_disc_f64_matrices(const rolling_disc_f64_t *p, rolling_disc_f64_matrices_t *matrices);
+
+/** The equations of motion M q'' + C q' + K q = f at one speed and gravity. */
+typedef struct {
+    /** Mass matrix M. */
+    double m[ROLLING_DISC_N][ROLLING_DISC_N];
+    /** Damping matrix C = C-1/v + C0 + v C1. */
+    double c[ROLLING_DISC_N][ROLLING_DISC_N];
+    /** Stiffness matrix K = Kc + g K0 + v K1 + v^2 K2. */
+    double k[ROLLING_DISC_N][ROLLING_DISC_N];
+} rolling_disc_f64_system_t;
+
+/**
+ * The equations of motion at one speed.
+ *
+ * @param[in] matrices The coefficient matrices.
+ * @param[in] speed The forward speed v in m/s; below 0 it runs backwards.
+ * @param[in] gravity The gravitational field strength g in N/kg.
+ * @param[out] system The equations; of no use if something is wrong.
+ * @return What is wrong.
+ */
+carvallo_system_error_t rolling_disc_f64_at_speed(const rolling_disc_f64_matrices_t *matrices,
+    double speed, double gravity, rolling_disc_f64_system_t *system);
+
+/**
+ * The equations of motion as a system of first order, x' = A x + B f, with the state x = (q, q').
+ */
+typedef struct {
+    /** The state matrix A. */
+    double a[2U * ROLLING_DISC_N][2U * ROLLING_DISC_N];
+    /** The input matrix B. */
+    double b[2U * ROLLING_DISC_N][ROLLING_DISC_N];
+} rolling_disc_f64_state_space_t;
+
+/**
+ * The state-space form.
+ *
+ * @param[in] system The equations of motion.
+ * @param[out] space The state-space form; zero if something is wrong.
+ * @return What is wrong.
+ */
+carvallo_system_error_t rolling_disc_f64_state_space(const rolling_disc_f64_system_t *system,
+    rolling_disc_f64_state_space_t *space);
+
+/**
+ * The rate of something that rolls, to first order: in rad/s for what turns and m/s for what slides.
+ *
+ *     v speed + rates . q' + v (coordinates . q + heading psi)
+ *
+ * with the forward speed v in m/s, the coordinates q, and the yaw angle psi in rad, positive to the right, where that is no
+ * coordinate.
+ */
+typedef struct {
+    /** In steady straight motion, divided by v. */
+    double speed;
+    /** The part proportional to each q'. */
+    double rates[ROLLING_DISC_N];
+    /** The part proportional to v and each q. */
+    double coordinates[ROLLING_DISC_N];
+    /** The part proportional to v and the yaw. */
+    double heading;
+} rolling_disc_f64_rate_t;
+
+/**
+ * A rate at a speed and a state.
+ *
+ * @param[in] rate The rate.
+ * @param[in] v The forward speed in m/s.
+ * @param[in] q The coordinates.
+ * @param[in] q_dot Their rates.
+ * @param[in] psi The yaw angle in rad, positive to the right, where that is no coordinate.
+ * @return The rate, in rad/s or m/s.
+ */
+double rolling_disc_f64_rate_at(const rolling_disc_f64_rate_t *rate, double v,
+    const double q[ROLLING_DISC_N], const double q_dot[ROLLING_DISC_N], double psi);
+
+/** Rates and forces that follow from the coordinates, to first order and in SI units. */
+typedef struct {
+    /** Lateral velocity, to the right, in `m/s`: of the point of `D` that is at the origin. */
+    rolling_disc_f64_rate_t lateral;
+    /** Spin of the wheel `D`, disc: about the y axis, so negative in forward motion, in `rad/s`. */
+    rolling_disc_f64_rate_t wheel_D;
+} rolling_disc_f64_kinematics_t;
+
+/**
+ * Rates and forces that follow from the coordinates, from one straight-line program:
+ * 1 division and 1 negation: 2 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] kinematics The rates and forces.
+ */
+void rolling_disc_f64_kinematics(const rolling_disc_f64_t *p, rolling_disc_f64_kinematics_t *kinematics);
+
+/**
+ * The derivatives of the matrices with respect to the parameters, in SI units: those that are not zero for all
+ * parameters, each value once. Which is which is said by `rolling_disc_partials`.
+ */
+typedef struct {
+    double values[8];
+} rolling_disc_f64_derivatives_t;
+
+/**
+ * The coefficient matrices and their derivatives, from one straight-line program:
+ * 4 additions, 5 multiplications, 1 division and 2 negations: 12 operations.
+ *
+ * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
+ * @param[out] matrices The matrices.
+ * @param[out] derivatives The derivatives.
+ */
+void rolling_disc_f64_derivatives(const rolling_disc_f64_t *p,
+    rolling_disc_f64_matrices_t *matrices, rolling_disc_f64_derivatives_t *derivatives);
+
+/**
+ * The derivatives of all matrices with respect to one parameter, with the zeros filled in.
+ *
+ * @param[in] derivatives The derivatives.
+ * @param[in] parameter The position of the parameter in declared order, from 0; beyond the last all are zero.
+ * @param[out] matrices The derivatives of the matrices.
+ */
+void rolling_disc_f64_with_respect_to(const rolling_disc_f64_derivatives_t *derivatives,
+    size_t parameter, rolling_disc_f64_matrices_t *matrices);
+
+/* ------------------------------------------------------------ float */
+
+/** The parameters of `RollingDisc`. */
+typedef struct {
+    /** Radius. `r`, in m: > 0. */
+    float r;
+    /** Mass. `m`, in kg: > 0. */
+    float m;
+    /** Axial moment of inertia, about the axle. `Ia`, in kg*m^2: >= 0. */
+    float Ia;
+    /** Transverse moment of inertia, about a diameter. `It`, in kg*m^2: > 0. */
+    float It;
+    /** Gravitational field strength. `g`, in N/kg: >= 0. */
+    float g;
+} rolling_disc_f32_t;
+
+/** The parameter sets, such as `rolling_disc_f32_sets[ROLLING_DISC_SET_UNIFORM]`. */
+extern const rolling_disc_f32_t rolling_disc_f32_sets[ROLLING_DISC_SETS];
+
+/**
+ * Whether parameters are valid, which no other function looks at: with those that are not, results may be infinite or
+ * no numbers.
+ *
+ * @param[in] p The parameters.
+ * @return The first thing that is wrong.
+ */
+rolling_disc_validity_t rolling_disc_f32_validate(const rolling_disc_f32_t *p);
+
+/** The coefficient matrices, row by row, in SI units. Those that are not among them are zero. */
+typedef struct {
+    /** Mass matrix M, the coefficient of q''. Symmetric, proved. */
+    float m[ROLLING_DISC_N][ROLLING_DISC_N];
+    /** Damping C1, a coefficient of v q'. */
+    float c1[ROLLING_DISC_N][ROLLING_DISC_N];
+    /** Stiffness K0, a coefficient of g q. Symmetric, proved. */
+    float k0[ROLLING_DISC_N][ROLLING_DISC_N];
+} rolling_disc_f32_matrices_t;
+
+/**
+ * The coefficient matrices, from one straight-line program:
+ * 2 additions, 2 multiplications, 1 division and 2 negations: 7 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] matrices The matrices.
+ */
+void rolling_disc_f32_matrices(const rolling_disc_f32_t *p, rolling_disc_f32_matrices_t *matrices);
+
+/** The equations of motion M q'' + C q' + K q = f at one speed and gravity. */
+typedef struct {
+    /** Mass matrix M. */
+    float m[ROLLING_DISC_N][ROLLING_DISC_N];
+    /** Damping matrix C = C-1/v + C0 + v C1. */
+    float c[ROLLING_DISC_N][ROLLING_DISC_N];
+    /** Stiffness matrix K = Kc + g K0 + v K1 + v^2 K2. */
+    float k[ROLLING_DISC_N][ROLLING_DISC_N];
+} rolling_disc_f32_system_t;
+
+/**
+ * The equations of motion at one speed.
+ *
+ * @param[in] matrices The coefficient matrices.
+ * @param[in] speed The forward speed v in m/s; below 0 it runs backwards.
+ * @param[in] gravity The gravitational field strength g in N/kg.
+ * @param[out] system The equations; of no use if something is wrong.
+ * @return What is wrong.
+ */
+carvallo_system_error_t rolling_disc_f32_at_speed(const rolling_disc_f32_matrices_t *matrices,
+    float speed, float gravity, rolling_disc_f32_system_t *system);
+
+/**
+ * The equations of motion as a system of first order, x' = A x + B f, with the state x = (q, q').
+ */
+typedef struct {
+    /** The state matrix A. */
+    float a[2U * ROLLING_DISC_N][2U * ROLLING_DISC_N];
+    /** The input matrix B. */
+    float b[2U * ROLLING_DISC_N][ROLLING_DISC_N];
+} rolling_disc_f32_state_space_t;
+
+/**
+ * The state-space form.
+ *
+ * @param[in] system The equations of motion.
+ * @param[out] space The state-space form; zero if something is wrong.
+ * @return What is wrong.
+ */
+carvallo_system_error_t rolling_disc_f32_state_space(const rolling_disc_f32_system_t *system,
+    rolling_disc_f32_state_space_t *space);
+
+/**
+ * The rate of something that rolls, to first order: in rad/s for what turns and m/s for what slides.
+ *
+ *     v speed + rates . q' + v (coordinates . q + heading psi)
+ *
+ * with the forward speed v in m/s, the coordinates q, and the yaw angle psi in rad, positive to the right, where that is no
+ * coordinate.
+ */
+typedef struct {
+    /** In steady straight motion, divided by v. */
+    float speed;
+    /** The part proportional to each q'. */
+    float rates[ROLLING_DISC_N];
+    /** The part proportional to v and each q. */
+    float coordinates[ROLLING_DISC_N];
+    /** The part proportional to v and the yaw. */
+    float heading;
+} rolling_disc_f32_rate_t;
+
+/**
+ * A rate at a speed and a state.
+ *
+ * @param[in] rate The rate.
+ * @param[in] v The forward speed in m/s.
+ * @param[in] q The coordinates.
+ * @param[in] q_dot Their rates.
+ * @param[in] psi The yaw angle in rad, positive to the right, where that is no coordinate.
+ * @return The rate, in rad/s or m/s.
+ */
+float rolling_disc_f32_rate_at(const rolling_disc_f32_rate_t *rate, float v,
+    const float q[ROLLING_DISC_N], const float q_dot[ROLLING_DISC_N], float psi);
+
+/** Rates and forces that follow from the coordinates, to first order and in SI units. */
+typedef struct {
+    /** Lateral velocity, to the right, in `m/s`: of the point of `D` that is at the origin. */
+    rolling_disc_f32_rate_t lateral;
+    /** Spin of the wheel `D`, disc: about the y axis, so negative in forward motion, in `rad/s`. */
+    rolling_disc_f32_rate_t wheel_D;
+} rolling_disc_f32_kinematics_t;
+
+/**
+ * Rates and forces that follow from the coordinates, from one straight-line program:
+ * 1 division and 1 negation: 2 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] kinematics The rates and forces.
+ */
+void rolling_disc_f32_kinematics(const rolling_disc_f32_t *p, rolling_disc_f32_kinematics_t *kinematics);
+
+/**
+ * The derivatives of the matrices with respect to the parameters, in SI units: those that are not zero for all
+ * parameters, each value once. Which is which is said by `rolling_disc_partials`.
+ */
+typedef struct {
+    float values[8];
+} rolling_disc_f32_derivatives_t;
+
+/**
+ * The coefficient matrices and their derivatives, from one straight-line program:
+ * 4 additions, 5 multiplications, 1 division and 2 negations: 12 operations.
+ *
+ * @param[in] p The parameters, which are not validated; at valid ones every derivative exists.
+ * @param[out] matrices The matrices.
+ * @param[out] derivatives The derivatives.
+ */
+void rolling_disc_f32_derivatives(const rolling_disc_f32_t *p,
+    rolling_disc_f32_matrices_t *matrices, rolling_disc_f32_derivatives_t *derivatives);
+
+/**
+ * The derivatives of all matrices with respect to one parameter, with the zeros filled in.
+ *
+ * @param[in] derivatives The derivatives.
+ * @param[in] parameter The position of the parameter in declared order, from 0; beyond the last all are zero.
+ * @param[out] matrices The derivatives of the matrices.
+ */
+void rolling_disc_f32_with_respect_to(const rolling_disc_f32_derivatives_t *derivatives,
+    size_t parameter, rolling_disc_f32_matrices_t *matrices);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* CARVALLO_MODEL_ROLLING_DISC_H */
