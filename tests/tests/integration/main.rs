@@ -3,6 +3,7 @@
 mod batch;
 mod batch_eigenvalues;
 mod bicycles;
+mod c;
 #[cfg(feature = "compiler")]
 mod claims;
 mod critical_speeds;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use carvallo_compiler::files::{expand, regenerate};
+use carvallo_compiler::files::{Language, expand, regenerate};
 
 const SOURCE: &str = "carvallo::model! {\n    pub model Rod {\n        parameters { l: m, > 0; m: kg, > 0; }\n        \
                       coordinates { theta: rad; }\n        M = [[m*l^2/3]];\n    }\n}\n";
@@ -56,9 +56,11 @@ fn what_is_checked_in_is_up_to_date() {
 fn what_was_written_is_up_to_date() {
     let folder = Folder::new("written");
     let done = regenerate(folder.path(), false).expect("it can be written");
-    assert_eq!(done, "wrote generated/src/models/mod.rs\nwrote generated/src/models/rod.rs");
+    let rust = ["src/models/mod.rs", "src/models/rod.rs"];
+    let wrote: Vec<String> = rust.into_iter().chain(C).map(|name| format!("wrote generated/{name}")).collect();
+    assert_eq!(done, wrote.join("\n"));
     let done = regenerate(folder.path(), true).expect("it is up to date");
-    assert_eq!(done, "2 files in generated/src/models/ are up to date");
+    assert_eq!(done, "2 files in generated/src/models/ are up to date\n6 files in generated/c/ are up to date");
     let text = folder.read("src/models/rod.rs");
     let header: Vec<&str> = text.lines().take(3).collect();
     assert_eq!(header[0], "// @generated from generated/models/rod.rs by carvallo-compiler 0.1.0; do not edit.");
@@ -73,23 +75,32 @@ fn what_was_written_is_up_to_date() {
     );
 }
 
+/// What there is of one model in C.
+const C: [&str; 6] =
+    ["c/carvallo_system.c", "c/carvallo_system.h", "c/carvallo_trig.c", "c/carvallo_trig.h", "c/rod.c", "c/rod.h"];
+
 #[test]
 fn missing_stale_and_left_over_files_are_named_with_what_mends_them() {
     let folder = Folder::new("wrong");
-    let missing = ["mod.rs", "rod.rs"].map(|name| format!("error: generated/src/models/{name} is missing: {MEND}"));
+    let all = ["src/models/mod.rs", "src/models/rod.rs"].into_iter().chain(C);
+    let missing: Vec<String> = all.map(|name| format!("error: generated/{name} is missing: {MEND}")).collect();
     assert_eq!(folder.check(), missing.join("\n"));
-    assert!(!folder.path().join("src").exists(), "a check writes nothing");
+    assert!(!folder.path().join("src").exists() && !folder.path().join("c").exists(), "a check writes nothing");
 
     regenerate(folder.path(), false).expect("it can be written");
     folder.write("models/rod.rs", &SOURCE.replace("/3", "/4"));
-    assert_eq!(folder.check(), format!("error: generated/src/models/rod.rs is stale: {MEND}"));
+    let stale = ["src/models/rod.rs", "c/rod.c", "c/rod.h"];
+    let stale = stale.map(|name| format!("error: generated/{name} is stale: {MEND}"));
+    assert_eq!(folder.check(), stale.join("\n"));
 
     regenerate(folder.path(), false).expect("it can be written");
     folder.write("src/models/old.rs", "");
-    let left_over = format!("error: generated/src/models/old.rs is left over, without a source: {MEND}");
-    assert_eq!(folder.check(), left_over);
+    folder.write("c/old.h", "");
+    let left_over = ["src/models/old.rs", "c/old.h"];
+    let errors = left_over.map(|name| format!("error: generated/{name} is left over, without a source: {MEND}"));
+    assert_eq!(folder.check(), errors.join("\n"));
     let done = regenerate(folder.path(), false).expect("it can be written");
-    assert_eq!(done, "removed generated/src/models/old.rs, which has no source");
+    assert_eq!(done, left_over.map(|name| format!("removed generated/{name}, which has no source")).join("\n"));
 }
 
 #[test]
@@ -130,7 +141,7 @@ fn what_cannot_be_split_into_tokens_is_shown_where_it_is() {
 
 /// `expand` in a folder as if that were a crate.
 fn expanded(folder: &Folder, check: bool) -> Result<String, String> {
-    expand(&folder.path().join("models"), &folder.path().join("src/models"), check)
+    expand(&folder.path().join("models"), &folder.path().join("src/models"), Language::Rust, check)
 }
 
 #[test]
@@ -176,4 +187,30 @@ fn a_file_that_cannot_be_a_module_is_refused() {
     let error = expanded(&folder, false).expect_err("`my-rod` is no name");
     let expected = "models/my-rod.rs: expected a file named like a module, such as `my_bicycle.rs`";
     assert!(error.starts_with("error: ") && error.ends_with(expected), "{error}");
+}
+
+#[test]
+fn a_project_of_ones_own_has_files_of_c_and_keeps_what_was_written_by_hand() {
+    let folder = Folder::new("own-c");
+    let written = folder.path().join("c");
+    let expanded = |check| expand(&folder.path().join("models"), &written, Language::C, check);
+    let done = expanded(false).expect("it can be written");
+    let shown = |name: &str| format!("{}/{name}", folder.path().display());
+    assert_eq!(done, C.map(|name| format!("wrote {}", shown(name))).join("\n"));
+    let command = format!("carvallo-compiler expand --language c {} {}", shown("models"), shown("c"));
+    let header = folder.read("c/rod.h");
+    let first = format!(
+        "/* @generated from {}/rod.rs by carvallo-compiler 0.1.0; do not edit.\n * To write it anew: {command}\n",
+        shown("models")
+    );
+    assert!(header.starts_with(&first), "{header}");
+
+    folder.write("c/main.c", "int main(void) { return 0; }\n");
+    folder.write("c/old.h", "/* @generated from models/old.rs */\n");
+    let done = expanded(false).expect("it can be removed");
+    assert_eq!(done, format!("removed {}, which has no source", shown("c/old.h")));
+    assert!(written.join("main.c").exists());
+    folder.write("c/rod.h", "/* Mine. */\n");
+    let error = expanded(false).expect_err("that is no generated file");
+    assert!(error.ends_with("c/rod.h was not generated: move it, or write to another folder"), "{error}");
 }

@@ -1,0 +1,123 @@
+//! The generated C, compiled by the system's compiler and run, against the generated Rust: number by number.
+
+mod driver;
+mod expected;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use carvallo::Model;
+use carvallo_models::each_model;
+
+use self::expected::Expected;
+
+/// As the guide says for the same bits, and no warning is let through.
+const FLAGS: &[&str] = &[
+    "-std=c99",
+    "-O1",
+    "-ffp-contract=off",
+    "-Wall",
+    "-Wextra",
+    "-pedantic",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Werror",
+];
+
+/// A folder for what is compiled, removed at the end.
+struct Folder(PathBuf);
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // Nothing depends on it any more.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn generated() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated/c")
+}
+
+/// The header of each model by the model's name, with what its files are called.
+fn headers() -> BTreeMap<String, (String, String)> {
+    let mut headers = BTreeMap::new();
+    for entry in fs::read_dir(generated()).expect("the generated files") {
+        let path = entry.expect("an entry").path();
+        let text = fs::read_to_string(&path).expect("a text");
+        if let Some(name) = text.split("@brief The model `").nth(1).and_then(|rest| rest.split('`').next()) {
+            let file = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            headers.insert(name.to_string(), (file, text));
+        }
+    }
+    headers
+}
+
+fn has_compiler() -> bool {
+    let found = Command::new("cc").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    let found = found.is_ok_and(|status| status.success());
+    if !found {
+        eprintln!("SKIPPED: the generated C is not compiled, since there is no cc");
+    }
+    found
+}
+
+/// Compiles a program with all models, and gives it what it reads.
+fn run(name: &str, program: &str, input: &str) -> String {
+    let folder = Folder(std::env::temp_dir().join(format!("carvallo-c-{name}-{}", std::process::id())));
+    fs::create_dir_all(&folder.0).expect("a folder for the test");
+    fs::write(folder.0.join("main.c"), program).expect("a file can be written");
+    let mut sources: Vec<PathBuf> =
+        fs::read_dir(generated()).expect("the generated files").map(|entry| entry.expect("an entry").path()).collect();
+    sources.retain(|path| path.extension().is_some_and(|extension| extension == "c"));
+    let compiled = Command::new("cc")
+        .args(FLAGS)
+        .arg("-I")
+        .arg(generated())
+        .arg(folder.0.join("main.c"))
+        .args(sources)
+        .args(["-lm", "-o"])
+        .arg(folder.0.join("main"))
+        .output()
+        .expect("the compiler runs");
+    assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+    // From a file: what is written while nothing is read would wait for ever.
+    fs::write(folder.0.join("input"), input).expect("a file can be written");
+    let input = fs::File::open(folder.0.join("input")).expect("it is there");
+    let output = Command::new(folder.0.join("main")).stdin(input).output().expect("the program runs");
+    assert!(output.status.success(), "{:?}", output.status);
+    String::from_utf8(output.stdout).expect("numbers")
+}
+
+/// Every output of every model in both precisions: matrices and derivatives to the last bit, systems and state spaces too but
+/// for the sign of zeros, codes by what they say.
+#[test]
+fn c_computes_what_rust_computes() {
+    if !has_compiler() {
+        return;
+    }
+    fn expect<const N: usize, M: Model<N, Scalar = f64>>() -> Expected {
+        Expected::of::<N, M>()
+    }
+    let headers = headers();
+    let all = each_model!(expect);
+    assert_eq!(headers.len(), all.len(), "a header for each model");
+    let program = driver::write(all.iter().map(|expected| {
+        let (file, header) = &headers[expected.model];
+        (expected, &**file, &**header)
+    }));
+    let input: String = all.iter().map(|expected| expected.input.as_str()).collect();
+    let output = run("all", &program, &input);
+    let mut found = output.lines();
+    for expected in &all {
+        for (what, word) in &expected.words {
+            let line = found.next().unwrap_or_default();
+            assert_eq!(line, word, "{}: {what}", expected.model);
+        }
+    }
+    assert_eq!(found.next(), None);
+    // There is something to compare.
+    assert!(all.iter().all(|expected| expected.words.len() > 100));
+}
