@@ -1,6 +1,6 @@
 /* @generated from generated/models/car.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 650c0d2d135499d9
+ * Hash of the source: bdb58fbb39c088e9
  */
 
 /**

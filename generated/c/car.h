@@ -1,6 +1,6 @@
 /* @generated from generated/models/car.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 650c0d2d135499d9
+ * Hash of the source: bdb58fbb39c088e9
  */
 
 /**
@@ -12,7 +12,7 @@
  * Axes: origin at the centre of mass, x forward, y to the right, z down. Only the rates of its coordinates are states: the
  * lateral velocity along the axes of the car, and the yaw rate.
  *
- * Source: Riekert & Schunck (1940), Zur Fahrmechanik des gummibereiften Kraftfahrzeugs, Ingenieur-Archiv 11, 210-224
+ * Source: The single-track car of the textbooks, after Riekert & Schunck (1940), Zur Fahrmechanik des gummibereiften Kraftfahrzeugs, Ingenieur-Archiv 11, 210-224
  *
  * The linearized equations of motion at the forward speed v in m/s and gravity g in N/kg are
  *

@@ -1,6 +1,6 @@
 /* @generated from generated/models/jeffcott_rotor.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 26b0acc3582cf702
+ * Hash of the source: d9449eedbd9a5f5e
  */
 
 /**

@@ -1,6 +1,6 @@
 /* @generated from generated/models/jeffcott_rotor.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 26b0acc3582cf702
+ * Hash of the source: d9449eedbd9a5f5e
  */
 
 /**
@@ -46,7 +46,7 @@ typedef enum {
     /**
      * The parameter set `example`.
      *
-     * Source: Round figures, with the threshold at 250 rad/s, which is 7.5 m/s at the surface of the shaft
+     * Source: An example in round figures, with the threshold at 250 rad/s, which is 7.5 m/s at the surface of the shaft
      */
     JEFFCOTT_ROTOR_SET_EXAMPLE = 0
 } jeffcott_rotor_set_t;

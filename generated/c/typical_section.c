@@ -1,6 +1,6 @@
 /* @generated from generated/models/typical_section.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: d0834e3c8dff1ff6
+ * Hash of the source: 648bb7d66536ca12
  */
 
 /**

@@ -1,6 +1,6 @@
 /* @generated from generated/models/typical_section.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: d0834e3c8dff1ff6
+ * Hash of the source: 648bb7d66536ca12
  */
 
 /**
@@ -13,7 +13,7 @@
  * 2 pi times the angle of attack, at the quarter chord; what the motion itself does to the flow is left out, and with
  * it all damping, so that two pairs of imaginary eigenvalues meet where flutter begins. The speed v is that of the air.
  *
- * Source: Equations of the typical section with steady lift: Hodges & Pierce, Introduction to Structural Dynamics and Aeroelasticity, chapter on aeroelasticity
+ * Source: Equations of the typical section with steady lift, as in textbooks of aeroelasticity such as Hodges & Pierce, Introduction to Structural Dynamics and Aeroelasticity
  *
  * The linearized equations of motion at the forward speed v in m/s and gravity g in N/kg are
  *

@@ -218,7 +218,7 @@ carvallo_system_error_t wheeled_pendulum_f64_state_space(const wheeled_pendulum_
 {
     /* The row of A and B for each coordinate, and whether its position is a state beside its rate. */
     static const size_t TARGETS[WHEELED_PENDULUM_N] = {WHEELED_PENDULUM_N + 0U, WHEELED_PENDULUM_N + 1U, WHEELED_PENDULUM_N + 2U};
-    static const bool HAS_BOTH[WHEELED_PENDULUM_N] = {false, true, true};
+    static const bool HAS_BOTH[WHEELED_PENDULUM_N] = {false, true, false};
     carvallo_system_error_t error = CARVALLO_SYSTEM_NOT_FINITE;
     bool is_finite = true;
     double m[WHEELED_PENDULUM_N * WHEELED_PENDULUM_N];
@@ -237,6 +237,7 @@ carvallo_system_error_t wheeled_pendulum_f64_state_space(const wheeled_pendulum_
         }
         solved[(2U * WHEELED_PENDULUM_N) + row] = 1.0;
         solved[0] = 0.0;
+        solved[2] = 0.0;
     }
     if (is_finite) {
         double terms[WHEELED_PENDULUM_N * WHEELED_PENDULUM_N];
@@ -558,7 +559,7 @@ carvallo_system_error_t wheeled_pendulum_f32_state_space(const wheeled_pendulum_
 {
     /* The row of A and B for each coordinate, and whether its position is a state beside its rate. */
     static const size_t TARGETS[WHEELED_PENDULUM_N] = {WHEELED_PENDULUM_N + 0U, WHEELED_PENDULUM_N + 1U, WHEELED_PENDULUM_N + 2U};
-    static const bool HAS_BOTH[WHEELED_PENDULUM_N] = {false, true, true};
+    static const bool HAS_BOTH[WHEELED_PENDULUM_N] = {false, true, false};
     carvallo_system_error_t error = CARVALLO_SYSTEM_NOT_FINITE;
     bool is_finite = true;
     float m[WHEELED_PENDULUM_N * WHEELED_PENDULUM_N];
@@ -577,6 +578,7 @@ carvallo_system_error_t wheeled_pendulum_f32_state_space(const wheeled_pendulum_
         }
         solved[(2U * WHEELED_PENDULUM_N) + row] = 1.0F;
         solved[0] = 0.0F;
+        solved[2] = 0.0F;
     }
     if (is_finite) {
         float terms[WHEELED_PENDULUM_N * WHEELED_PENDULUM_N];

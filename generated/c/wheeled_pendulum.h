@@ -25,7 +25,7 @@
  *
  * - `x` (forward) in m; only its rate is a state: Forward motion, beside that at the speed v, of the point of the body that is on the ground when it is upright.
  * - `theta` (pitch) in rad: Pitch of the body, positive backward.
- * - `psi` (yaw) in rad: Yaw, positive to the right.
+ * - `psi` (yaw) in rad; only its rate is a state: Yaw, positive to the right.
  *
  * Nothing is allocated, and all functions may be called at once. `carvallo_system.h` says how to compile for the
  * same bits on every processor.

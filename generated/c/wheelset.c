@@ -1,6 +1,6 @@
 /* @generated from generated/models/wheelset.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 23d808c503c974b8
+ * Hash of the source: 37c3f8eae70bff1e
  */
 
 /**

@@ -1,6 +1,6 @@
 /* @generated from generated/models/wheelset.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 23d808c503c974b8
+ * Hash of the source: 37c3f8eae70bff1e
  */
 
 /**
@@ -14,7 +14,7 @@
  * Axes: x forward, y to the right, z down. Forces of creep are divided by the speed, so there is no motion at rest to
  * speak of.
  *
- * Source: Equations of the elastically restrained wheelset with linear creep: Wickens (2003), Fundamentals of Rail Vehicle Dynamics
+ * Source: Force balance of a wheelset on springs with linear creep, as in books on railway vehicles such as Wickens (2003), Fundamentals of Rail Vehicle Dynamics
  *
  * The linearized equations of motion at the forward speed v in m/s and gravity g in N/kg are
  *
@@ -46,7 +46,7 @@ typedef enum {
     /**
      * The parameter set `example`.
      *
-     * Source: Round figures of the size of a freight wagon's, of no vehicle that is
+     * Source: An example in round figures, of the size of a freight wagon's, of no vehicle that is
      */
     WHEELSET_SET_EXAMPLE = 0
 } wheelset_set_t;

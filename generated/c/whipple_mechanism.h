@@ -1,6 +1,6 @@
 /* @generated from generated/models/whipple_mechanism.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 5ac48ef825bc3815
+ * Hash of the source: d2f6051b9c7ec604
  */
 
 /**

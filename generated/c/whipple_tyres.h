@@ -1,6 +1,6 @@
 /* @generated from generated/models/whipple_tyres.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: a8704a5a1ddc5cfb
+ * Hash of the source: 4689e1a6c62163ba
  */
 
 /**
@@ -14,7 +14,7 @@
  * the wheels reach from the centre to the ground, and those of the cross-sections, rhoR and rhoF, are parts of them.
  * Axes: origin at the rear contact point, x forward, y to the right, z down.
  *
- * Source: Mechanism: Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics
+ * Source: Mechanism: a bicycle on tyres with circular cross-sections, as in Meijaard & Schwab (2006), Linearized equations for an extended bicycle model, III European Conference on Computational Mechanics
  *
  * Derived from a mechanism: body `B` (rear frame and rider), body `H` (front frame), wheel `R` (rear wheel), wheel `F` (front wheel).
  *

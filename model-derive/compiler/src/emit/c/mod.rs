@@ -76,14 +76,15 @@ impl<'a> Context<'a> {
 
     /// A program in the parameters `p`, with names for its results, in a function that has other names already.
     fn body(&self, program: &Program, precision: Precision, results: &[(Value, String)], taken: &[&str]) -> Body {
-        let variable = self.names.values(program, self.model, results);
+        let inputs: Vec<String> = self.model.parameters.iter().map(|parameter| parameter.name.to_string()).collect();
+        let variable = self.names.values(program, self.model, &inputs, results);
         let taken = [taken, &["p"]].concat();
         let read = |index: usize| format!("p->{}", self.fields[index]);
         Body::new(program, precision, &taken, read, |value| variable(value).to_string())
     }
 
     fn all_programs(&self) -> impl Iterator<Item = &Program> {
-        let Programs { matrices, requirements, kinematics, derivatives } = self.programs;
+        let Programs { matrices, requirements, kinematics, derivatives, .. } = self.programs;
         let derivatives = derivatives.as_ref().map(|derivatives| &derivatives.program);
         [matrices, requirements].into_iter().chain(kinematics).chain(derivatives)
     }
