@@ -89,10 +89,16 @@ static void PREFIX_KIND_run(void)
         printf("%d\n", (int)error);
         print_KIND((const NUMBER *)&space, sizeof space / sizeof(NUMBER));
     }
-DERIVATIVES
+REST
     (void)speed;
     (void)gravity;
 }
+"#;
+
+const KINEMATICS: &str = r#"
+    PREFIX_KIND_kinematics_t kinematics;
+    PREFIX_KIND_kinematics(&p, &kinematics);
+    print_KIND((const NUMBER *)&kinematics, sizeof kinematics / sizeof(NUMBER));
 "#;
 
 const DERIVATIVES: &str = r#"
@@ -119,7 +125,9 @@ pub fn write<'a>(models: impl Iterator<Item = (&'a Expected, &'a str, &'a str)>)
                 format!("PREFIX_KIND_system(&matrices{gravity}, &system)")
             };
             let derivatives = if expected.has_derivatives && kind == "f64" { DERIVATIVES } else { "" };
-            let function = DESIGN.replace("AT_SPEED", &at_speed).replace("DERIVATIVES", derivatives);
+            let kinematics = if expected.has_kinematics { KINEMATICS } else { "" };
+            let rest = format!("{kinematics}{derivatives}");
+            let function = DESIGN.replace("AT_SPEED", &at_speed).replace("REST", &rest);
             functions.push_str(&function.replace("PREFIX", file).replace("KIND", kind).replace("NUMBER", number));
             for (what, count) in [("run", expected.designs), ("check", expected.checked)] {
                 calls.push_str(&format!(

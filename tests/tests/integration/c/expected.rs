@@ -1,11 +1,16 @@
 //! What the generated Rust computes of some designs, in the words that the program of C prints.
 
-use carvallo::{Coefficients, Evaluator, Model, Scalar, StateSpace, States, SystemError};
+use carvallo::{Coefficients, Evaluator, Model, Rate, Scalar, StateSpace, States, SystemError};
+use carvallo_models::{
+    RollingDisc, WheeledPendulum, WheeledPendulumKinematics, WhippleMechanism, WhippleMechanismKinematics,
+};
 
 /// One model: what the program reads and what it is to print.
 pub struct Expected {
     pub model: &'static str,
     pub has_derivatives: bool,
+    /// Whether rates and forces are among the words.
+    pub has_kinematics: bool,
     /// How many designs there are in each precision.
     pub designs: usize,
     /// How many more there are of which only the validity is asked for.
@@ -41,6 +46,7 @@ impl Expected {
         let mut expected = Self {
             model: M::INFO.name,
             has_derivatives: false,
+            has_kinematics: false,
             designs: designs.len(),
             checked: checked.len(),
             input: String::new(),
@@ -66,6 +72,7 @@ impl Expected {
         let gravity = model.gravity().unwrap_or(9.81);
         self.read(&[values, &[speed, gravity]].concat());
         self.coefficients::<f64, N, M>(&model.coefficients(), speed, gravity);
+        self.kinematics(values);
         if let Some((_, derivatives)) = model.derivatives() {
             self.has_derivatives = true;
             for (coefficients, parameter) in derivatives.as_ref().iter().zip(M::INFO.parameters) {
@@ -84,6 +91,7 @@ impl Expected {
         let states = std::array::from_fn(|coordinate| states[coordinate]);
         let coefficients = Coefficients { states, ..Coefficients::from_rows(model.rows()) };
         self.coefficients::<f32, N, M>(&coefficients, speed as f32, gravity);
+        self.kinematics(&values);
     }
 
     /// What is wrong with a design in the numbers T, of which no requirement is so near to a bound that its rounding decides.
@@ -117,6 +125,13 @@ impl Expected {
         }
     }
 
+    fn kinematics<T: Bits>(&mut self, values: &[T]) {
+        if let Some(numbers) = kinematics(self.model, values) {
+            self.has_kinematics = true;
+            self.numbers("kinematics", &numbers);
+        }
+    }
+
     fn matrices<T: Bits, const N: usize, M: Model<N>>(&mut self, what: &str, coefficients: &Coefficients<T, N>) {
         for name in M::INFO.matrices {
             let matrix = coefficients.matrix(*name);
@@ -130,6 +145,38 @@ impl Expected {
         let words = values.iter().enumerate();
         let words = words.map(|(place, value)| (format!("{what}, {place}"), (*value + T::from_f64(0.0)).bits()));
         self.words.extend(words);
+    }
+}
+
+/// The rates and forces of some models, in the order of their members.
+fn kinematics<T: Scalar>(model: &str, values: &[T]) -> Option<Vec<T>> {
+    fn flat<T: Scalar, const N: usize>(rates: &[Rate<T, N>]) -> Vec<T> {
+        let rates = rates.iter().flat_map(|rate| {
+            let parts = [&[rate.speed][..], &rate.rates, &rate.coordinates, &[rate.heading]];
+            parts.concat()
+        });
+        rates.collect()
+    }
+    macro_rules! of {
+        ($model:ident, [$($rate:ident),*], $forces:expr) => {{
+            let kinematics = $model::from_array(values.try_into().expect("as many values")).kinematics();
+            let forces: fn(&_) -> Vec<T> = $forces;
+            Some([flat(&[$(kinematics.$rate),*]), forces(&kinematics)].concat())
+        }};
+    }
+    match model {
+        "RollingDisc" => of!(RollingDisc, [lateral, wheel_D], |_| Vec::new()),
+        "WhippleMechanism" => {
+            of!(WhippleMechanism, [lateral, yaw, wheel_R, wheel_F], |k: &WhippleMechanismKinematics<T>| k
+                .forces
+                .concat())
+        }
+        "WheeledPendulum" => {
+            of!(WheeledPendulum, [lateral, lean, wheel_L, wheel_R], |k: &WheeledPendulumKinematics<T>| k
+                .forces
+                .concat())
+        }
+        _ => None,
     }
 }
 

@@ -121,3 +121,42 @@ fn c_computes_what_rust_computes() {
     // There is something to compare.
     assert!(all.iter().all(|expected| expected.words.len() > 100));
 }
+
+/// Names that C has for something else or does not have, and a text that would end a comment and begin another.
+#[cfg(feature = "compiler")]
+const AWKWARD: &str = "carvallo::model! {
+    /// Ends */ here /* with \\lambda, @param and https://a.b.
+    pub model Awkward {
+        parameters { int: m, > 0.1; \u{3bb}: kg, in 0..7; matrices: m, > 0; p: 1; }
+        let exp = \u{3bb}*int;
+        coordinates { theta: rad; }
+        M = [[exp*matrices + exp*int*sqrt(1 + p^2)*1e60]];
+        Kc = [[\u{3bb}*(9.81 m/s^2)*int*tan(p)]];
+        require \u{3bb} - exp/(1 m) > 0.1 kg;
+    }
+}
+";
+
+#[cfg(feature = "compiler")]
+#[test]
+fn names_and_texts_are_what_c_can_have() {
+    if !has_compiler() {
+        return;
+    }
+    let folder = Folder(std::env::temp_dir().join(format!("carvallo-c-names-{}", std::process::id())));
+    fs::create_dir_all(folder.0.join("models")).expect("a folder for the test");
+    fs::write(folder.0.join("models/awkward.rs"), AWKWARD).expect("a file can be written");
+    let written = folder.0.join("c");
+    carvallo_compiler::files::expand(&folder.0.join("models"), &written, carvallo_compiler::files::Language::C, false)
+        .unwrap_or_else(|error| panic!("{error}"));
+    let header = fs::read_to_string(written.join("awkward.h")).expect("it was written");
+    assert!(header.contains("double int_;") && header.contains("float u03bb;"), "{header}");
+    for flags in [FLAGS, &["-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror"]] {
+        let compiled = Command::new("cc").args(flags).arg("-fsyntax-only").arg(written.join("awkward.c")).output();
+        let compiled = compiled.expect("the compiler runs");
+        let message = String::from_utf8_lossy(&compiled.stderr);
+        // Not every compiler of C has one of C++ beside it.
+        let has_none = message.contains("cc1plus") || message.contains("not recognized");
+        assert!(compiled.status.success() || has_none, "{message}");
+    }
+}
