@@ -127,12 +127,12 @@ fn c_computes_what_rust_computes() {
 const AWKWARD: &str = "carvallo::model! {
     /// Ends */ here /* with \\lambda, @param and https://a.b.
     pub model Awkward {
-        parameters { int: m, > 0.1; \u{3bb}: kg, in 0..7; matrices: m, > 0; p: 1; }
+        parameters { int: m, > 0.1; \u{3bb}: kg, in [0, 7]; matrices: m, > 0; p: 1; g: N/kg, >= 0; }
         let exp = \u{3bb}*int;
         coordinates { theta: rad; }
         M = [[exp*matrices + exp*int*sqrt(1 + p^2)*1e60]];
-        Kc = [[\u{3bb}*(9.81 m/s^2)*int*tan(p)]];
-        require \u{3bb} - exp/(1 m) > 0.1 kg;
+        Kc = [[\u{3bb}*g*int*tan(p)]];
+        require \u{3bb} - exp/matrices > 0.1 kg;
     }
 }
 ";
