@@ -1,7 +1,7 @@
 //! The nonlinear bicycle in time, against a simulation of other equations.
 
+use carvallo::Model;
 use carvallo::simulation::{End, LinearMotion, Ride, Simulation, State};
-use carvallo::{Model, Nonlinear};
 use carvallo_models::WhippleMechanism;
 
 use super::table;

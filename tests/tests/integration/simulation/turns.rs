@@ -1,7 +1,7 @@
 //! Steady turns of the nonlinear bicycle, against those of other equations at 25 digits.
 
 use carvallo::turns::{Turns, TurnsEnd, TurnsError};
-use carvallo::{CriticalKind, Model, Nonlinear, Stability};
+use carvallo::{CriticalKind, Model, Stability};
 use carvallo_models::WhippleMechanism;
 use carvallo_tests::bicycles;
 
@@ -15,8 +15,8 @@ const FRONT_WHEEL: usize = 7;
 
 fn capsize(bicycle: &WhippleMechanism) -> f64 {
     let stability = Stability::new(&bicycle.coefficients(), bicycle.g).expect("finite numbers");
-    let capsizes = stability.critical_speeds.iter().filter(|critical| critical.kind == CriticalKind::Capsize);
-    capsizes.last().expect("a capsize speed").speed
+    let mut capsizes = stability.critical_speeds.iter().filter(|critical| critical.kind == CriticalKind::Capsize);
+    capsizes.next_back().expect("a capsize speed").speed
 }
 
 #[test]
