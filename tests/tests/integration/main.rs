@@ -1,5 +1,6 @@
 //! Integration tests: results of generated code and of the runtime against facts from outside of both.
 
+mod along_parameter;
 mod batch;
 mod batch_eigenvalues;
 mod bicycles;
