@@ -75,7 +75,8 @@ fn check_names(declaration: &Declaration, index: usize, report: &mut Report) {
 fn check_target(declaration: &Declaration, feedback: &Feedback, motions: &[&Ident], report: &mut Report) {
     let Feedback { name, on, .. } = feedback;
     let Some(mechanism) = &declaration.mechanism else {
-        if !motions.contains(&on) {
+        // Without coordinates that is the mistake.
+        if !motions.contains(&on) && !motions.is_empty() {
             let message = format!("`{on}` is no coordinate: expected that on which `{name}` acts{}", hint(on, motions));
             report.error(on, message);
         }
@@ -131,8 +132,7 @@ struct Reader<'a, 'b> {
 impl Reader<'_, '_> {
     fn read(&mut self) -> Option<Vec<Term>> {
         let law = &self.feedback.law;
-        let (has_unknown, has_constant_rates) = (self.report_unknown(law), self.report_constant_rates(law));
-        if has_unknown || has_constant_rates {
+        if self.report_unknown(law) || self.report_constant_rates(law) {
             return None;
         }
         let Linear { constant, terms } = self.linear(law)?;

@@ -25,9 +25,15 @@ pub fn report_unused(checked: &Checked<'_>, definitions: &[Formula], outputs: &[
     let unsteady = unsteady.iter().map(|definition| definition.renumbered(&positions));
     let definitions = &definitions.iter().cloned().chain(unsteady).collect::<Vec<Formula>>();
     let wholes = written.wholes.iter().filter(|_| declaration.mechanism.is_none());
-    let factors = checked.feedback.iter().flat_map(|law| &law.terms).map(|term| &term.factor);
-    let in_speed = wholes.flat_map(|(_, rows)| rows.iter().flatten()).chain(factors);
-    let in_speed: Vec<Formula> = in_speed.map(|formula| formula.renumbered(&positions)).collect();
+    let renumbered = |formula: &Formula| formula.renumbered(&positions);
+    let mut in_speed: Vec<Formula> = wholes.flat_map(|(_, rows)| rows.iter().flatten()).map(renumbered).collect();
+    let mut attributes = attributes.clone();
+    let fed = checked.feedback.iter().flat_map(|law| &law.terms).map(|term| renumbered(&term.factor));
+    match declaration.mechanism {
+        None => in_speed.extend(fed),
+        // What the wheels determine, and feedback multiplies, may be nothing in the first order.
+        Some(_) => attributes.extend(fed),
+    }
     let in_speed = || in_speed.iter();
     let requirements = || checked.requirements.iter().map(|requirement| &requirement.value);
     let roots = || outputs.iter().copied().chain(requirements()).chain(in_speed());
@@ -66,6 +72,7 @@ pub fn report_unused(checked: &Checked<'_>, definitions: &[Formula], outputs: &[
     mark_parameters(claims().chain(of_definitions(true)), &mut in_claims);
     if let Some(speed) = declaration.speed.as_ref().filter(|speed| !excused.contains(&speed.name.to_string()))
         && !mentioned[declaration.parameters.len()]
+        && !parameters_of_mechanism[declaration.parameters.len()]
     {
         let name = &speed.name;
         let places = match declaration.mechanism {
