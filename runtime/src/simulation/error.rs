@@ -47,14 +47,6 @@ pub enum SimulationError {
         /// Why.
         error: MotionError,
     },
-    /// The motion does not go on: steps become ever smaller.
-    #[cfg(feature = "simulation")]
-    TooManySteps {
-        /// The time in s that is reached.
-        time: f64,
-        /// After how many steps.
-        steps: usize,
-    },
     /// The motion leaves the range of `f64`, as one that is unstable does after a long time.
     OutOfRange {
         /// The time in s that is not reached.
@@ -73,8 +65,6 @@ impl fmt::Display for SimulationError {
             Self::Unknown { what, name } => write!(f, "there is no {what} `{name}`"),
             #[cfg(feature = "simulation")]
             Self::Motion { time, error } => write!(f, "at {time} s: {error}"),
-            #[cfg(feature = "simulation")]
-            Self::TooManySteps { time, steps } => write!(f, "the motion got no further than {time} s in {steps} steps"),
             Self::OutOfRange { time } => {
                 write!(f, "the motion leaves the range of floating-point numbers before {time} s")
             }

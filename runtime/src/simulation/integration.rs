@@ -17,8 +17,10 @@ use super::error::SimulationError;
 use super::nonlinear::{End, Ride, Simulation};
 use crate::motion::MotionError;
 
-/// More steps than these in one piece are taken for a motion that does not go on.
-const MOST_STEPS: usize = 10_000_000;
+/// More steps than these in one piece, and in a second of it, are taken for a motion that does not go on. A bicycle takes a
+/// hundred in a second.
+const MOST_STEPS: f64 = 100_000.0;
+const MOST_PER_SECOND: f64 = 10_000.0;
 
 /// Into how many parts a step is divided, to see changes of sign that would hide in it.
 const PARTS: usize = 4;
@@ -39,11 +41,12 @@ pub(super) type Derivative<'a> = dyn Fn(f64, &[f64], &mut [f64]) -> Result<(), M
 /// Takes the state to the end of a piece, and adds to the ride what is asked for; whether the ride goes on.
 ///
 /// # Errors
-/// If steps become too many.
+/// If the equations have no value at the beginning.
 pub(super) fn integrate(piece: Piece, state: &mut Vec<f64>, ride: &mut Ride) -> Result<bool, SimulationError> {
     if piece.to <= piece.from {
         return Ok(true);
     }
+    let most = (MOST_STEPS + MOST_PER_SECOND * (piece.to - piece.from)).min(1e9) as usize;
     let (simulation, from, to) = (piece.simulation, piece.from, piece.to);
     let signs =
         simulation.event_functions(from, state).map_err(|error| SimulationError::Motion { time: from, error })?;
@@ -59,24 +62,27 @@ pub(super) fn integrate(piece: Piece, state: &mut Vec<f64>, ride: &mut Ride) -> 
         is_over: false,
     };
     // What is stiff is integrated as well, if in small steps.
-    let method = DOP853::builder().max_steps(MOST_STEPS).stiff_test(usize::MAX).build();
+    let method = DOP853::builder().max_steps(most).stiff_test(usize::MAX).build();
     let tolerance = || Tolerance::Scalar(simulation.allowed_error());
     let done = method.solve(&equations, from, state, to, tolerance(), tolerance(), Some(&mut steps));
     let (reached, is_over) = (steps.reached, steps.is_over);
     *state = std::mem::take(&mut steps.state);
     match done.map(|result| result.status) {
         Ok(Status::Success | Status::UserInterrupt) => Ok(!is_over),
-        Ok(Status::StepSizeTooSmall) => {
-            let error = equations.error.take().unwrap_or(MotionError::Singular { quantity: "the motion" });
+        other => {
             if ride.rows.last().is_none_or(|row| row.time < reached)
                 && let Ok(row) = simulation.row(reached, state)
             {
                 ride.rows.push(row);
             }
-            ride.end = End::Singular { time: reached, error };
+            ride.end = if let Ok(Status::StepSizeTooSmall) = other {
+                let error = equations.error.take().unwrap_or(MotionError::Singular { quantity: "the motion" });
+                End::Singular { time: reached, error }
+            } else {
+                End::Stalled { time: reached, steps: most }
+            };
             Ok(false)
         }
-        _ => Err(SimulationError::TooManySteps { time: reached, steps: MOST_STEPS }),
     }
 }
 

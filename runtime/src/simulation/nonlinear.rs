@@ -102,6 +102,13 @@ pub enum End {
         /// What has no value.
         error: MotionError,
     },
+    /// The motion hardly goes on: it takes ever smaller steps.
+    Stalled {
+        /// The last time that was reached, in s.
+        time: f64,
+        /// After how many steps since the start, or since a force had a knot.
+        steps: usize,
+    },
 }
 
 impl<'a> Simulation<'a> {
@@ -163,8 +170,7 @@ impl<'a> Simulation<'a> {
     /// The motion at times in s that ascend, of which the first is that of the state.
     ///
     /// # Errors
-    /// If there are too many or too few numbers, if the times do not ascend, if the equations have no value in the state, or
-    /// if steps become too many.
+    /// If there are too many or too few numbers, if the times do not ascend, or if the equations have no value in the state.
     pub fn run(&self, start: &State, times: &[f64]) -> Result<Ride, SimulationError> {
         let info = self.machine.info();
         require_length("initial positions", info.positions.len(), start.positions.len())?;

@@ -18,6 +18,9 @@ use crate::number::shortest;
 const FALLEN: f64 = 80.0;
 const TURNED: f64 = 180.0;
 
+/// A force that would hold a wheel down, in N; less is rounding.
+const HOLDS: f64 = 1e-6;
+
 const FALL: &str = "it falls: it leans";
 const TURN: &str = "its front turns around: it is steered";
 const STOP: &str = "stop";
@@ -151,6 +154,9 @@ fn told<'a>(design: &'a Design, info: &MotionInfo, ride: &Ride) -> Motion<'a> {
             Some(format!("the motion ends at {} s: {name} by {} degrees", time(*end), shortest(degrees)))
         }
         End::Singular { time: end, error } => Some(format!("the motion ends at {} s: {error}", time(*end))),
+        End::Stalled { time: end, steps } => {
+            Some(format!("the motion ends at {} s: it hardly goes on, with {steps} steps so far", time(*end)))
+        }
         _ => None,
     };
     let stops = ride.events.iter().filter(|(_, name)| name == STOP);
@@ -161,7 +167,7 @@ fn told<'a>(design: &'a Design, info: &MotionInfo, ride: &Ride) -> Motion<'a> {
         // Where the equations end, forces may be anything.
         let is_end = |row: &RideRow| matches!(ride.end, End::Singular { time, .. } if row.time >= time);
         let mut rows = ride.rows.iter().filter(|row| !is_end(row));
-        let pulled = rows.find(|row| row.contact_forces.get(place).is_some_and(|force| force[2] > 0.0));
+        let pulled = rows.find(|row| row.contact_forces.get(place).is_some_and(|force| force[2] > HOLDS));
         if let Some(row) = pulled {
             let (name, at) = (wheel.label, time(row.time));
             notes.push(format!("at {at} s the ground would have to hold the {name} down: a real one would lift off"));

@@ -146,3 +146,15 @@ fn names_that_there_are_not_are_refused() {
     let message = apart.unwrap_err().to_string();
     assert!(message.starts_with("at 0 s: no position was found"), "{message}");
 }
+
+/// A controller that shakes a million times in a second: it is told that the motion hardly goes on, with what there is.
+#[test]
+fn a_motion_that_hardly_goes_on_ends() {
+    let swing = Swing { gravity: 9.81 };
+    let start = State::new(&swing, &[("angle", 0.1)], &[]).expect("a state");
+    let shaken = Simulation::new(&swing).controlled_by(|moment, torque| torque[0] += 1e9 * (1e7 * moment.time).sin());
+    let ride = shaken.run(&start, &[0.0, 1e-3, 10.0]).expect("a motion");
+    let End::Stalled { time, steps } = ride.end else { panic!("{:?}", ride.end) };
+    assert!(time < 10.0 && steps == 200_000, "{time} after {steps}");
+    assert!(ride.rows.last().is_some_and(|row| row.time == time));
+}
