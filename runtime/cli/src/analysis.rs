@@ -41,7 +41,7 @@ pub fn kind(kind: CriticalKind, info: &ModelInfo) -> &'static str {
 /// What one critical speed is called: its kind, and wobble where what weaves is too fast for it, which takes more coordinates
 /// than lean and steer.
 pub fn name(critical: &CriticalSpeed, info: &ModelInfo) -> &'static str {
-    let mode = critical.mode(leans_and_steers(info));
+    let mode = critical.mode(leans_and_steers(info)).filter(|_| critical.kind == CriticalKind::Weave);
     if mode == Some(Mode::Wobble) && !is_bicycle(info) { "wobble" } else { kind(critical.kind, info) }
 }
 

@@ -36,18 +36,25 @@ impl CriticalSpeed {
     pub const WOBBLE: f64 = 10.0 * core::f64::consts::PI;
 
     /// The mode that is on the imaginary axis here, by the names of machines that lean and steer, or else of all others;
-    /// `None` at a double root.
+    /// `None` at a double root, but where it is pairs on the axis that meet, and become unstable by it or stable: that is how
+    /// what nothing damps flutters.
     ///
     /// Of two coordinates, lean and steer alone, every pair on the axis is weave: [`Modes`](crate::Modes).
     pub fn mode(&self, is_bicycle: bool) -> Option<Mode> {
-        match (self.kind, is_bicycle) {
-            (CriticalKind::Weave, true) if self.eigenvalue.im.abs() >= Self::WOBBLE => Some(Mode::Wobble),
-            (CriticalKind::Weave, true) => Some(Mode::Weave),
-            (CriticalKind::Capsize, true) => Some(Mode::Capsize),
-            (CriticalKind::Weave, false) => Some(Mode::Flutter),
-            (CriticalKind::Capsize, false) => Some(Mode::Divergence),
-            (CriticalKind::DoubleRoot, _) => None,
-        }
+        let decides = matches!(self.change, Change::Destabilizes | Change::Stabilizes);
+        let oscillates = match self.kind {
+            CriticalKind::Weave => true,
+            CriticalKind::Capsize => false,
+            CriticalKind::DoubleRoot if decides && self.eigenvalue.im != 0.0 => true,
+            CriticalKind::DoubleRoot => return None,
+        };
+        Some(match (oscillates, is_bicycle) {
+            (true, true) if self.eigenvalue.im.abs() >= Self::WOBBLE => Mode::Wobble,
+            (true, true) => Mode::Weave,
+            (false, true) => Mode::Capsize,
+            (true, false) => Mode::Flutter,
+            (false, false) => Mode::Divergence,
+        })
     }
 }
 

@@ -52,8 +52,8 @@ impl Branches {
         Ok(names)
     }
 
-    /// The branches that are on the imaginary axis at a critical speed, by their values just below it: two of a pair, or one
-    /// that is not zero at all speeds; of a real pair that meets in zero that which is unstable.
+    /// The branches that are on the imaginary axis at a critical speed, by their values just below it: two of a pair, those of
+    /// two pairs that meet, or one that is not zero at all speeds; of a real pair that meets in zero that which is unstable.
     fn on_axis(&self, critical: &CriticalSpeed, values: &[Complex<f64>]) -> Vec<usize> {
         let nearest = |target: Complex<f64>, is_wanted: &dyn Fn(usize) -> bool| {
             let wanted = (0..values.len()).filter(|&branch| is_wanted(branch));
@@ -73,7 +73,14 @@ impl Branches {
             _ => {
                 let upper = nearest(target, &|branch| values[branch].im > 0.0);
                 let lower = nearest(target.conj(), &|branch| values[branch].im < 0.0);
-                [upper, lower].into_iter().flatten().collect()
+                let mut found: Vec<usize> = [upper, lower].into_iter().flatten().collect();
+                if critical.kind == CriticalKind::DoubleRoot {
+                    // Another pair meets this one.
+                    let upper = nearest(target, &|branch| values[branch].im > 0.0 && !found.contains(&branch));
+                    let lower = nearest(target.conj(), &|branch| values[branch].im < 0.0 && !found.contains(&branch));
+                    found.extend([upper, lower].into_iter().flatten());
+                }
+                found
             }
         }
     }

@@ -110,3 +110,20 @@ fn they_are_followed_beyond_the_range_from_its_end() {
     let [short, long] = [1.0, 9.0].map(|to| branches(&coefficients, [0.0, to], false).at(8.0).unwrap());
     assert_eq!(short, long);
 }
+
+/// Undamped, s^4 + 5 s^2 + 4 + v^4: two pairs meet on the axis at v^4 = 9/4 and one of them grows from there on.
+#[test]
+fn pairs_that_meet_on_the_axis_flutter() {
+    let coefficients = Coefficients::<f64, 2>::from_rows([
+        diagonal(1.0, 1.0),
+        ZERO,
+        ZERO,
+        ZERO,
+        diagonal(1.0, 4.0),
+        ZERO,
+        ZERO,
+        [[0.0, 1.0], [-1.0, 0.0]],
+    ]);
+    let values = branches(&coefficients, [0.0, 2.0], false).at(0.5).unwrap();
+    assert!(values.iter().all(|value| value.mode == Mode::Flutter), "{values:?}");
+}
