@@ -46,7 +46,7 @@ pub fn identifier(name: &str) -> String {
     }
     // What begins with an underscore belongs to the compiler, at file scope at least.
     if text.starts_with('_') {
-        text.insert_str(0, "x");
+        text.insert(0, 'x');
     }
     if WORDS.contains(&text.as_str()) {
         text.push('_');

@@ -138,7 +138,6 @@ mod tests {
 
     #[test]
     fn numbers_are_rounded_once() {
-        // Between two floats, where rounding to double first would go wrong in no case: a double is where it begins.
         assert_eq!(Precision::Single.literal(0.1), "0.1F");
         assert_eq!(Precision::Single.literal(-16_777_217.0), "(-16777216.0F)");
         assert_eq!(Precision::Double.literal(-1e-300), "(-1e-300)");
