@@ -6,6 +6,7 @@ mod contest;
 mod derivatives;
 mod eigenvalues;
 mod matrices;
+mod motion;
 mod stability;
 mod table;
 
@@ -64,6 +65,7 @@ fn main() -> ExitCode {
     derivatives::add(&mut summary);
     eigenvalues::add(&mut summary);
     stability::add(&mut summary);
+    motion::add(&mut summary);
     println!("\n{}", summary.table);
     ExitCode::SUCCESS
 }

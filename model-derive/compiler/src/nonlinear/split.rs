@@ -22,18 +22,16 @@ pub fn split(program: &Program, parameters: usize, outputs: &[Vec<Value>]) -> Sp
     }
     let is_number = |value: Value| matches!(program.instructions[value], Instruction::Constant(_));
     let is_constant = |value: Value| !varies[value] && !is_number(value);
-    let mut constants = Vec::new();
     let needed: Vec<Vec<bool>> = outputs.iter().map(|outputs| find_needed(program, outputs, &varies)).collect();
-    for value in 0..program.instructions.len() {
-        let read = outputs.iter().zip(&needed).any(|(outputs, needed)| {
-            let by_others = || (0..program.instructions.len()).filter(|user| needed[*user] && varies[*user]);
-            outputs.contains(&value)
-                || by_others().any(|user| program.instructions[user].operands().any(|of| of == value))
-        });
-        if is_constant(value) && read {
-            constants.push(value);
+    // What is read by what varies, or is a result itself.
+    let mut read = vec![false; program.instructions.len()];
+    outputs.iter().flatten().for_each(|value| read[*value] = true);
+    for (user, instruction) in program.instructions.iter().enumerate() {
+        if varies[user] && needed.iter().any(|needed| needed[user]) {
+            instruction.operands().for_each(|value| read[value] = true);
         }
     }
+    let constants: Vec<Value> = (0..read.len()).filter(|value| is_constant(*value) && read[*value]).collect();
     let inputs = constants.len() + program.parameters - parameters;
     let run = outputs.iter().zip(&needed).map(|(outputs, needed)| {
         let mut run = Program::new(inputs);
