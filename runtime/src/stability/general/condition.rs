@@ -65,6 +65,8 @@ pub(super) struct Flutter<'a> {
     pub(super) left_out: usize,
     /// How many eigenvalues are zero at all speeds.
     pub(super) drifts: usize,
+    /// Whether the eigenvalues are computed with all digits that the coefficients give.
+    pub(super) is_refined: bool,
     /// What the eigenvalues tell by the way: speeds, and how many are unstable there, where that is clear.
     pub(super) samples: RefCell<Vec<(f64, usize)>>,
 }
@@ -79,12 +81,13 @@ impl Condition for Flutter<'_> {
             let factor = if sum.is_negative { -sum.size } else { sum.size };
             product.times(factor, sum.error / sum.size)
         };
+        let halves = if self.is_refined { self.equations.refined_halves(&spectrum, v) } else { spectrum.halves() };
         let mut product = Product::ONE;
         if self.left_out == 0 {
-            each_sum(&spectrum.halves(), |sum| product = times(product, sum));
+            each_sum(&halves, |sum| product = times(product, sum));
         } else {
             let mut sums = Vec::new();
-            each_sum(&spectrum.halves(), |sum| sums.push(sum));
+            each_sum(&halves, |sum| sums.push(sum));
             sums.sort_by(|x, y| x.size.total_cmp(&y.size));
             product = sums.into_iter().skip(self.left_out).fold(product, times);
         }

@@ -50,6 +50,9 @@ const CLOSE: f64 = 1e-4;
 const ORDERS: core::ops::RangeInclusive<i32> = -10..=10;
 const STEP: f64 = 0.6;
 
+/// The scaled speed up to which conditions are sought.
+const FARTHEST: f64 = (1u64 << 44) as f64;
+
 impl Equations {
     /// All critical speeds, in no order.
     pub(super) fn find_crossings(&self) -> Result<Findings, SystemError> {
@@ -73,19 +76,28 @@ impl Equations {
         if self.states() < 2 {
             return Ok(Findings { found, samples: Vec::new(), unexamined });
         }
-        let condition = Flutter { equations: self, left_out, drifts, samples: RefCell::default() };
-        let flutter = self.normalize(&condition)?;
+        let sums = |is_refined| Flutter { equations: self, left_out, drifts, is_refined, samples: RefCell::default() };
+        let coarse = sums(false);
+        let fine = sums(true);
+        // Where rounding has the better of the sums at all speeds, it has not of those of more digits.
+        let (condition, flutter) = match self.normalize(&coarse)? {
+            None if left_out == 0 => (&fine, self.normalize(&fine)?),
+            flutter => (&coarse, flutter),
+        };
         // Far beyond all critical speeds eigenvalues differ so much that rounding has the better of the small ones.
         condition.samples.borrow_mut().clear();
         if left_out == 0 && flutter.is_none() {
-            // Then it has the better of them at all speeds, but not of more digits.
-            for order in ORDERS {
-                let v = match self.variable.ends() {
-                    (low, Some(high)) => 0.5 * (low + high) + 0.049 * (high - low) * f64::from(order),
-                    _ => 2f64.powf(STEP * f64::from(order)),
-                };
+            // What changes between neighbours is found; what does so and back again is not.
+            let speeds = ORDERS.map(|order| match self.variable.ends() {
+                (low, Some(high)) => 0.5 * (low + high) + 0.049 * (high - low) * f64::from(order),
+                _ => 2f64.powf(STEP * f64::from(order)),
+            });
+            let speeds: Vec<f64> = speeds.collect();
+            for v in speeds.iter().copied() {
                 condition.samples.borrow_mut().push((v, self.count(v)?.unstable));
             }
+            let (low, high) = self.variable.ends();
+            unexamined.push([low, high.unwrap_or(FARTHEST)]);
         }
         if let Some(flutter) = flutter {
             let mut brackets = isolate(&flutter, self.is_polynomial(), NARROW_FLUTTER)?;
@@ -102,7 +114,7 @@ impl Equations {
                 }
             }
         }
-        Ok(Findings { found, samples: condition.samples.into_inner(), unexamined })
+        Ok(Findings { found, samples: condition.samples.take(), unexamined })
     }
 
     fn normalize<'a, F: Condition>(&self, condition: &'a F) -> Result<Option<Normalized<'a, F>>, SystemError> {

@@ -35,6 +35,9 @@ impl Units {
             let largest = (0..size).filter_map(|i| Some(leading(i, j)? + units.rows[i])).max();
             units.columns[j] = -largest.ok_or(SystemError::SingularMass)?;
         }
+        for j in (0..size).filter(|&j| is_first_order(j)) {
+            units.balance_first_order(j, all, states);
+        }
         let largest = |matrix: &Square<f64>, first_order: bool| {
             let columns = (0..size).filter(|&j| is_first_order(j) == first_order);
             let places = columns.flat_map(|j| (0..size).map(move |i| (i, j)));
@@ -56,6 +59,37 @@ impl Units {
             units.columns[j] += time;
         }
         Ok(Self { time, speed: time - per_speed.unwrap_or(time), ..units })
+    }
+
+    /// Brings what drives a coordinate of first order, and what it drives, to about the same size: it may be in a unit that
+    /// makes one of them large, as a force is among angles.
+    fn balance_first_order(
+        &mut self,
+        j: usize,
+        [m, cm1, c0, c1, kc, k0, k1, k2]: &[Square<f64>; 8],
+        states: &[States],
+    ) {
+        let size = states.len();
+        let is_own = |i: usize| [cm1, c0, c1].into_iter().any(|c| c[i][j] != 0.0) && (0..size).all(|l| m[i][l] == 0.0);
+        let others = |l: usize| states[l] != States::Position;
+        let largest = |matrices: &[&Square<f64>], places: &mut dyn Iterator<Item = (usize, usize)>| {
+            let exponents = places.flat_map(|(i, l)| {
+                let unit = self.rows[i] + self.columns[l];
+                matrices.iter().filter_map(move |matrix| Some(exponent(matrix[i][l])? + unit))
+            });
+            exponents.max()
+        };
+        let own: Vec<usize> = (0..size).filter(|&i| is_own(i)).collect();
+        let driven = largest(&[kc, k0, k1, k2], &mut (0..size).filter(|i| !own.contains(i)).map(|i| (i, j)));
+        let driving = largest(
+            &[cm1, c0, c1, kc, k0, k1, k2],
+            &mut own.iter().flat_map(|&i| (0..size).filter(|&l| others(l)).map(move |l| (i, l))),
+        );
+        if let (Some(driving), Some(driven)) = (driving, driven) {
+            let shift = (driving - driven).div_euclid(2);
+            self.columns[j] += shift;
+            own.into_iter().for_each(|i| self.rows[i] -= shift);
+        }
     }
 
     /// The coefficient matrices in these units.
