@@ -29,8 +29,9 @@ fn the_motorcycle_has_the_eigenvalues_that_sharp_prints() {
     assert_eq!(checked, 24);
 }
 
-/// Those below 300 ft/s, the range that he looks at, are those of the equations of R. S. Sharp, The stability and control of motorcycles, J. Mech. Eng. Sci. 13 (1971), for the parameters that
-/// he prints, solved with 25 digits: in ft/s and 1/s. Far beyond, the wobble becomes stable again.
+/// Those of the equations of R. S. Sharp, The stability and control of motorcycles, J. Mech. Eng. Sci. 13 (1971), for the
+/// parameters that he prints, solved with 25 digits: in ft/s and 1/s. The last is far beyond the range that he looks at:
+/// there the wobble becomes stable again.
 #[test]
 fn the_motorcycle_has_four_critical_speeds() {
     let expected = [
