@@ -84,7 +84,7 @@ fn the_motorcycle_of_sharp() {
         ("weave", 19.440006372816047, 2.0855133306714594),
         ("capsize", 35.210269211458693, 0.0),
         ("wobble", 181.6847617200115, 59.281250592044735),
-        ("wobble", 706.1897005481802, 130.954309695381401),
+        ("wobble", 706.1897005481802, 130.954_309_695_381_4),
     ];
     assert_eq!(critical.len(), expected.len());
     for (found, (kind, speed, frequency)) in critical.iter().zip(expected) {
