@@ -1,6 +1,6 @@
 /* @generated from generated/models/double_pendulum.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 0cf50b8e8c8bfd80
+ * Hash of the source: 159450b9b3aa9cf1
  */
 
 /**

@@ -1,6 +1,6 @@
 /* @generated from generated/models/rolling_disc.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: cdd15d6849559435
+ * Hash of the source: 8da020cde61b723e
  */
 
 /**

@@ -1,6 +1,6 @@
 /* @generated from generated/models/wheeled_pendulum.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 33b55348424b197b
+ * Hash of the source: 16f5399401874b12
  */
 
 /**

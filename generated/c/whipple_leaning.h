@@ -1,6 +1,6 @@
 /* @generated from generated/models/whipple_leaning.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 40e1047ae9981d57
+ * Hash of the source: 3110f099e4d2a018
  */
 
 /**

@@ -1,6 +1,6 @@
 /* @generated from generated/models/whipple_tyres.rs by carvallo-compiler 0.1.0; do not edit.
  * To write it anew: cargo regenerate
- * Hash of the source: 4689e1a6c62163ba
+ * Hash of the source: 0fd874e368fb3457
  */
 
 /**

@@ -37,6 +37,7 @@ carvallo::model! {
         }
 
         derivatives;
+        nonlinear;
 
         coordinates {
             /// Lean of the lower link, to the right.

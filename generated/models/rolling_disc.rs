@@ -25,6 +25,7 @@ carvallo::model! {
         }
 
         derivatives;
+        nonlinear;
 
         coordinates {
             /// Lean, positive to the right.

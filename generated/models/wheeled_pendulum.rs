@@ -42,6 +42,7 @@ carvallo::model! {
         }
 
         derivatives;
+        nonlinear;
 
         coordinates {
             /// Forward motion, beside that at the speed v, of the point of the body that is on the ground when it is upright.

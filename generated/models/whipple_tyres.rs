@@ -86,6 +86,7 @@ carvallo::model! {
         }
 
         derivatives;
+        nonlinear;
 
         coordinates {
             /// Lean of the rear frame, positive to the right.

@@ -1,13 +1,13 @@
 // @generated from generated/models/double_pendulum.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 0cf50b8e8c8bfd80
+// Hash of the source: 159450b9b3aa9cf1
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
+    ParameterError, ParameterInfo, Partial, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -145,6 +145,180 @@ impl<T: Scalar> DoublePendulum<T> {
         DoublePendulumKinematics {
             forces: [[self.l1.like(1.0), zero], [zero, self.l1.like(1.0)]],
         }
+    }
+}
+
+// --- The nonlinear equations of motion -----------------------------------------------------------
+
+/// The nonlinear equations of motion of [`DoublePendulum`], with its parameters: what does not depend on the state is computed.
+///
+/// Positions: `theta1` (lower link) in `rad`, `theta2` (upper link) in `rad`.
+/// Speeds: the rates of `theta1`, `theta2`.
+///
+/// Each from one straight-line program:
+/// - closure: no operations
+/// - rates: no operations
+/// - derivatives: 17 additions, 25 multiplications, 2 divisions and 4 trigonometric functions: 48 operations
+/// - accelerations: 17 additions, 25 multiplications, 2 divisions and 4 trigonometric functions: 48 operations
+/// - energy: 10 additions, 13 multiplications, 1 negation and 4 trigonometric functions: 28 operations
+/// - contact forces: no operations
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DoublePendulumMotion<T = f64> {
+    constants: [T; 9],
+}
+
+impl<T: Scalar> DoublePendulum<T> {
+    /// The nonlinear equations of motion, of what is computed once for these parameters:
+    /// 4 additions and 6 multiplications: 10 operations.
+    ///
+    /// The parameters are not validated.
+    #[must_use]
+    pub fn motion(&self) -> DoublePendulumMotion<T> {
+        let t4 = self.m1 * self.a1;
+        let t7 = self.I1 + self.a1 * t4;
+        let t10 = self.l1 - self.l1 - self.a2;
+        let t11 = self.m2 * t10;
+        let t14 = self.I2 + t10 * t11;
+        let t16 = self.l1 * self.m2;
+        let t17 = self.l1 * t16;
+        DoublePendulumMotion {
+            constants: [self.l1, self.m2, t4, t7, t11, t14, self.g, t16, t17],
+        }
+    }
+}
+
+impl<T: Scalar> Nonlinear<2> for DoublePendulum<T> {
+    type Motion = DoublePendulumMotion<T>;
+
+    fn motion(&self) -> DoublePendulumMotion<T> {
+        DoublePendulum::motion(self)
+    }
+}
+
+impl<T: Scalar> carvallo::motion::Motion for DoublePendulumMotion<T> {
+    const INFO: &'static carvallo::motion::MotionInfo = &carvallo::motion::MotionInfo {
+        model: "DoublePendulum",
+        positions: &[
+            carvallo::motion::PositionInfo {
+                name: "theta1",
+                label: "lower link",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Free,
+            },
+            carvallo::motion::PositionInfo {
+                name: "theta2",
+                label: "upper link",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Free,
+            },
+        ],
+        speeds: &[0, 1],
+        dependent: &[],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "T1",
+                label: "torque at the lower hinge",
+                unit: "N*m",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "T2",
+                label: "torque between the links",
+                unit: "N*m",
+            },
+        ],
+        wheels: &[],
+    };
+}
+
+#[allow(unused_variables)]
+impl<T: Scalar> carvallo::motion::Unchecked for DoublePendulumMotion<T> {
+    type Scalar = T;
+
+    type Positions = [T; 2];
+
+    type Speeds = [T; 2];
+
+    type Dependent = [T; 0];
+
+    type Forces = [T; 2];
+
+    type ContactForces = [[T; 3]; 0];
+
+    fn closure_unchecked(&self, positions: &[T; 2]) -> ([T; 0], [T; 0]) {
+        ([], [])
+    }
+
+    fn rates_unchecked(&self, positions: &[T; 2], speeds: &[T; 2]) -> [T; 2] {
+        [speeds[0], speeds[1]]
+    }
+
+    fn derivatives_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> ([T; 2], [T; 2]) {
+        let (sin_theta1, cos_theta1) = positions[0].sin_cos();
+        let t7 = sin_theta1 * self.constants[6];
+        let (sin_theta2, cos_theta2) = positions[1].sin_cos();
+        let t19 = speeds[0] * speeds[0] * self.constants[0]
+            - self.constants[6] * cos_theta1;
+        let t21 = sin_theta2 * t19 - t7 * cos_theta2;
+        let t22 = self.constants[4] * t21;
+        let t30 = speeds[0] + speeds[1];
+        let t35 = cos_theta2 * t21 * self.constants[1]
+            - sin_theta2
+                * (self.constants[1] * (cos_theta2 * t19 + t7 * sin_theta2)
+                    - self.constants[4] * t30 * t30);
+        let t39 = forces[0] + self.constants[2] * t7 + t22 - self.constants[0] * t35;
+        let t42 = self.constants[4] * cos_theta2 * self.constants[0];
+        let t45 = self.constants[5] - t42;
+        let t48 = self.constants[3] + self.constants[8] + t45 - t42;
+        let t49 = self.constants[0].like(1.0) / t48;
+        let t51 = t45 * t49;
+        let t59 = (t22 + forces[1] - t39 * t51) / (self.constants[5] - t48 * t51 * t51);
+        let t61 = t39 * t49 - t51 * t59;
+        ([speeds[0], speeds[1]], [t61, t59])
+    }
+
+    fn accelerations_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> [T; 2] {
+        let (sin_theta1, cos_theta1) = positions[0].sin_cos();
+        let t5 = sin_theta1 * self.constants[6];
+        let (sin_theta2, cos_theta2) = positions[1].sin_cos();
+        let t18 = self.constants[0] * speeds[0] * speeds[0]
+            - self.constants[6] * cos_theta1;
+        let t20 = sin_theta2 * t18 - t5 * cos_theta2;
+        let t21 = self.constants[4] * t20;
+        let t30 = speeds[0] + speeds[1];
+        let t35 = cos_theta2 * t20 * self.constants[1]
+            - sin_theta2
+                * (self.constants[1] * (cos_theta2 * t18 + t5 * sin_theta2)
+                    - self.constants[4] * t30 * t30);
+        let t39 = forces[0] + self.constants[2] * t5 + t21 - self.constants[0] * t35;
+        let t42 = self.constants[4] * cos_theta2 * self.constants[0];
+        let t45 = self.constants[5] - t42;
+        let t48 = self.constants[3] + self.constants[8] + t45 - t42;
+        let t49 = self.constants[0].like(1.0) / t48;
+        let t51 = t45 * t49;
+        let t59 = (t21 + forces[1] - t39 * t51) / (self.constants[5] - t48 * t51 * t51);
+        let t61 = t39 * t49 - t51 * t59;
+        [t61, t59]
+    }
+
+    fn energy_unchecked(&self, positions: &[T; 2], speeds: &[T; 2]) -> [T; 2] {
+        let (sin_theta2, cos_theta2) = positions[1].sin_cos();
+        let t6 = cos_theta2 * self.constants[4];
+        let t7 = self.constants[0] * t6;
+        let t10 = self.constants[5] - t7;
+        let t18 = speeds[0]
+            * (speeds[0] * (self.constants[3] + self.constants[8] + t10 - t7)
+                + t10 * speeds[1]);
+        let t25 = (t18 + speeds[1] * (speeds[0] * t10 + self.constants[5] * speeds[1]))
+            * self.constants[0].like(0.5);
+        let (sin_theta1, cos_theta1) = positions[0].sin_cos();
+        let t40 = -(self.constants[6]
+            * (cos_theta1 * (t6 - self.constants[2] - self.constants[7])
+                - self.constants[4] * sin_theta1 * sin_theta2));
+        [t25, t40]
+    }
+
+    fn contact_forces_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> [[T; 3]; 0] {
+        []
     }
 }
 
@@ -405,6 +579,10 @@ impl<T: Scalar> Model<2> for DoublePendulum<T> {
 
     fn derivatives(&self) -> Option<WithDerivatives<Self, 2>> {
         Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn nonlinear(&self) -> Option<impl carvallo::motion::Motion<Scalar = Self::Scalar>> {
+        Some(self.motion())
     }
 
     fn gravity(&self) -> Option<T> {

@@ -1,13 +1,13 @@
 // @generated from generated/models/rolling_disc.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: cdd15d6849559435
+// Hash of the source: 8da020cde61b723e
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
 use carvallo::{
     Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
+    ParameterError, ParameterInfo, Partial, Rate, Rows, Scalar, SetInfo, WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -140,6 +140,248 @@ impl<T: Scalar> RollingDisc<T> {
                 speed: t4, rates: [zero, zero], coordinates: [zero, zero], heading: zero,
             },
         }
+    }
+}
+
+// --- The nonlinear equations of motion -----------------------------------------------------------
+
+/// The nonlinear equations of motion of [`RollingDisc`], with its parameters: what does not depend on the state is computed.
+///
+/// Positions: `x` (x of the contact point of the disc) in `m`, `y` (y of the contact point of the disc) in `m`, `psi` (yaw) in `rad`, `phi` (lean) in `rad`, `thetaD` (angle of the disc) in `rad`.
+/// Speeds: the rates of `psi`, `phi`, `thetaD`.
+///
+/// Each from one straight-line program:
+/// - closure: no operations
+/// - rates: 3 multiplications, 2 negations and 2 trigonometric functions: 7 operations
+/// - derivatives: 18 additions, 39 multiplications, 3 divisions, 4 negations and 4 trigonometric functions: 68 operations
+/// - accelerations: 20 additions, 43 multiplications, 3 divisions, 3 negations and 4 trigonometric functions: 73 operations
+/// - energy: 7 additions, 17 multiplications and 2 trigonometric functions: 26 operations
+/// - contact forces: 29 additions, 55 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 92 operations
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingDiscMotion<T = f64> {
+    constants: [T; 9],
+}
+
+impl<T: Scalar> RollingDisc<T> {
+    /// The nonlinear equations of motion, of what is computed once for these parameters:
+    /// 2 additions and 2 multiplications: 4 operations.
+    ///
+    /// The parameters are not validated.
+    #[must_use]
+    pub fn motion(&self) -> RollingDiscMotion<T> {
+        let t5 = self.r * self.m;
+        let t6 = self.r * t5;
+        let t7 = self.It + t6;
+        let t8 = self.Ia + t6;
+        RollingDiscMotion {
+            constants: [self.r, self.It, self.Ia, self.m, self.g, t5, t6, t7, t8],
+        }
+    }
+}
+
+impl<T: Scalar> Nonlinear<2> for RollingDisc<T> {
+    type Motion = RollingDiscMotion<T>;
+
+    fn motion(&self) -> RollingDiscMotion<T> {
+        RollingDisc::motion(self)
+    }
+}
+
+impl<T: Scalar> carvallo::motion::Motion for RollingDiscMotion<T> {
+    const INFO: &'static carvallo::motion::MotionInfo = &carvallo::motion::MotionInfo {
+        model: "RollingDisc",
+        positions: &[
+            carvallo::motion::PositionInfo {
+                name: "x",
+                label: "x of the contact point of the disc",
+                unit: "m",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+            carvallo::motion::PositionInfo {
+                name: "y",
+                label: "y of the contact point of the disc",
+                unit: "m",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+            carvallo::motion::PositionInfo {
+                name: "psi",
+                label: "yaw",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+            carvallo::motion::PositionInfo {
+                name: "phi",
+                label: "lean",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Free,
+            },
+            carvallo::motion::PositionInfo {
+                name: "thetaD",
+                label: "angle of the disc",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+        ],
+        speeds: &[2, 3, 4],
+        dependent: &[],
+        forces: &[],
+        wheels: &[
+            carvallo::motion::WheelInfo {
+                name: "D",
+                label: "disc",
+            },
+        ],
+    };
+}
+
+#[allow(unused_variables)]
+impl<T: Scalar> carvallo::motion::Unchecked for RollingDiscMotion<T> {
+    type Scalar = T;
+
+    type Positions = [T; 5];
+
+    type Speeds = [T; 3];
+
+    type Dependent = [T; 0];
+
+    type Forces = [T; 0];
+
+    type ContactForces = [[T; 3]; 1];
+
+    fn closure_unchecked(&self, positions: &[T; 5]) -> ([T; 0], [T; 0]) {
+        ([], [])
+    }
+
+    fn rates_unchecked(&self, positions: &[T; 5], speeds: &[T; 3]) -> [T; 5] {
+        let t2 = self.constants[0] * speeds[2];
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let t10 = -(t2 * cos_psi);
+        let t11 = -(t2 * sin_psi);
+        [t10, t11, speeds[0], speeds[1], speeds[2]]
+    }
+
+    fn derivatives_unchecked(&self, positions: &[T; 5], speeds: &[T; 3], forces: &[T; 0]) -> ([T; 5], [T; 3]) {
+        let t2 = self.constants[0] * speeds[2];
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t13 = speeds[0] * cos_phi;
+        let t15 = speeds[1] * self.constants[1];
+        let t17 = t13 * self.constants[1];
+        let t20 = speeds[1] * t13;
+        let t23 = self.constants[0] * t13;
+        let t27 = self.constants[0] * self.constants[3];
+        let t29 = self.constants[2] * t20
+            + (self.constants[0] * t20 + speeds[1] * t23) * t27;
+        let t33 = speeds[0] * sin_phi;
+        let t34 = t15 * t33;
+        let t36 = self.constants[2] * (speeds[2] + t33);
+        let t41 = sin_phi * (t13 * t15 + t29 - speeds[1] * t17)
+            + cos_phi * (speeds[1] * t36 - t34 - t34);
+        let t43 = sin_phi * self.constants[6];
+        let t47 = sin_phi * self.constants[2];
+        let t50 = sin_phi * t43 + cos_phi * cos_phi * self.constants[1] + sin_phi * t47;
+        let t51 = self.constants[0].like(1.0) / t50;
+        let t54 = t51 * (t43 + t47);
+        let t61 = (t41 * t54 - t29) / (self.constants[8] - t50 * t54 * t54);
+        let t76 = (t17 * t33 - t13 * t36
+            - t27 * (speeds[2] * t23 + t23 * t33 + sin_phi * self.constants[4]))
+            / self.constants[7];
+        let t77 = -(t2 * cos_psi);
+        let t78 = -(t2 * sin_psi);
+        let t79 = -(t41 * t51 + t54 * t61);
+        let t80 = -t76;
+        ([t77, t78, speeds[0], speeds[1], speeds[2]], [t79, t80, t61])
+    }
+
+    fn accelerations_unchecked(&self, positions: &[T; 5], speeds: &[T; 3], forces: &[T; 0]) -> [T; 5] {
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t7 = speeds[0] * cos_phi;
+        let t9 = t7 * speeds[1];
+        let t12 = self.constants[0] * t7;
+        let t16 = self.constants[0] * self.constants[3];
+        let t18 = self.constants[2] * t9
+            + (self.constants[0] * t9 + speeds[1] * t12) * t16;
+        let t21 = self.constants[1] * speeds[1];
+        let t23 = t7 * self.constants[1];
+        let t28 = sin_phi * speeds[0];
+        let t29 = t21 * t28;
+        let t32 = self.constants[2] * (t28 + speeds[2]);
+        let t37 = sin_phi * (t7 * t21 + t18 - speeds[1] * t23)
+            + cos_phi * (speeds[1] * t32 - t29 - t29);
+        let t39 = sin_phi * self.constants[6];
+        let t40 = sin_phi * self.constants[2];
+        let t47 = sin_phi * t39 + cos_phi * cos_phi * self.constants[1] + sin_phi * t40;
+        let t48 = self.constants[0].like(1.0) / t47;
+        let t49 = (t39 + t40) * t48;
+        let t56 = (t37 * t49 - t18) / (self.constants[8] - t47 * t49 * t49);
+        let t57 = self.constants[0] * t56;
+        let t61 = self.constants[0] * speeds[0] * speeds[2];
+        let t63 = sin_psi * t61 - cos_psi * t57;
+        let t82 = (t23 * t28 - t7 * t32
+            - t16 * (t12 * speeds[2] + t12 * t28 + sin_phi * self.constants[4]))
+            / self.constants[7];
+        let t83 = -(t57 * sin_psi + cos_psi * t61);
+        let t84 = -(t37 * t48 + t49 * t56);
+        let t85 = -t82;
+        [t63, t83, t84, t85, t56]
+    }
+
+    fn energy_unchecked(&self, positions: &[T; 5], speeds: &[T; 3]) -> [T; 2] {
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t4 = sin_phi * self.constants[6];
+        let t11 = sin_phi * self.constants[2];
+        let t17 = t4 + t11;
+        let t19 = speeds[0]
+            * (sin_phi * t4 + self.constants[1] * cos_phi * cos_phi + sin_phi * t11)
+            + speeds[2] * t17;
+        let t33 = (speeds[0] * t19 + speeds[1] * speeds[1] * self.constants[7]
+            + speeds[2] * (speeds[0] * t17 + speeds[2] * self.constants[8]))
+            * self.constants[0].like(0.5);
+        let t37 = cos_phi * self.constants[4] * self.constants[5];
+        [t33, t37]
+    }
+
+    fn contact_forces_unchecked(&self, positions: &[T; 5], speeds: &[T; 3], forces: &[T; 0]) -> [[T; 3]; 1] {
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t6 = speeds[0] * cos_phi;
+        let t9 = self.constants[0] * speeds[1];
+        let t10 = t6 * t9;
+        let t11 = t6 * speeds[1];
+        let t16 = self.constants[3] * self.constants[0];
+        let t18 = t11 * self.constants[2] + (t10 + self.constants[0] * t11) * t16;
+        let t21 = speeds[1] * self.constants[1];
+        let t23 = t6 * self.constants[1];
+        let t28 = speeds[0] * sin_phi;
+        let t29 = t21 * t28;
+        let t31 = t28 + speeds[2];
+        let t32 = self.constants[2] * t31;
+        let t37 = sin_phi * (t6 * t21 + t18 - speeds[1] * t23)
+            + cos_phi * (speeds[1] * t32 - t29 - t29);
+        let t39 = sin_phi * self.constants[6];
+        let t40 = sin_phi * self.constants[2];
+        let t47 = sin_phi * t39 + cos_phi * cos_phi * self.constants[1] + sin_phi * t40;
+        let t48 = self.constants[0].like(1.0) / t47;
+        let t49 = (t39 + t40) * t48;
+        let t56 = (t37 * t49 - t18) / (self.constants[8] - t47 * t49 * t49);
+        let t64 = t10
+            + self.constants[0] * (t11 + t56 - sin_phi * (t37 * t48 + t49 * t56));
+        let t65 = self.constants[3] * t64;
+        let t68 = self.constants[0] * t28;
+        let t72 = t6 * t68 + sin_phi * self.constants[4];
+        let t73 = t6 * speeds[2];
+        let t83 = t73
+            + (t23 * t28 - t6 * t32 - t16 * (self.constants[0] * t73 + t72))
+                / self.constants[7];
+        let t86 = self.constants[3] * (t72 + self.constants[0] * t83);
+        let t93 = self.constants[3]
+            * (speeds[1] * t9 + t31 * t68 - cos_phi * self.constants[4]);
+        let t95 = cos_phi * t86 + sin_phi * t93;
+        let t97 = sin_psi * t95 - cos_psi * t65;
+        let t103 = cos_phi * t93 - sin_phi * t86;
+        let t104 = -(t65 * sin_psi + cos_psi * t95);
+        [[t97, t104, t103]]
     }
 }
 
@@ -386,6 +628,10 @@ impl<T: Scalar> Model<2> for RollingDisc<T> {
 
     fn derivatives(&self) -> Option<WithDerivatives<Self, 2>> {
         Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn nonlinear(&self) -> Option<impl carvallo::motion::Motion<Scalar = Self::Scalar>> {
+        Some(self.motion())
     }
 
     fn gravity(&self) -> Option<T> {

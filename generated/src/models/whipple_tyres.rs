@@ -1,13 +1,14 @@
 // @generated from generated/models/whipple_tyres.rs by carvallo-compiler 0.1.0; do not edit.
 // To write it anew: cargo regenerate
-// Hash of the source: 4689e1a6c62163ba
+// Hash of the source: 0fd874e368fb3457
 
 #![allow(clippy::all, dead_code, deprecated, non_camel_case_types, non_snake_case)]
 
 use carvallo::{
     Bound, Coefficients, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator,
-    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Number, ParameterError,
-    ParameterInfo, Partial, Rate, RequirementInfo, Rows, Scalar, SetInfo, WithDerivatives,
+    FormulaInfo, LengthError, MatrixName, Model, ModelInfo, Nonlinear, Number,
+    ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, Rows, Scalar, SetInfo,
+    WithDerivatives,
 };
 
 // --- The parameters ------------------------------------------------------------------------------
@@ -336,6 +337,1364 @@ impl<T: Scalar> WhippleTyres<T> {
             },
             forces: [[self.w.like(1.0), zero], [zero, self.w.like(1.0)]],
         }
+    }
+}
+
+// --- The nonlinear equations of motion -----------------------------------------------------------
+
+/// The nonlinear equations of motion of [`WhippleTyres`], with its parameters: what does not depend on the state is computed.
+///
+/// Positions: `x` (x of the contact point of the rear wheel) in `m`, `y` (y of the contact point of the rear wheel) in `m`, `psi` (yaw) in `rad`, `phi` (lean) in `rad`, `pitch` (pitch, by the heights of the wheels) in `rad`, `delta` (steer) in `rad`, `thetaR` (angle of the rear wheel) in `rad`, `thetaF` (angle of the front wheel) in `rad`.
+/// Speeds: the rates of `phi`, `delta`, `thetaR`.
+///
+/// Each from one straight-line program:
+/// - closure: 16 additions, 32 multiplications, 2 divisions, 1 square root and 6 trigonometric functions: 57 operations
+/// - rates: 47 additions, 98 multiplications, 4 divisions, 2 negations, 1 square root and 8 trigonometric functions: 160 operations
+/// - derivatives: 349 additions, 477 multiplications, 7 divisions, 2 negations, 1 square root and 8 trigonometric functions: 844 operations
+/// - accelerations: 361 additions, 491 multiplications, 7 divisions, 1 negation, 1 square root and 8 trigonometric functions: 869 operations
+/// - energy: 157 additions, 216 multiplications, 4 divisions, 1 negation, 1 square root and 6 trigonometric functions: 385 operations
+/// - contact forces: 455 additions, 583 multiplications, 7 divisions, 1 negation, 1 square root and 8 trigonometric functions: 1055 operations
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WhippleTyresMotion<T = f64> {
+    constants: [T; 36],
+}
+
+impl<T: Scalar> WhippleTyres<T> {
+    /// The nonlinear equations of motion, of what is computed once for these parameters:
+    /// 56 additions, 62 multiplications and 2 trigonometric functions: 120 operations.
+    ///
+    /// The parameters are not validated.
+    #[must_use]
+    pub fn motion(&self) -> WhippleTyresMotion<T> {
+        let (sin_lam, cos_lam) = self.lam.sin_cos();
+        let t9 = self.w + self.c;
+        let t13 = cos_lam * t9 - sin_lam * self.rR;
+        let t16 = sin_lam * t9 + cos_lam * self.rR;
+        let t17 = self.rR - self.rhoR;
+        let t18 = self.w - t9;
+        let t22 = cos_lam * t18 + sin_lam * self.rF;
+        let t25 = sin_lam * t18 - cos_lam * self.rF;
+        let t26 = self.rF - self.rhoF;
+        let t27 = t16 + t25;
+        let t32 = self.rR + self.zB;
+        let t34 = cos_lam * self.xB - sin_lam * t32;
+        let t35 = self.mB * t34;
+        let t38 = sin_lam * self.xB + cos_lam * t32;
+        let t39 = self.mB * t38;
+        let t43 = cos_lam * self.IBxz;
+        let t44 = sin_lam * self.IBxx + t43;
+        let t46 = sin_lam * self.IBxz;
+        let t49 = t46 + cos_lam * self.IBzz;
+        let t53 = cos_lam * t44 - sin_lam * t49 - t35 * t38;
+        let t55 = t38 * t39;
+        let t56 = t34 * t35;
+        let t58 = self.IByy + t55 + t56;
+        let t60 = self.mB + self.mR;
+        let t70 = t55 + self.IRxx + cos_lam * (cos_lam * self.IBxx - t46)
+            - sin_lam * (t43 - sin_lam * self.IBzz);
+        let t75 = t56 + self.IRxx + sin_lam * t44 + cos_lam * t49;
+        let t78 = self.mH + self.mF;
+        let t80 = self.xH - t9;
+        let t84 = cos_lam * t80 - sin_lam * self.zH;
+        let t85 = self.mH * t84;
+        let t86 = t22 * self.mF;
+        let t87 = t85 + t86;
+        let t90 = sin_lam * t80 + cos_lam * self.zH;
+        let t91 = self.mH * t90;
+        let t92 = t25 * self.mF;
+        let t93 = t91 + t92;
+        let t98 = sin_lam * self.IHxz;
+        let t101 = cos_lam * self.IHxz;
+        let t108 = t90 * t91 + t25 * t92;
+        let t111 = self.IFxx + cos_lam * (cos_lam * self.IHxx - t98) + t108
+            - sin_lam * (t101 - sin_lam * self.IHzz);
+        let t113 = t101 + sin_lam * self.IHxx;
+        let t116 = t98 + cos_lam * self.IHzz;
+        let t122 = cos_lam * t113 - sin_lam * t116 - t85 * t90 - t25 * t86;
+        let t126 = t84 * t85 + t22 * t86;
+        let t128 = t108 + self.IHyy + t126;
+        let t133 = self.IFxx + t126 + sin_lam * t113 + cos_lam * t116;
+        let t135 = t111 - t128;
+        let t136 = t13 * t78;
+        let t137 = t16 * t93;
+        let t138 = t16 * t78;
+        let t141 = t137 + t137 + t16 * t138;
+        let t142 = t13 * t93;
+        let t143 = t16 * t136;
+        let t144 = t13 * t136;
+        let t145 = t60 + t78;
+        let t147 = t39 + t93 + t138;
+        WhippleTyresMotion {
+            constants: [
+                sin_lam, cos_lam, self.IRyy, self.IFyy, self.rhoR, self.rhoF, t13, t16, t17, t22,
+                t25, t26, t27, t35, t39, t53, t58, t60, t70, t75, t78, t87, t93, t111, t122, t128,
+                t133, self.g, t135, t136, t141, t142, t143, t144, t145, t147,
+            ],
+        }
+    }
+}
+
+impl<T: Scalar> Nonlinear<2> for WhippleTyres<T> {
+    type Motion = WhippleTyresMotion<T>;
+
+    fn motion(&self) -> WhippleTyresMotion<T> {
+        WhippleTyres::motion(self)
+    }
+}
+
+impl<T: Scalar> carvallo::motion::Motion for WhippleTyresMotion<T> {
+    const INFO: &'static carvallo::motion::MotionInfo = &carvallo::motion::MotionInfo {
+        model: "WhippleTyres",
+        positions: &[
+            carvallo::motion::PositionInfo {
+                name: "x",
+                label: "x of the contact point of the rear wheel",
+                unit: "m",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+            carvallo::motion::PositionInfo {
+                name: "y",
+                label: "y of the contact point of the rear wheel",
+                unit: "m",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+            carvallo::motion::PositionInfo {
+                name: "psi",
+                label: "yaw",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+            carvallo::motion::PositionInfo {
+                name: "phi",
+                label: "lean",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Free,
+            },
+            carvallo::motion::PositionInfo {
+                name: "pitch",
+                label: "pitch",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Dependent,
+            },
+            carvallo::motion::PositionInfo {
+                name: "delta",
+                label: "steer",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Free,
+            },
+            carvallo::motion::PositionInfo {
+                name: "thetaR",
+                label: "angle of the rear wheel",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+            carvallo::motion::PositionInfo {
+                name: "thetaF",
+                label: "angle of the front wheel",
+                unit: "rad",
+                kind: carvallo::motion::PositionKind::Ignorable,
+            },
+        ],
+        speeds: &[3, 5, 6],
+        dependent: &[4],
+        forces: &[
+            carvallo::motion::AppliedInfo {
+                name: "Tphi",
+                label: "lean torque",
+                unit: "N*m",
+            },
+            carvallo::motion::AppliedInfo {
+                name: "Tdelta",
+                label: "steer torque",
+                unit: "N*m",
+            },
+        ],
+        wheels: &[
+            carvallo::motion::WheelInfo {
+                name: "R",
+                label: "rear wheel",
+            },
+            carvallo::motion::WheelInfo {
+                name: "F",
+                label: "front wheel",
+            },
+        ],
+    };
+}
+
+#[allow(unused_variables)]
+impl<T: Scalar> carvallo::motion::Unchecked for WhippleTyresMotion<T> {
+    type Scalar = T;
+
+    type Positions = [T; 8];
+
+    type Speeds = [T; 3];
+
+    type Dependent = [T; 1];
+
+    type Forces = [T; 2];
+
+    type ContactForces = [[T; 3]; 2];
+
+    fn closure_unchecked(&self, positions: &[T; 8]) -> ([T; 1], [T; 1]) {
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let (sin_delta, cos_delta) = positions[5].sin_cos();
+        let (sin_pitch, cos_pitch) = positions[4].sin_cos();
+        let t15 = self.constants[1] * sin_pitch + self.constants[0] * cos_pitch;
+        let t16 = cos_phi * t15;
+        let t20 = sin_phi * sin_delta;
+        let t21 = t20 - cos_delta * t16;
+        let t25 = self.constants[1] * cos_pitch - sin_pitch * self.constants[0];
+        let t26 = cos_phi * t25;
+        let t29 = (t21 * t21 + t26 * t26).sqrt();
+        let t38 = self.constants[6] + cos_delta * self.constants[9];
+        let t46 = self.constants[5] + t29 * self.constants[11] + t20 * self.constants[9]
+            + cos_phi * (t25 * self.constants[12] - t15 * t38) - self.constants[4]
+            - cos_phi * self.constants[8];
+        let t50 = self.constants[0].like(1.0) / t29;
+        let t51 = t26 * t50;
+        let t62 = self.constants[11] * (cos_delta * sin_phi + t16 * sin_delta)
+            * (cos_phi * sin_delta * t51
+                + sin_phi * (t21 * t25 * t50 + cos_delta * t15 * t51));
+        let t68 = t46 / (cos_phi * (t62 + t15 * self.constants[12] + t25 * t38));
+        ([t46], [t68])
+    }
+
+    fn rates_unchecked(&self, positions: &[T; 8], speeds: &[T; 3]) -> [T; 8] {
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t5 = self.constants[8] + self.constants[4] * cos_phi;
+        let (sin_pitch, cos_pitch) = positions[4].sin_cos();
+        let t17 = self.constants[1] * sin_pitch + self.constants[0] * cos_pitch;
+        let (sin_delta, cos_delta) = positions[5].sin_cos();
+        let t20 = cos_phi * t17;
+        let t24 = sin_phi * sin_delta - cos_delta * t20;
+        let t28 = self.constants[1] * cos_pitch - sin_pitch * self.constants[0];
+        let t29 = cos_phi * t28;
+        let t32 = (t24 * t24 + t29 * t29).sqrt();
+        let t33 = self.constants[0].like(1.0) / t32;
+        let t34 = t24 * t33;
+        let t36 = t29 * t33;
+        let t37 = cos_delta * t36;
+        let t39 = t28 * t37 - t17 * t34;
+        let t44 = (sin_phi * cos_delta + t20 * sin_delta) * self.constants[11];
+        let t47 = sin_delta * self.constants[9];
+        let t53 = self.constants[6] + cos_delta * self.constants[9];
+        let t55 = t28 * self.constants[12] - t17 * t53;
+        let t58 = cos_phi * t47 - t39 * t44 - sin_phi * t55;
+        let t59 = self.constants[8] * sin_phi + t58;
+        let t66 = cos_phi * sin_delta * t36 + sin_phi * (t28 * t34 + t17 * t37);
+        let t71 = t44 * t66 + t17 * self.constants[12] + t28 * t53;
+        let t73 = self.constants[0].like(1.0) / (cos_phi * t71);
+        let t74 = t59 * t73;
+        let t80 = t28 * self.constants[7] - t17 * self.constants[6];
+        let t82 = t58 + sin_phi * t80;
+        let t84 = sin_phi * t28;
+        let t88 = t71 - t17 * self.constants[7] - t28 * self.constants[6];
+        let t91 = t73 * (t17 * t82 + t84 * t88);
+        let t93 = speeds[0] * t74 + speeds[1] * t91;
+        let t95 = t5 * (speeds[2] + t93);
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let t99 = self.constants[4] * speeds[0];
+        let t105 = cos_psi * t99 - t95 * sin_psi;
+        let t106 = sin_phi * t71;
+        let t108 = sin_phi * t59;
+        let t110 = t39 * t106 + t66 * t108;
+        let t114 = self.constants[0].like(1.0) / (t39 * t71 + t59 * t66);
+        let t116 = t74 * t110 * t114;
+        let t127 = self.constants[5] + t32 * self.constants[11] + sin_phi * t47
+            + cos_phi * t55 - cos_phi * t80;
+        let t129 = t29 * t88 - t17 * t127;
+        let t133 = t84 * t127 + t29 * t82;
+        let t138 = t114 * (t39 * t129 + t66 * t133 + t91 * t110);
+        let t141 = t5 * t66 * t114;
+        let t147 = t66 * t106 - t39 * t108;
+        let t151 = t66 * t71 - t39 * t59;
+        let t156 = self.constants[0].like(1.0)
+            / (self.constants[11] + t32 * self.constants[5]);
+        let t173 = speeds[0] * (t116 * t151 - t74 * t147) * t156
+            + speeds[1] * t156 * (t39 * t133 + t138 * t151 - t66 * t129 - t91 * t147);
+        let t174 = t173 + speeds[2] * t156 * (t5 * t39 + t141 * t151);
+        let t175 = -(t95 * cos_psi + t99 * sin_psi);
+        let t176 = -(speeds[0] * t116 + speeds[1] * t138 + speeds[2] * t141);
+        [t175, t105, t176, speeds[0], t93, speeds[1], speeds[2], t174]
+    }
+
+    fn derivatives_unchecked(&self, positions: &[T; 8], speeds: &[T; 3], forces: &[T; 2]) -> ([T; 8], [T; 3]) {
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t5 = self.constants[8] + self.constants[4] * cos_phi;
+        let (sin_pitch, cos_pitch) = positions[4].sin_cos();
+        let t17 = self.constants[1] * sin_pitch + self.constants[0] * cos_pitch;
+        let (sin_delta, cos_delta) = positions[5].sin_cos();
+        let t20 = cos_phi * t17;
+        let t24 = sin_phi * sin_delta - cos_delta * t20;
+        let t28 = self.constants[1] * cos_pitch - sin_pitch * self.constants[0];
+        let t29 = cos_phi * t28;
+        let t32 = (t24 * t24 + t29 * t29).sqrt();
+        let t33 = self.constants[0].like(1.0) / t32;
+        let t34 = t24 * t33;
+        let t36 = t29 * t33;
+        let t37 = cos_delta * t36;
+        let t39 = t28 * t37 - t17 * t34;
+        let t42 = sin_phi * cos_delta + t20 * sin_delta;
+        let t44 = t42 * self.constants[11];
+        let t47 = sin_delta * self.constants[9];
+        let t53 = self.constants[6] + cos_delta * self.constants[9];
+        let t55 = t28 * self.constants[12] - t17 * t53;
+        let t58 = cos_phi * t47 - t39 * t44 - sin_phi * t55;
+        let t59 = self.constants[8] * sin_phi + t58;
+        let t66 = cos_phi * sin_delta * t36 + sin_phi * (t28 * t34 + t17 * t37);
+        let t71 = t44 * t66 + t17 * self.constants[12] + t28 * t53;
+        let t73 = self.constants[0].like(1.0) / (cos_phi * t71);
+        let t74 = t59 * t73;
+        let t80 = t28 * self.constants[7] - t17 * self.constants[6];
+        let t82 = t58 + sin_phi * t80;
+        let t84 = sin_phi * t28;
+        let t88 = t71 - t17 * self.constants[7] - t28 * self.constants[6];
+        let t91 = t73 * (t17 * t82 + t84 * t88);
+        let t93 = speeds[0] * t74 + speeds[1] * t91;
+        let t94 = speeds[2] + t93;
+        let t95 = t5 * t94;
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let t99 = self.constants[4] * speeds[0];
+        let t105 = cos_psi * t99 - t95 * sin_psi;
+        let t106 = sin_phi * t71;
+        let t108 = sin_phi * t59;
+        let t110 = t39 * t106 + t66 * t108;
+        let t114 = self.constants[0].like(1.0) / (t39 * t71 + t59 * t66);
+        let t116 = t74 * t110 * t114;
+        let t127 = self.constants[5] + t32 * self.constants[11] + sin_phi * t47
+            + cos_phi * t55 - cos_phi * t80;
+        let t129 = t29 * t88 - t17 * t127;
+        let t133 = t84 * t127 + t29 * t82;
+        let t138 = t114 * (t39 * t129 + t66 * t133 + t91 * t110);
+        let t141 = t5 * t66 * t114;
+        let t144 = speeds[0] * t116 + speeds[1] * t138 + speeds[2] * t141;
+        let t147 = t66 * t106 - t39 * t108;
+        let t151 = t66 * t71 - t39 * t59;
+        let t155 = self.constants[11] + t32 * self.constants[5];
+        let t156 = self.constants[0].like(1.0) / t155;
+        let t157 = (t116 * t151 - t74 * t147) * t156;
+        let t166 = t156 * (t39 * t133 + t138 * t151 - t66 * t129 - t91 * t147);
+        let t171 = t156 * (t5 * t39 + t141 * t151);
+        let t174 = speeds[0] * t157 + speeds[1] * t166 + speeds[2] * t171;
+        let t177 = cos_phi * t144;
+        let t178 = t94 * t177;
+        let t180 = sin_phi * t144;
+        let t181 = self.constants[8] * t180;
+        let t183 = t177 * t181 - t5 * t178;
+        let t186 = t183 + sin_phi * self.constants[27];
+        let t191 = speeds[0] * t17 - t28 * t177;
+        let t192 = t93 * t191;
+        let t193 = speeds[0] * t180;
+        let t194 = t93 - t180;
+        let t195 = self.constants[7] * t194;
+        let t199 = speeds[0] * t28 + t17 * t177;
+        let t200 = self.constants[6] * t194;
+        let t202 = t191 * t195 + t199 * t200;
+        let t204 = t93 * t199;
+        let t205 = t28 * t193 + t204;
+        let t208 = t192 + t17 * t193;
+        let t212 = t202 + self.constants[6] * t205 + self.constants[7] * t208 - t183;
+        let t217 = self.constants[6] * t191 - self.constants[7] * t199;
+        let t219 = t194 * t200 + t191 * t217;
+        let t220 = speeds[0] * t177;
+        let t223 = self.constants[4] * sin_phi;
+        let t224 = speeds[0] * t94;
+        let t227 = self.constants[8] * speeds[0];
+        let t228 = t177 * t227;
+        let t230 = t5 * t220 + t223 * (t193 + t224) + t228;
+        let t237 = t178 * t223 + t181 * (t94 - t180) - speeds[0] * t227;
+        let t241 = t28 * t230 + t17 * t237 - t219 - self.constants[7] * t220;
+        let t243 = speeds[1] + t191;
+        let t247 = cos_delta * t194 - sin_delta * t199;
+        let t248 = self.constants[10] * t247;
+        let t252 = cos_delta * t199 + sin_delta * t194;
+        let t253 = self.constants[9] * t247;
+        let t258 = speeds[1] * t247;
+        let t260 = t258 - cos_delta * t208 - sin_delta * t220;
+        let t262 = t34 * t155;
+        let t264 = t205 + t174 * t252;
+        let t266 = t36 * t155;
+        let t268 = t260 - t174 * t243;
+        let t274 = t33 * (t34 * t252 + t36 * t243) * t44;
+        let t275 = t36 * t274;
+        let t277 = t34 * t274;
+        let t283 = cos_delta * t212 + t243 * t248 + t252 * t253
+            + self.constants[9] * t205 + t262 * t264 + t243 * t275;
+        let t287 = t283 + t252 * t277 - sin_delta * t241 - self.constants[10] * t260
+            - t266 * t268;
+        let t294 = self.constants[9] * t243 - self.constants[10] * t252;
+        let t298 = speeds[1] * t252;
+        let t300 = sin_delta * t208 - cos_delta * t220 - t298;
+        let t303 = t42 * self.constants[5];
+        let t305 = t174 + t247;
+        let t310 = self.constants[11] * (t34 * t243 - t36 * t252);
+        let t316 = cos_delta * t241 + sin_delta * t212 + self.constants[10] * t300
+            + t266 * t300 - t247 * t253 - t243 * t294;
+        let t319 = t316 - t264 * t303 - t277 * t305 - t243 * t310;
+        let t323 = t199 * t217 - t194 * t195;
+        let t338 = t323 + self.constants[6] * t220 + t17 * t230 + t252 * t294
+            + t268 * t303 + t252 * t310;
+        let t343 = t338 - t28 * t237 - t247 * t248 - self.constants[9] * t300
+            - t262 * t300 - t275 * t305;
+        let t345 = t34 * t319 + t36 * t343;
+        let t350 = t73 * (t42 * t287 + t32 * t345);
+        let t354 = t114 * (t32 * t287 + t110 * t350 - t42 * t345);
+        let t356 = t193 - cos_phi * t354;
+        let t358 = t192 + t17 * t356;
+        let t362 = t204 + t28 * t356;
+        let t369 = t194 * self.constants[16] + self.constants[2] * (speeds[2] + t194);
+        let t374 = t199 * self.constants[18] + self.constants[15] * t191;
+        let t381 = t202 + self.constants[6] * t362 + self.constants[7] * t358 - t186;
+        let t385 = t350 - t220 - sin_phi * t354;
+        let t391 = t5 * t385 - t228 - t223 * (t224 + t356);
+        let t394 = t237 + cos_phi * self.constants[27];
+        let t396 = t17 * t394 - t28 * t391;
+        let t398 = self.constants[7] * t385 + t396 - t219;
+        let t400 = cos_delta * t381 - sin_delta * t398;
+        let t406 = t258 + sin_delta * t385 - cos_delta * t358;
+        let t414 = t247 * self.constants[25] + t305 * self.constants[3];
+        let t419 = t252 * self.constants[23] + t243 * self.constants[24];
+        let t424 = self.constants[21] * t400 + self.constants[24] * t406
+            + t362 * self.constants[26] + t252 * t414 - t247 * t419;
+        let t428 = cos_delta * t398 + sin_delta * t381;
+        let t434 = cos_delta * t385 + sin_delta * t358 - t298;
+        let t436 = t247 * self.constants[21];
+        let t440 = t243 * self.constants[21] - t252 * self.constants[22];
+        let t444 = self.constants[20] * t428 + self.constants[22] * t434 - t247 * t436
+            - t243 * t440;
+        let t449 = t247 * self.constants[22];
+        let t455 = t400 * self.constants[20] + t362 * self.constants[21] + t243 * t449
+            + t252 * t436 - t406 * self.constants[22];
+        let t457 = sin_delta * t444 + cos_delta * t455;
+        let t463 = self.constants[19] * t362 + t199 * t369 + t424
+            + self.constants[6] * t457 - self.constants[13] * t186
+            - self.constants[15] * t358;
+        let t464 = t463 - t194 * t374;
+        let t472 = self.constants[15] * t199 + t191 * self.constants[19];
+        let t480 = t252 * self.constants[24] + t243 * self.constants[26];
+        let t486 = t406 * self.constants[23] + t362 * self.constants[24] + t247 * t480
+            - t400 * self.constants[22] - t243 * t414;
+        let t492 = t28 * t394 + t17 * t391;
+        let t494 = t323 - self.constants[6] * t385 - t492;
+        let t505 = t434 + t156 * (t34 * t343 + t151 * t354 - t36 * t319 - t147 * t350);
+        let t506 = self.constants[3] * t505;
+        let t513 = t428 * self.constants[22] + self.constants[25] * t434 + t506
+            + t243 * t419 - self.constants[21] * t494 - t252 * t480;
+        let t520 = t186 * self.constants[14] + self.constants[15] * t362 + t194 * t472
+            + cos_delta * t486 - t358 * self.constants[18] - t191 * t369;
+        let t522 = t520 - sin_delta * t513 - self.constants[7] * t457;
+        let t529 = self.constants[13] * t191 - t199 * self.constants[14];
+        let t531 = t194 * self.constants[14];
+        let t539 = self.constants[20] * t494 + t252 * t440 - self.constants[21] * t434
+            - t247 * t449;
+        let t543 = t199 * t529 + t539 - t492 * self.constants[17]
+            - self.constants[13] * t385 - t194 * t531;
+        let t547 = self.constants[13] * t194;
+        let t552 = cos_delta * t444 - sin_delta * t455;
+        let t556 = t396 * self.constants[17] + t385 * self.constants[14] + t552
+            - t194 * t547 - t191 * t529;
+        let t569 = t457 + self.constants[13] * t362 + t358 * self.constants[14]
+            + t191 * t531 + t199 * t547 - t186 * self.constants[17];
+        let t572 = t74 - sin_phi * t116;
+        let t585 = t17 * t543 + t28 * t556;
+        let t587 = self.constants[2] * t385 - t5 * t585;
+        let t592 = t396 * self.constants[14] + self.constants[13] * t492
+            + self.constants[16] * t385 + t191 * t374 + sin_delta * t486
+            + cos_delta * t513;
+        let t596 = t592 + self.constants[7] * t552 + t587 - t199 * t472
+            - self.constants[6] * t539;
+        let t598 = cos_phi * t116;
+        let t603 = t28 * t464 + t223 * t585 - t17 * t522;
+        let t608 = forces[0] + t223 * (t28 * t543 - t17 * t556) + t598 * t603
+            - t17 * t464;
+        let t612 = t608 - t28 * t522 - t5 * t569 - t572 * t596 - t157 * t506;
+        let t614 = sin_delta * self.constants[28];
+        let t615 = sin_delta * t614;
+        let t619 = self.constants[18] + self.constants[23] + self.constants[30] - t615;
+        let t620 = cos_delta * self.constants[21];
+        let t621 = self.constants[6] * t620;
+        let t624 = t621 + t621 + self.constants[33];
+        let t626 = self.constants[19] + self.constants[26] + t624;
+        let t627 = t626 - t619;
+        let t628 = t17 * t17;
+        let t630 = t17 * t28;
+        let t635 = cos_delta * self.constants[24] - self.constants[7] * t620;
+        let t638 = self.constants[15] + t635 - self.constants[31] - self.constants[32];
+        let t639 = t638 + t638;
+        let t641 = t627 * t628 + t630 * t639;
+        let t642 = sin_delta * self.constants[21];
+        let t643 = t223 * t642;
+        let t645 = t223 * self.constants[34];
+        let t648 = t223 * t645 - t643 - t643;
+        let t653 = self.constants[13] + t620 + self.constants[29];
+        let t655 = t28 * self.constants[35] - t17 * t653;
+        let t656 = t5 * t655;
+        let t657 = t5 * self.constants[34];
+        let t658 = t5 * t657;
+        let t660 = t658 - t656 - t656;
+        let t663 = sin_delta * self.constants[24] - self.constants[7] * t642;
+        let t667 = cos_delta * t614 - self.constants[6] * t642;
+        let t671 = t17 * self.constants[35] + t28 * t653;
+        let t674 = t17 * t663 + t28 * t667 + t223 * t671;
+        let t681 = t638 + t627 * t630 + t5 * t671 - t628 * t639;
+        let t687 = self.constants[16] + self.constants[25] + t615 + self.constants[30]
+            + t624 + t660;
+        let t697 = t28 * t663 + t223 * t655 + t5 * t642 - t17 * t667 - t5 * t645;
+        let t704 = t626 + t648 - t641;
+        let t709 = self.constants[2] * t572;
+        let t713 = t17 * sin_delta;
+        let t717 = t157 + cos_delta * t572 - sin_delta * t28 - t598 * t713;
+        let t718 = self.constants[3] * t717;
+        let t725 = t619 + t641 + t648 + t660 + t572 * t674
+            + t572 * (t674 + t572 * t687 - t598 * t697) + t572 * t709;
+        let t728 = t725 + t717 * t718 - t598 * t681
+            - t598 * (t681 + t572 * t697 - t598 * t704);
+        let t729 = self.constants[0].like(1.0) / t728;
+        let t731 = self.constants[26] + t621;
+        let t737 = t91 - sin_phi * t138;
+        let t739 = cos_phi * t138;
+        let t741 = t28 * t642;
+        let t742 = t5 * t741;
+        let t743 = t663 + t742;
+        let t747 = t743 + t687 * t737 - t697 * t739;
+        let t753 = t28 * t731 - t17 * t635 - t223 * t741;
+        let t757 = t753 + t697 * t737 - t704 * t739;
+        let t763 = t166 + cos_delta * t737 - t713 * t739;
+        let t769 = t17 * t731 + t28 * t635 + t5 * t620 + t674 * t737 + t572 * t747
+            + t709 * t737;
+        let t774 = t729 * (t769 + t718 * t763 - t17 * t643 - t681 * t739 - t598 * t757);
+        let t779 = self.constants[2] * t737;
+        let t781 = self.constants[3] * t763;
+        let t783 = t728 * t774;
+        let t789 = self.constants[26] + t737 * t747 + t737 * t743 + t737 * t779
+            + t763 * t781 - t739 * t757;
+        let t791 = t789 - t739 * t753 - t774 * t783;
+        let t792 = self.constants[0].like(1.0) / t791;
+        let t802 = forces[1] + t603 * t739 - t424 - t596 * t737 - t166 * t506
+            - t612 * t774;
+        let t805 = t5 * (t655 - t657);
+        let t806 = sin_phi * t141;
+        let t808 = cos_phi * t141;
+        let t811 = t805 + t687 * t806 + t697 * t808;
+        let t814 = t5 * (t642 - t645);
+        let t818 = t814 - t697 * t806 - t704 * t808;
+        let t823 = self.constants[0].like(1.0) - t806;
+        let t828 = t171 - cos_delta * t806 - t713 * t808;
+        let t840 = t709 * t823 + t718 * t828 - t674 * t806 - t681 * t808 - t572 * t811
+            - t598 * t818;
+        let t841 = t729 * t840;
+        let t847 = t742 + t779 * t823 + t781 * t828 - t737 * t811 - t739 * t818
+            - t743 * t806;
+        let t850 = t792 * (t847 - t753 * t808 - t783 * t841);
+        let t860 = t596 * t806 + t603 * t808 - t587 - t171 * t506 - t612 * t841
+            - t802 * t850;
+        let t877 = t658 + t806 * t811 + t805 * t806 + self.constants[2] * t823 * t823
+            + self.constants[3] * t828 * t828 - t808 * t818;
+        let t881 = t860 / (t877 - t808 * t814 - t728 * t841 * t841 - t791 * t850 * t850);
+        let t883 = t792 * t802 - t850 * t881;
+        let t887 = t612 * t729 - t774 * t883 - t841 * t881;
+        let t888 = -(t95 * cos_psi + t99 * sin_psi);
+        let t889 = -t144;
+        (
+            [t888, t105, t889, speeds[0], t93, speeds[1], speeds[2], t174],
+            [t887, t883, t881],
+        )
+    }
+
+    fn accelerations_unchecked(&self, positions: &[T; 8], speeds: &[T; 3], forces: &[T; 2]) -> [T; 8] {
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let (sin_pitch, cos_pitch) = positions[4].sin_cos();
+        let t15 = self.constants[1] * sin_pitch + self.constants[0] * cos_pitch;
+        let (sin_delta, cos_delta) = positions[5].sin_cos();
+        let t19 = t15 * cos_phi;
+        let t23 = sin_phi * sin_delta - cos_delta * t19;
+        let t27 = self.constants[1] * cos_pitch - sin_pitch * self.constants[0];
+        let t28 = cos_phi * t27;
+        let t31 = (t23 * t23 + t28 * t28).sqrt();
+        let t32 = self.constants[0].like(1.0) / t31;
+        let t33 = t23 * t32;
+        let t35 = t28 * t32;
+        let t36 = cos_delta * t35;
+        let t38 = t27 * t36 - t15 * t33;
+        let t41 = sin_phi * cos_delta + t19 * sin_delta;
+        let t43 = t41 * self.constants[11];
+        let t46 = sin_delta * self.constants[9];
+        let t52 = self.constants[6] + cos_delta * self.constants[9];
+        let t54 = t27 * self.constants[12] - t15 * t52;
+        let t57 = cos_phi * t46 - t38 * t43 - sin_phi * t54;
+        let t58 = sin_phi * self.constants[8] + t57;
+        let t65 = cos_phi * sin_delta * t35 + sin_phi * (t27 * t33 + t15 * t36);
+        let t70 = t43 * t65 + t15 * self.constants[12] + t27 * t52;
+        let t72 = self.constants[0].like(1.0) / (cos_phi * t70);
+        let t73 = t58 * t72;
+        let t79 = t27 * self.constants[7] - t15 * self.constants[6];
+        let t81 = t57 + sin_phi * t79;
+        let t83 = sin_phi * t27;
+        let t87 = t70 - t15 * self.constants[7] - t27 * self.constants[6];
+        let t90 = t72 * (t15 * t81 + t83 * t87);
+        let t92 = speeds[0] * t73 + speeds[1] * t90;
+        let t93 = speeds[2] + t92;
+        let t95 = speeds[0] * self.constants[4];
+        let t99 = self.constants[8] + cos_phi * self.constants[4];
+        let t103 = self.constants[0].like(1.0) / (t38 * t70 + t58 * t65);
+        let t104 = sin_phi * t70;
+        let t106 = sin_phi * t58;
+        let t108 = t38 * t104 + t65 * t106;
+        let t110 = t73 * t103 * t108;
+        let t121 = self.constants[5] + t31 * self.constants[11] + sin_phi * t46
+            + cos_phi * t54 - cos_phi * t79;
+        let t123 = t28 * t87 - t15 * t121;
+        let t127 = t83 * t121 + t28 * t81;
+        let t132 = t103 * (t38 * t123 + t65 * t127 + t90 * t108);
+        let t135 = t65 * t99 * t103;
+        let t138 = speeds[0] * t110 + speeds[1] * t132 + speeds[2] * t135;
+        let t139 = cos_phi * t138;
+        let t140 = speeds[0] * t139;
+        let t143 = speeds[0] * t15 - t27 * t139;
+        let t144 = sin_phi * t138;
+        let t145 = t92 - t144;
+        let t146 = self.constants[7] * t145;
+        let t150 = speeds[0] * t27 + t15 * t139;
+        let t151 = self.constants[6] * t145;
+        let t153 = t143 * t146 + t150 * t151;
+        let t154 = speeds[0] * t144;
+        let t156 = t92 * t150;
+        let t157 = t27 * t154 + t156;
+        let t160 = t92 * t143;
+        let t161 = t15 * t154 + t160;
+        let t163 = t93 * t139;
+        let t165 = self.constants[8] * t144;
+        let t167 = t139 * t165 - t99 * t163;
+        let t170 = t153 + self.constants[6] * t157 + self.constants[7] * t161 - t167;
+        let t175 = self.constants[6] * t143 - self.constants[7] * t150;
+        let t177 = t145 * t151 + t143 * t175;
+        let t179 = speeds[0] * self.constants[8];
+        let t180 = t139 * t179;
+        let t182 = sin_phi * self.constants[4];
+        let t183 = speeds[0] * t93;
+        let t187 = t180 + t99 * t140 + t182 * (t154 + t183);
+        let t194 = t163 * t182 + t165 * (t93 - t144) - speeds[0] * t179;
+        let t198 = t27 * t187 + t15 * t194 - t177 - self.constants[7] * t140;
+        let t200 = speeds[1] + t143;
+        let t204 = cos_delta * t145 - sin_delta * t150;
+        let t205 = self.constants[10] * t204;
+        let t209 = cos_delta * t150 + sin_delta * t145;
+        let t210 = self.constants[9] * t204;
+        let t215 = speeds[1] * t204;
+        let t217 = t215 - cos_delta * t161 - sin_delta * t140;
+        let t220 = self.constants[11] + t31 * self.constants[5];
+        let t221 = t33 * t220;
+        let t224 = t65 * t104 - t38 * t106;
+        let t228 = t65 * t70 - t38 * t58;
+        let t231 = self.constants[0].like(1.0) / t220;
+        let t232 = (t110 * t228 - t73 * t224) * t231;
+        let t241 = t231 * (t38 * t127 + t132 * t228 - t65 * t123 - t90 * t224);
+        let t246 = t231 * (t38 * t99 + t135 * t228);
+        let t249 = speeds[0] * t232 + speeds[1] * t241 + speeds[2] * t246;
+        let t251 = t157 + t209 * t249;
+        let t253 = t35 * t220;
+        let t255 = t217 - t200 * t249;
+        let t261 = t32 * (t33 * t209 + t35 * t200) * t43;
+        let t262 = t35 * t261;
+        let t264 = t33 * t261;
+        let t270 = cos_delta * t170 + t200 * t205 + t209 * t210
+            + self.constants[9] * t157 + t221 * t251 + t200 * t262;
+        let t274 = t270 + t209 * t264 - sin_delta * t198 - self.constants[10] * t217
+            - t253 * t255;
+        let t281 = self.constants[9] * t200 - self.constants[10] * t209;
+        let t285 = speeds[1] * t209;
+        let t287 = sin_delta * t161 - cos_delta * t140 - t285;
+        let t290 = t41 * self.constants[5];
+        let t292 = t204 + t249;
+        let t297 = self.constants[11] * (t33 * t200 - t35 * t209);
+        let t303 = cos_delta * t198 + sin_delta * t170 + self.constants[10] * t287
+            + t253 * t287 - t204 * t210 - t200 * t281;
+        let t306 = t303 - t251 * t290 - t264 * t292 - t200 * t297;
+        let t310 = t150 * t175 - t145 * t146;
+        let t325 = t310 + self.constants[6] * t140 + t15 * t187 + t209 * t281
+            + t255 * t290 + t209 * t297;
+        let t330 = t325 - t27 * t194 - t204 * t205 - self.constants[9] * t287
+            - t221 * t287 - t262 * t292;
+        let t332 = t33 * t306 + t35 * t330;
+        let t335 = t72 * (t41 * t274 + t31 * t332);
+        let t341 = t103 * (t31 * t274 + t108 * t335 - t41 * t332);
+        let t344 = t335 - t140 - sin_phi * t341;
+        let t349 = t194 + cos_phi * self.constants[27];
+        let t353 = t154 - cos_phi * t341;
+        let t357 = t99 * t344 - t180 - t182 * (t183 + t353);
+        let t359 = t27 * t349 + t15 * t357;
+        let t362 = t310 - t359 - self.constants[6] * t344;
+        let t368 = t160 + t15 * t353;
+        let t371 = cos_delta * t344 + sin_delta * t368 - t285;
+        let t376 = t200 * self.constants[21] - t209 * self.constants[22];
+        let t378 = t204 * self.constants[22];
+        let t382 = t362 * self.constants[20] + t209 * t376 - self.constants[21] * t371
+            - t204 * t378;
+        let t390 = t143 * self.constants[13] - self.constants[14] * t150;
+        let t392 = self.constants[14] * t145;
+        let t397 = t382 + t150 * t390 - t359 * self.constants[17]
+            - t344 * self.constants[13] - t145 * t392;
+        let t401 = t15 * t349 - t27 * t357;
+        let t404 = t401 + self.constants[7] * t344 - t177;
+        let t407 = t156 + t27 * t353;
+        let t411 = t167 + sin_phi * self.constants[27];
+        let t414 = t153 + self.constants[6] * t407 + self.constants[7] * t368 - t411;
+        let t416 = cos_delta * t404 + sin_delta * t414;
+        let t419 = t204 * self.constants[21];
+        let t424 = t416 * self.constants[20] + self.constants[22] * t371 - t204 * t419
+            - t200 * t376;
+        let t428 = cos_delta * t414 - sin_delta * t404;
+        let t434 = t215 + sin_delta * t344 - cos_delta * t368;
+        let t441 = t428 * self.constants[20] + t407 * self.constants[21] + t200 * t378
+            + t209 * t419 - self.constants[22] * t434;
+        let t443 = cos_delta * t424 - sin_delta * t441;
+        let t446 = t145 * self.constants[13];
+        let t452 = t443 + t401 * self.constants[17] + self.constants[14] * t344
+            - t145 * t446 - t143 * t390;
+        let t454 = t15 * t397 + t27 * t452;
+        let t456 = t344 * self.constants[2] - t99 * t454;
+        let t457 = sin_phi * t135;
+        let t466 = t150 * self.constants[18] + t143 * self.constants[15];
+        let t471 = t150 * self.constants[15] + t143 * self.constants[19];
+        let t481 = t209 * self.constants[24] + t200 * self.constants[26];
+        let t487 = t204 * self.constants[25] + t292 * self.constants[3];
+        let t492 = self.constants[23] * t434 + t407 * self.constants[24] + t204 * t481
+            - self.constants[22] * t428 - t200 * t487;
+        let t504 = t231 * (t33 * t330 + t228 * t341 - t35 * t306 - t224 * t335);
+        let t506 = self.constants[3] * (t371 + t504);
+        let t509 = t209 * self.constants[23] + t200 * self.constants[24];
+        let t516 = self.constants[22] * t416 + self.constants[25] * t371 + t506
+            + t200 * t509 - self.constants[21] * t362 - t209 * t481;
+        let t524 = self.constants[14] * t401 + self.constants[13] * t359
+            + t344 * self.constants[16] + t143 * t466 + sin_delta * t492
+            + cos_delta * t516;
+        let t528 = t524 + self.constants[7] * t443 + t456 - t150 * t471
+            - self.constants[6] * t382;
+        let t530 = cos_phi * t135;
+        let t537 = t145 * self.constants[16] + self.constants[2] * (speeds[2] + t145);
+        let t548 = t428 * self.constants[21] + t434 * self.constants[24]
+            + t407 * self.constants[26] + t209 * t487 - t204 * t509;
+        let t551 = sin_delta * t424 + cos_delta * t441;
+        let t557 = self.constants[19] * t407 + t150 * t537 + t548
+            + self.constants[6] * t551 - self.constants[13] * t411
+            - self.constants[15] * t368;
+        let t558 = t557 - t145 * t466;
+        let t572 = self.constants[14] * t411 + self.constants[15] * t407 + t145 * t471
+            + cos_delta * t492 - self.constants[18] * t368 - t143 * t537;
+        let t574 = t572 - sin_delta * t516 - self.constants[7] * t551;
+        let t578 = t27 * t558 + t182 * t454 - t15 * t574;
+        let t597 = t551 + self.constants[13] * t407 + self.constants[14] * t368
+            + t143 * t392 + t150 * t446 - t411 * self.constants[17];
+        let t600 = t73 - sin_phi * t110;
+        let t602 = cos_phi * t110;
+        let t607 = forces[0] + t182 * (t27 * t397 - t15 * t452) + t578 * t602
+            - t15 * t558;
+        let t611 = t607 - t27 * t574 - t99 * t597 - t528 * t600 - t232 * t506;
+        let t613 = sin_delta * self.constants[21];
+        let t615 = sin_delta * self.constants[24] - self.constants[7] * t613;
+        let t618 = sin_delta * self.constants[28];
+        let t621 = cos_delta * t618 - self.constants[6] * t613;
+        let t625 = cos_delta * self.constants[21];
+        let t628 = self.constants[13] + t625 + self.constants[29];
+        let t630 = t15 * self.constants[35] + t27 * t628;
+        let t633 = t15 * t615 + t27 * t621 + t182 * t630;
+        let t639 = cos_delta * self.constants[24] - self.constants[7] * t625;
+        let t642 = self.constants[15] + t639 - self.constants[31] - self.constants[32];
+        let t643 = sin_delta * t618;
+        let t647 = self.constants[18] + self.constants[23] + self.constants[30] - t643;
+        let t648 = self.constants[6] * t625;
+        let t651 = t648 + t648 + self.constants[33];
+        let t653 = self.constants[19] + self.constants[26] + t651;
+        let t654 = t653 - t647;
+        let t655 = t15 * t27;
+        let t657 = t15 * t15;
+        let t658 = t642 + t642;
+        let t663 = t642 + t654 * t655 + t99 * t630 - t657 * t658;
+        let t667 = t27 * self.constants[35] - t15 * t628;
+        let t669 = t99 * self.constants[34];
+        let t671 = t99 * (t667 - t669);
+        let t672 = t99 * t667;
+        let t673 = t99 * t669;
+        let t675 = t673 - t672 - t672;
+        let t680 = self.constants[16] + self.constants[25] + t643 + self.constants[30]
+            + t651 + t675;
+        let t686 = t182 * self.constants[34];
+        let t691 = t27 * t615 + t182 * t667 + t99 * t613 - t15 * t621 - t99 * t686;
+        let t694 = t671 + t457 * t680 + t530 * t691;
+        let t697 = t99 * (t613 - t686);
+        let t701 = t654 * t657 + t655 * t658;
+        let t702 = t182 * t613;
+        let t705 = t182 * t686 - t702 - t702;
+        let t707 = t653 + t705 - t701;
+        let t710 = t697 - t457 * t691 - t530 * t707;
+        let t713 = self.constants[0].like(1.0) - t457;
+        let t714 = self.constants[2] * t600;
+        let t717 = t15 * sin_delta;
+        let t720 = t246 - cos_delta * t457 - t530 * t717;
+        let t726 = t232 + cos_delta * t600 - sin_delta * t27 - t602 * t717;
+        let t727 = self.constants[3] * t726;
+        let t733 = t713 * t714 + t720 * t727 - t457 * t633 - t530 * t663 - t600 * t694
+            - t602 * t710;
+        let t753 = t647 + t675 + t701 + t705 + t600 * t633
+            + t600 * (t633 + t600 * t680 - t602 * t691) + t600 * t714;
+        let t756 = t753 + t726 * t727 - t602 * t663
+            - t602 * (t663 + t600 * t691 - t602 * t707);
+        let t757 = self.constants[0].like(1.0) / t756;
+        let t758 = t733 * t757;
+        let t760 = t27 * t613;
+        let t761 = t99 * t760;
+        let t763 = t90 - sin_phi * t132;
+        let t765 = cos_phi * t132;
+        let t767 = t615 + t761;
+        let t769 = self.constants[26] + t648;
+        let t774 = t27 * t769 - t15 * t639 - t182 * t760;
+        let t776 = self.constants[2] * t763;
+        let t781 = t241 + cos_delta * t763 - t717 * t765;
+        let t782 = self.constants[3] * t781;
+        let t793 = t767 + t680 * t763 - t691 * t765;
+        let t798 = t774 + t691 * t763 - t707 * t765;
+        let t806 = t15 * t769 + t27 * t639 + t99 * t625 + t633 * t763 + t600 * t793
+            + t714 * t763;
+        let t811 = t757 * (t806 + t727 * t781 - t15 * t702 - t663 * t765 - t602 * t798);
+        let t812 = t756 * t811;
+        let t818 = t761 + t713 * t776 + t720 * t782 - t694 * t763 - t710 * t765
+            - t457 * t767;
+        let t832 = self.constants[26] + t763 * t793 + t763 * t767 + t763 * t776
+            + t781 * t782 - t765 * t798;
+        let t834 = t832 - t765 * t774 - t811 * t812;
+        let t835 = self.constants[0].like(1.0) / t834;
+        let t836 = (t818 - t530 * t774 - t758 * t812) * t835;
+        let t846 = forces[1] + t578 * t765 - t548 - t528 * t763 - t241 * t506
+            - t611 * t811;
+        let t852 = t457 * t528 + t530 * t578 - t456 - t246 * t506 - t611 * t758
+            - t836 * t846;
+        let t869 = t673 + t457 * t694 + t457 * t671 + self.constants[2] * t713 * t713
+            + self.constants[3] * t720 * t720 - t530 * t710;
+        let t873 = t852 / (t869 - t530 * t697 - t756 * t758 * t758 - t834 * t836 * t836);
+        let t877 = t835 * t846 - t836 * t873;
+        let t881 = t611 * t757 - t811 * t877 - t758 * t873;
+        let t885 = t335 + t73 * t881 + t90 * t877;
+        let t890 = sin_phi * t93 * t95 + t95 * t138 - t99 * (t873 + t885);
+        let t896 = self.constants[4] * t881 + t93 * t99 * t138;
+        let t898 = cos_psi * t890 - sin_psi * t896;
+        let t901 = t890 * sin_psi + cos_psi * t896;
+        let t913 = t504 + t232 * t881 + t241 * t877 + t246 * t873;
+        let t914 = -(t341 + t110 * t881 + t132 * t877 + t135 * t873);
+        [t898, t901, t914, t881, t885, t877, t873, t913]
+    }
+
+    fn energy_unchecked(&self, positions: &[T; 8], speeds: &[T; 3]) -> [T; 2] {
+        let (sin_delta, cos_delta) = positions[5].sin_cos();
+        let t6 = sin_delta * self.constants[28];
+        let t7 = sin_delta * t6;
+        let t11 = self.constants[18] + self.constants[23] + self.constants[30] - t7;
+        let t17 = cos_delta * self.constants[21];
+        let t18 = self.constants[6] * t17;
+        let t21 = t18 + t18 + self.constants[33];
+        let t23 = self.constants[19] + self.constants[26] + t21;
+        let t24 = t23 - t11;
+        let (sin_pitch, cos_pitch) = positions[4].sin_cos();
+        let t32 = self.constants[1] * sin_pitch + self.constants[0] * cos_pitch;
+        let t33 = t32 * t32;
+        let t37 = self.constants[1] * cos_pitch - sin_pitch * self.constants[0];
+        let t38 = t32 * t37;
+        let t46 = cos_delta * self.constants[24] - t17 * self.constants[7];
+        let t49 = self.constants[15] + t46 - self.constants[31] - self.constants[32];
+        let t50 = t49 + t49;
+        let t52 = t24 * t33 + t38 * t50;
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t56 = self.constants[4] * sin_phi;
+        let t57 = sin_delta * self.constants[21];
+        let t58 = t56 * t57;
+        let t60 = t56 * self.constants[34];
+        let t63 = t56 * t60 - t58 - t58;
+        let t67 = self.constants[8] + self.constants[4] * cos_phi;
+        let t73 = t17 + self.constants[13] + self.constants[29];
+        let t75 = t37 * self.constants[35] - t32 * t73;
+        let t76 = t67 * t75;
+        let t77 = self.constants[34] * t67;
+        let t78 = t67 * t77;
+        let t80 = t78 - t76 - t76;
+        let t83 = sin_delta * self.constants[24] - self.constants[7] * t57;
+        let t87 = t6 * cos_delta - self.constants[6] * t57;
+        let t91 = t32 * self.constants[35] + t37 * t73;
+        let t94 = t32 * t83 + t37 * t87 + t56 * t91;
+        let t96 = t32 * cos_phi;
+        let t99 = sin_delta * sin_phi - cos_delta * t96;
+        let t101 = t37 * cos_phi;
+        let t104 = (t99 * t99 + t101 * t101).sqrt();
+        let t105 = self.constants[0].like(1.0) / t104;
+        let t106 = t99 * t105;
+        let t108 = t101 * t105;
+        let t109 = cos_delta * t108;
+        let t111 = t37 * t109 - t32 * t106;
+        let t116 = (cos_delta * sin_phi + sin_delta * t96) * self.constants[11];
+        let t119 = sin_delta * self.constants[9];
+        let t124 = self.constants[6] + cos_delta * self.constants[9];
+        let t126 = t37 * self.constants[12] - t32 * t124;
+        let t129 = cos_phi * t119 - t111 * t116 - sin_phi * t126;
+        let t130 = sin_phi * self.constants[8] + t129;
+        let t137 = sin_delta * cos_phi * t108 + sin_phi * (t37 * t106 + t32 * t109);
+        let t142 = t116 * t137 + t32 * self.constants[12] + t37 * t124;
+        let t144 = self.constants[0].like(1.0) / (cos_phi * t142);
+        let t145 = t130 * t144;
+        let t146 = sin_phi * t142;
+        let t148 = sin_phi * t130;
+        let t150 = t111 * t146 + t137 * t148;
+        let t154 = self.constants[0].like(1.0) / (t111 * t142 + t130 * t137);
+        let t156 = t145 * t150 * t154;
+        let t158 = t145 - sin_phi * t156;
+        let t165 = t49 + t24 * t38 + t67 * t91 - t33 * t50;
+        let t166 = cos_phi * t156;
+        let t174 = t7 + self.constants[30] + t21 + t80 + self.constants[16]
+            + self.constants[25];
+        let t184 = t37 * t83 + t56 * t75 + t57 * t67 - t32 * t87 - t60 * t67;
+        let t191 = t23 + t63 - t52;
+        let t197 = t158 * self.constants[2];
+        let t201 = t137 * t146 - t111 * t148;
+        let t205 = t137 * t142 - t111 * t130;
+        let t211 = self.constants[0].like(1.0)
+            / (self.constants[11] + t104 * self.constants[5]);
+        let t215 = sin_delta * t32;
+        let t219 = (t156 * t205 - t145 * t201) * t211 + cos_delta * t158
+            - sin_delta * t37 - t166 * t215;
+        let t221 = t219 * self.constants[3];
+        let t228 = t11 + t52 + t63 + t80 + t94 * t158
+            + t158 * (t94 + t158 * t174 - t166 * t184) + t158 * t197;
+        let t232 = speeds[0]
+            * (t228 + t219 * t221 - t165 * t166
+                - t166 * (t165 + t158 * t184 - t166 * t191));
+        let t234 = self.constants[26] + t18;
+        let t241 = t37 * self.constants[7] - self.constants[6] * t32;
+        let t243 = t129 + sin_phi * t241;
+        let t245 = t37 * sin_phi;
+        let t249 = t142 - t32 * self.constants[7] - self.constants[6] * t37;
+        let t252 = t144 * (t32 * t243 + t245 * t249);
+        let t261 = self.constants[5] + t104 * self.constants[11] + sin_phi * t119
+            + cos_phi * t126 - cos_phi * t241;
+        let t263 = t101 * t249 - t32 * t261;
+        let t267 = t245 * t261 + t101 * t243;
+        let t272 = t154 * (t111 * t263 + t137 * t267 + t150 * t252);
+        let t274 = t252 - sin_phi * t272;
+        let t276 = cos_phi * t272;
+        let t278 = t37 * t57;
+        let t279 = t67 * t278;
+        let t280 = t83 + t279;
+        let t284 = t280 + t174 * t274 - t184 * t276;
+        let t290 = t37 * t234 - t32 * t46 - t56 * t278;
+        let t294 = t290 + t184 * t274 - t191 * t276;
+        let t307 = t211 * (t111 * t267 + t205 * t272 - t137 * t263 - t201 * t252)
+            + cos_delta * t274;
+        let t308 = t307 - t215 * t276;
+        let t314 = t32 * t234 + t37 * t46 + t17 * t67 + t94 * t274 + t158 * t284
+            + t197 * t274;
+        let t318 = t314 + t221 * t308 - t32 * t58 - t165 * t276 - t166 * t294;
+        let t322 = t67 * t137 * t154;
+        let t323 = sin_phi * t322;
+        let t325 = cos_phi * t322;
+        let t327 = t75 - t77;
+        let t328 = t67 * t327;
+        let t332 = t328 + t174 * t323 + t184 * t325;
+        let t334 = t57 - t60;
+        let t335 = t67 * t334;
+        let t339 = t335 - t184 * t323 - t191 * t325;
+        let t342 = self.constants[0].like(1.0) - t323;
+        let t351 = t211 * (t67 * t111 + t205 * t322) - cos_delta * t323 - t215 * t325;
+        let t357 = t197 * t342 + t221 * t351 - t94 * t323 - t165 * t325 - t158 * t332
+            - t166 * t339;
+        let t367 = self.constants[2] * t274;
+        let t369 = self.constants[3] * t308;
+        let t375 = self.constants[26] + t274 * t284 + t274 * t280 + t274 * t367
+            + t308 * t369 - t276 * t294;
+        let t388 = t279 + t342 * t367 + t351 * t369 - t274 * t332 - t276 * t339
+            - t280 * t323;
+        let t389 = t388 - t290 * t325;
+        let t393 = speeds[1]
+            * (speeds[0] * t318 + speeds[1] * (t375 - t276 * t290) + speeds[2] * t389);
+        let t408 = t78 + t323 * t332 + t323 * t328 + self.constants[2] * t342 * t342
+            + self.constants[3] * t351 * t351 - t325 * t339;
+        let t415 = speeds[0] * (t232 + speeds[1] * t318 + speeds[2] * t357) + t393
+            + speeds[2]
+                * (speeds[0] * t357 + speeds[1] * t389
+                    + speeds[2] * (t408 - t325 * t335));
+        let t417 = t415 * self.constants[0].like(0.5);
+        let t423 = -(self.constants[27] * (sin_phi * t334 + cos_phi * t327));
+        [t417, t423]
+    }
+
+    fn contact_forces_unchecked(&self, positions: &[T; 8], speeds: &[T; 3], forces: &[T; 2]) -> [[T; 3]; 2] {
+        let (
+            sin_psi, cos_psi, sin_pitch, cos_pitch, t9, t13, sin_phi, cos_phi, sin_delta, cos_delta,
+            t19, t24, t26, t29, t30, t31, t33, t34, t36, t43, t46, t48, t55, t58, t59, t64, t68,
+            t71, t72, t73, t75, t77, t78, t82, t84, t91, t99, t104, t106, t108, t111, t113, t118,
+            t122, t127, t129, t132, t133, t135, t138, t143, t147, t148, t149, t150, t152, t154,
+            t155, t156, t158, t160, t161, t163, t164, t167, t168, t170, t171, t173, t174, t175,
+            t178, t183, t185, t186, t189, t190, t194, t200, t201, t205, t207, t211, t212, t216,
+            t217, t222, t224, t227, t228, t231, t235, t238, t239, t248, t253, t256, t258, t260,
+            t262, t268, t269, t271, t277, t281, t288, t292, t294, t297, t299, t304, t310, t313,
+            t317, t332, t337, t339, t344, t348, t350, t351, t355, t356, t360, t364, t366, t369,
+            t375, t378, t383, t385, t387, t389, t394, t398, t401, t404, t407, t408, t411, t413,
+            t416, t419, t421, t425, t431, t435, t438, t440, t443, t446, t449, t451, t453, t454,
+            t463, t468, t470, t479, t485, t487, t490, t502, t504, t507, t510, t514, t522, t525,
+            t527, t534, t537, t543, t546, t549, t555, t562, t570, t571, t575, t590, t595, t597,
+            t599, t604, t608, t610, t612, t615, t618, t622, t625, t627, t630, t636, t639, t640,
+            t644, t645, t648, t650, t651, t652, t654, t655, t660, t664, t666, t668, t669, t670,
+            t672, t677, t683, t688, t691, t694, t698, t699, t702, t704, t707, t710, t711, t714,
+            t717, t723, t724, t730, t750, t753, t754, t755, t757, t758, t760, t762, t764, t766,
+            t771, t773, t778, t779, t790, t795, t803, t808, t809, t815, t829, t831, t832, t833,
+            t843,
+        );
+        (sin_psi, cos_psi) = positions[2].sin_cos();
+        (sin_pitch, cos_pitch) = positions[4].sin_cos();
+        t9 = self.constants[1] * sin_pitch + self.constants[0] * cos_pitch;
+        t13 = self.constants[1] * cos_pitch - sin_pitch * self.constants[0];
+        (sin_phi, cos_phi) = positions[3].sin_cos();
+        (sin_delta, cos_delta) = positions[5].sin_cos();
+        t19 = t9 * cos_phi;
+        t24 = sin_phi * sin_delta - cos_delta * t19;
+        t26 = t13 * cos_phi;
+        t29 = (t24 * t24 + t26 * t26).sqrt();
+        t30 = self.constants[0].like(1.0) / t29;
+        t31 = t24 * t30;
+        t33 = t26 * t30;
+        t34 = cos_delta * t33;
+        t36 = t13 * t34 - t9 * t31;
+        t43 = cos_phi * sin_delta * t33 + sin_phi * (t13 * t31 + t9 * t34);
+        t46 = cos_delta * sin_phi + t19 * sin_delta;
+        t48 = t46 * self.constants[11];
+        t55 = self.constants[6] + cos_delta * self.constants[9];
+        t58 = t43 * t48 + t9 * self.constants[12] + t13 * t55;
+        t59 = sin_phi * t58;
+        t64 = sin_delta * self.constants[9];
+        t68 = t13 * self.constants[12] - t9 * t55;
+        t71 = cos_phi * t64 - t36 * t48 - sin_phi * t68;
+        t72 = sin_phi * self.constants[8] + t71;
+        t73 = sin_phi * t72;
+        t75 = t36 * t59 + t43 * t73;
+        t77 = self.constants[0].like(1.0) / (cos_phi * t58);
+        t78 = t72 * t77;
+        t82 = self.constants[0].like(1.0) / (t36 * t58 + t43 * t72);
+        t84 = t75 * t78 * t82;
+        t91 = t58 - t9 * self.constants[7] - t13 * self.constants[6];
+        t99 = t13 * self.constants[7] - t9 * self.constants[6];
+        t104 = self.constants[5] + t29 * self.constants[11] + sin_phi * t64
+            + cos_phi * t68 - cos_phi * t99;
+        t106 = t26 * t91 - t9 * t104;
+        t108 = t13 * sin_phi;
+        t111 = t71 + sin_phi * t99;
+        t113 = t104 * t108 + t26 * t111;
+        t118 = t77 * (t9 * t111 + t91 * t108);
+        t122 = t82 * (t36 * t106 + t43 * t113 + t75 * t118);
+        t127 = self.constants[8] + cos_phi * self.constants[4];
+        t129 = t43 * t82 * t127;
+        t132 = speeds[0] * t84 + speeds[1] * t122 + speeds[2] * t129;
+        t133 = cos_phi * t132;
+        t135 = speeds[0] * t13 + t9 * t133;
+        t138 = t9 * speeds[0] - t13 * t133;
+        t143 = t138 * self.constants[13] - t135 * self.constants[14];
+        t147 = speeds[0] * t78 + speeds[1] * t118;
+        t148 = sin_phi * t132;
+        t149 = t147 - t148;
+        t150 = self.constants[14] * t149;
+        t152 = t135 * t143 - t149 * t150;
+        t154 = speeds[0] * self.constants[8];
+        t155 = t133 * t154;
+        t156 = self.constants[7] * t149;
+        t158 = self.constants[6] * t149;
+        t160 = t138 * t156 + t135 * t158;
+        t161 = speeds[0] * t148;
+        t163 = t135 * t147;
+        t164 = t13 * t161 + t163;
+        t167 = t138 * t147;
+        t168 = t9 * t161 + t167;
+        t170 = speeds[2] + t147;
+        t171 = t133 * t170;
+        t173 = self.constants[8] * t148;
+        t174 = t133 * t173;
+        t175 = t174 - t127 * t171;
+        t178 = t160 + self.constants[6] * t164 + self.constants[7] * t168 - t175;
+        t183 = self.constants[6] * t138 - self.constants[7] * t135;
+        t185 = t149 * t158 + t138 * t183;
+        t186 = speeds[0] * t133;
+        t189 = sin_phi * self.constants[4];
+        t190 = speeds[0] * t170;
+        t194 = t155 + t127 * t186 + t189 * (t161 + t190);
+        t200 = t173 * (t170 - t148) - speeds[0] * t154;
+        t201 = t171 * t189 + t200;
+        t205 = t13 * t194 + t9 * t201 - t185 - self.constants[7] * t186;
+        t207 = speeds[1] + t138;
+        t211 = cos_delta * t149 - sin_delta * t135;
+        t212 = self.constants[10] * t211;
+        t216 = cos_delta * t135 + sin_delta * t149;
+        t217 = self.constants[9] * t211;
+        t222 = speeds[1] * t211;
+        t224 = t222 - cos_delta * t168 - sin_delta * t186;
+        t227 = self.constants[11] + t29 * self.constants[5];
+        t228 = t31 * t227;
+        t231 = t43 * t59 - t36 * t73;
+        t235 = t43 * t58 - t36 * t72;
+        t238 = self.constants[0].like(1.0) / t227;
+        t239 = (t84 * t235 - t78 * t231) * t238;
+        t248 = t238 * (t36 * t113 + t122 * t235 - t43 * t106 - t118 * t231);
+        t253 = t238 * (t36 * t127 + t129 * t235);
+        t256 = speeds[0] * t239 + speeds[1] * t248 + speeds[2] * t253;
+        t258 = t164 + t216 * t256;
+        t260 = t33 * t227;
+        t262 = t224 - t207 * t256;
+        t268 = t30 * (t31 * t216 + t33 * t207) * t48;
+        t269 = t33 * t268;
+        t271 = t31 * t268;
+        t277 = cos_delta * t178 + t207 * t212 + t216 * t217 + self.constants[9] * t164
+            + t228 * t258 + t207 * t269;
+        t281 = t277 + t216 * t271 - sin_delta * t205 - self.constants[10] * t224
+            - t260 * t262;
+        t288 = self.constants[9] * t207 - self.constants[10] * t216;
+        t292 = speeds[1] * t216;
+        t294 = sin_delta * t168 - cos_delta * t186 - t292;
+        t297 = t46 * self.constants[5];
+        t299 = t211 + t256;
+        t304 = self.constants[11] * (t31 * t207 - t33 * t216);
+        t310 = cos_delta * t205 + sin_delta * t178 + self.constants[10] * t294
+            + t260 * t294 - t211 * t217 - t207 * t288;
+        t313 = t310 - t258 * t297 - t271 * t299 - t207 * t304;
+        t317 = t135 * t183 - t149 * t156;
+        t332 = t317 + self.constants[6] * t186 + t9 * t194 + t216 * t288 + t262 * t297
+            + t216 * t304;
+        t337 = t332 - t13 * t201 - t211 * t212 - self.constants[9] * t294 - t228 * t294
+            - t269 * t299;
+        t339 = t31 * t313 + t33 * t337;
+        t344 = t77 * (t46 * t281 + t29 * t339);
+        t348 = t82 * (t29 * t281 + t75 * t344 - t46 * t339);
+        t350 = t186 - t344;
+        t351 = sin_phi * t348 + t350;
+        t355 = cos_phi * self.constants[27];
+        t356 = t201 + t355;
+        t360 = t161 - cos_phi * t348;
+        t364 = t127 * t351 + t155 + t189 * (t190 + t360);
+        t366 = t13 * t356 - t9 * t364;
+        t369 = t317 - t366 + self.constants[6] * t351;
+        t375 = t167 + t9 * t360;
+        t378 = sin_delta * t375 - cos_delta * t351 - t292;
+        t383 = t207 * self.constants[21] - t216 * self.constants[22];
+        t385 = t211 * self.constants[22];
+        t387 = t216 * t383 - t211 * t385;
+        t389 = t369 * self.constants[20] + t387 - self.constants[21] * t378;
+        t394 = t152 + t389 - self.constants[17] * t366 + self.constants[13] * t351;
+        t398 = t9 * t356 + t13 * t364;
+        t401 = t398 - self.constants[7] * t351 - t185;
+        t404 = t163 + t13 * t360;
+        t407 = sin_phi * self.constants[27];
+        t408 = t175 + t407;
+        t411 = t160 + self.constants[6] * t404 + self.constants[7] * t375 - t408;
+        t413 = cos_delta * t401 + sin_delta * t411;
+        t416 = t211 * self.constants[21];
+        t419 = t211 * t416 + t207 * t383;
+        t421 = t413 * self.constants[20] + self.constants[22] * t378 - t419;
+        t425 = cos_delta * t411 - sin_delta * t401;
+        t431 = t222 - sin_delta * t351 - cos_delta * t375;
+        t435 = t207 * t385 + t216 * t416;
+        t438 = t425 * self.constants[20] + t404 * self.constants[21] + t435
+            - self.constants[22] * t431;
+        t440 = cos_delta * t421 - sin_delta * t438;
+        t443 = self.constants[13] * t149;
+        t446 = t149 * t443 + t138 * t143;
+        t449 = t440 + self.constants[17] * t398 - self.constants[14] * t351 - t446;
+        t451 = t9 * t394 + t13 * t449;
+        t453 = t351 * self.constants[2] + t127 * t451;
+        t454 = sin_phi * t129;
+        t463 = t135 * self.constants[18] + t138 * self.constants[15];
+        t468 = t135 * self.constants[15] + t138 * self.constants[19];
+        t470 = t138 * t463 - t135 * t468;
+        t479 = t216 * self.constants[24] + t207 * self.constants[26];
+        t485 = t211 * self.constants[25] + t299 * self.constants[3];
+        t487 = t211 * t479 - t207 * t485;
+        t490 = self.constants[23] * t431 + t404 * self.constants[24] + t487
+            - self.constants[22] * t425;
+        t502 = t238 * (t31 * t337 + t235 * t348 - t33 * t313 - t231 * t344);
+        t504 = self.constants[3] * (t378 + t502);
+        t507 = t216 * self.constants[23] + t207 * self.constants[24];
+        t510 = t207 * t507 - t216 * t479;
+        t514 = self.constants[22] * t413 + self.constants[25] * t378 + t504 + t510
+            - self.constants[21] * t369;
+        t522 = self.constants[14] * t398 + self.constants[13] * t366
+            - t351 * self.constants[16] + t470 + sin_delta * t490 + cos_delta * t514;
+        t525 = t522 + self.constants[7] * t440 - t453 - self.constants[6] * t389;
+        t527 = cos_phi * t129;
+        t534 = t149 * self.constants[16] + self.constants[2] * (speeds[2] + t149);
+        t537 = t135 * t534 - t149 * t463;
+        t543 = t216 * t485 - t211 * t507;
+        t546 = t425 * self.constants[21] + t431 * self.constants[24]
+            + t404 * self.constants[26] + t543;
+        t549 = sin_delta * t421 + cos_delta * t438;
+        t555 = self.constants[19] * t404 + t537 + t546 + self.constants[6] * t549
+            - self.constants[13] * t408 - self.constants[15] * t375;
+        t562 = t149 * t468 - t138 * t534;
+        t570 = self.constants[14] * t408 + self.constants[15] * t404 + t562
+            + cos_delta * t490 - self.constants[18] * t375 - sin_delta * t514;
+        t571 = t570 - self.constants[7] * t549;
+        t575 = t13 * t555 + t189 * t451 - t9 * t571;
+        t590 = t138 * t150 + t135 * t443;
+        t595 = t127
+            * (t549 + self.constants[13] * t404 + self.constants[14] * t375 + t590
+                - self.constants[17] * t408);
+        t597 = t78 - sin_phi * t84;
+        t599 = cos_phi * t84;
+        t604 = forces[0] + t189 * (t13 * t394 - t9 * t449) + t575 * t599 - t9 * t555;
+        t608 = t604 - t13 * t571 - t595 - t525 * t597 - t239 * t504;
+        t610 = sin_delta * self.constants[21];
+        t612 = sin_delta * self.constants[24] - self.constants[7] * t610;
+        t615 = sin_delta * self.constants[28];
+        t618 = cos_delta * t615 - self.constants[6] * t610;
+        t622 = cos_delta * self.constants[21];
+        t625 = self.constants[13] + t622 + self.constants[29];
+        t627 = t9 * self.constants[35] + t13 * t625;
+        t630 = t9 * t612 + t13 * t618 + t189 * t627;
+        t636 = cos_delta * self.constants[24] - self.constants[7] * t622;
+        t639 = self.constants[15] + t636 - self.constants[31] - self.constants[32];
+        t640 = sin_delta * t615;
+        t644 = self.constants[18] + self.constants[23] + self.constants[30] - t640;
+        t645 = self.constants[6] * t622;
+        t648 = t645 + t645 + self.constants[33];
+        t650 = self.constants[19] + self.constants[26] + t648;
+        t651 = t650 - t644;
+        t652 = t9 * t13;
+        t654 = t9 * t9;
+        t655 = t639 + t639;
+        t660 = t639 + t651 * t652 + t127 * t627 - t654 * t655;
+        t664 = t13 * self.constants[35] - t9 * t625;
+        t666 = t127 * self.constants[34];
+        t668 = t127 * (t664 - t666);
+        t669 = t127 * t664;
+        t670 = t127 * t666;
+        t672 = t670 - t669 - t669;
+        t677 = self.constants[16] + self.constants[25] + t640 + self.constants[30] + t648
+            + t672;
+        t683 = t189 * self.constants[34];
+        t688 = t13 * t612 + t189 * t664 + t127 * t610 - t9 * t618 - t127 * t683;
+        t691 = t668 + t454 * t677 + t527 * t688;
+        t694 = t127 * (t610 - t683);
+        t698 = t651 * t654 + t652 * t655;
+        t699 = t189 * t610;
+        t702 = t189 * t683 - t699 - t699;
+        t704 = t650 + t702 - t698;
+        t707 = t694 - t454 * t688 - t527 * t704;
+        t710 = self.constants[0].like(1.0) - t454;
+        t711 = self.constants[2] * t597;
+        t714 = t9 * sin_delta;
+        t717 = t253 - cos_delta * t454 - t527 * t714;
+        t723 = t239 + cos_delta * t597 - t13 * sin_delta - t599 * t714;
+        t724 = self.constants[3] * t723;
+        t730 = t710 * t711 + t717 * t724 - t454 * t630 - t527 * t660 - t597 * t691
+            - t599 * t707;
+        t750 = t644 + t672 + t698 + t702 + t597 * t630
+            + t597 * (t630 + t597 * t677 - t599 * t688) + t597 * t711;
+        t753 = t750 + t723 * t724 - t599 * t660
+            - t599 * (t660 + t597 * t688 - t599 * t704);
+        t754 = self.constants[0].like(1.0) / t753;
+        t755 = t730 * t754;
+        t757 = t13 * t610;
+        t758 = t127 * t757;
+        t760 = t118 - sin_phi * t122;
+        t762 = cos_phi * t122;
+        t764 = t612 + t758;
+        t766 = self.constants[26] + t645;
+        t771 = t13 * t766 - t9 * t636 - t189 * t757;
+        t773 = self.constants[2] * t760;
+        t778 = t248 + cos_delta * t760 - t714 * t762;
+        t779 = self.constants[3] * t778;
+        t790 = t764 + t677 * t760 - t688 * t762;
+        t795 = t771 + t688 * t760 - t704 * t762;
+        t803 = t9 * t766 + t13 * t636 + t127 * t622 + t630 * t760 + t597 * t790
+            + t711 * t760;
+        t808 = t754 * (t803 + t724 * t778 - t9 * t699 - t660 * t762 - t599 * t795);
+        t809 = t753 * t808;
+        t815 = t758 + t710 * t773 + t717 * t779 - t691 * t760 - t707 * t762
+            - t454 * t764;
+        t829 = self.constants[26] + t760 * t790 + t760 * t764 + t760 * t773 + t778 * t779
+            - t762 * t795;
+        t831 = t829 - t762 * t771 - t808 * t809;
+        t832 = self.constants[0].like(1.0) / t831;
+        t833 = (t815 - t527 * t771 - t755 * t809) * t832;
+        t843 = forces[1] + t575 * t762 - t546 - t525 * t760 - t248 * t504 - t608 * t808;
+        let (
+            t849, t866, t870, t874, t878, t886, t890, t891, t894, t898, t900, t903, t905, t910,
+            t916, t919, t922, t925, t929, t934, t939, t944, t947, t949, t953, t957, t959, t964,
+            t968, t970, t973, t975, t983, t984, t995, t1003, t1012, t1016, t1026, t1033, t1047,
+            t1052, t1057, t1059, t1060, t1065, t1072, t1076, t1079, t1081, t1084, t1089, t1093,
+            t1096, t1099, t1100,
+        );
+        t849 = t454 * t525 + t527 * t575 + t453 - t253 * t504 - t608 * t755
+            - t833 * t843;
+        t866 = t670 + t454 * t691 + t454 * t668 + self.constants[2] * t710 * t710
+            + self.constants[3] * t717 * t717 - t527 * t707;
+        t870 = t849 / (t866 - t527 * t694 - t753 * t755 * t755 - t831 * t833 * t833);
+        t874 = t832 * t843 - t833 * t870;
+        t878 = t608 * t754 - t808 * t874 - t755 * t870;
+        t886 = t348 + t84 * t878 + t122 * t874 + t129 * t870;
+        t890 = t78 * t878 + t118 * t874 - sin_phi * t886 - t350;
+        t891 = t870 + t890;
+        t894 = t161 - cos_phi * t886;
+        t898 = t127 * t891 - t155 - t189 * (t190 + t894);
+        t900 = t171 + t878;
+        t903 = t200 + t355 + t189 * t900;
+        t905 = t9 * t898 + t13 * t903;
+        t910 = t317 - t905 - self.constants[6] * t890;
+        t916 = t13 * t878 - t167 - t9 * t894;
+        t919 = cos_delta * t890 - t292 - sin_delta * t916;
+        t922 = t387 + self.constants[20] * t910 - self.constants[21] * t919;
+        t925 = t152 + t922 - self.constants[17] * t905 - self.constants[13] * t890;
+        t929 = t9 * t903 - t13 * t898;
+        t934 = t929 + self.constants[7] * t890 - t185;
+        t939 = t163 + t13 * t894 + t9 * t878;
+        t944 = t174 + t407 - t127 * t900;
+        t947 = t160 + self.constants[6] * t939 - self.constants[7] * t916 - t944;
+        t949 = cos_delta * t934 + sin_delta * t947;
+        t953 = self.constants[20] * t949 + self.constants[22] * t919 - t419;
+        t957 = cos_delta * t947 - sin_delta * t934;
+        t959 = t874 + t939;
+        t964 = t222 + cos_delta * t916 + sin_delta * t890;
+        t968 = t435 + self.constants[20] * t957 + self.constants[21] * t959
+            - self.constants[22] * t964;
+        t970 = cos_delta * t953 - sin_delta * t968;
+        t973 = self.constants[17] * t929 + self.constants[14] * t890 + t970 - t446;
+        t975 = t9 * t925 + t13 * t973;
+        t983 = self.constants[3]
+            * (t502 + t919 + t239 * t878 + t248 * t874 + t253 * t870);
+        t984 = t238 * t983;
+        t995 = t487 + self.constants[23] * t964 + self.constants[24] * t959
+            - self.constants[22] * t957;
+        t1003 = t510 + t983 + self.constants[22] * t949 + self.constants[25] * t919
+            - self.constants[21] * t910;
+        t1012 = t470 + self.constants[14] * t929 + self.constants[13] * t905
+            + self.constants[16] * t890 + self.constants[2] * t891 + sin_delta * t995;
+        t1016 = t1012 + cos_delta * t1003 + self.constants[7] * t970
+            - self.constants[6] * t922 - t127 * t975;
+        t1026 = sin_delta * t953 + cos_delta * t968;
+        t1033 = t537 + t543 + self.constants[15] * t916 + self.constants[19] * t939
+            + self.constants[21] * t957 + self.constants[24] * t964
+            + self.constants[26] * t959;
+        t1047 = t562 + self.constants[14] * t944 + self.constants[18] * t916
+            + self.constants[15] * t939 + cos_delta * t995 - sin_delta * t1003;
+        t1052 = t13 * (t1033 + self.constants[6] * t1026 - self.constants[13] * t944)
+            + t189 * t975 - t9 * (t1047 - self.constants[7] * t1026);
+        t1057 = t82 * (sin_phi * t1016 + cos_phi * t1052 - t235 * t984);
+        t1059 = t36 * t984 - t43 * t1057;
+        t1060 = t975 - t1059;
+        t1065 = t43 * t984 + t36 * t1057;
+        t1072 = t590 + t1026 + self.constants[13] * t939 - self.constants[17] * t944
+            - self.constants[14] * t916;
+        t1076 = t13 * t925 - t9 * t973;
+        t1079 = cos_phi * t1072 - t1065 - sin_phi * t1076;
+        t1081 = cos_psi * t1060 - sin_psi * t1079;
+        t1084 = t1060 * sin_psi + cos_psi * t1079;
+        t1089 = t77 * (t1016 - t75 * t1057 - t231 * t984);
+        t1093 = t1089 + sin_phi * t1072 + cos_phi * t1076;
+        t1096 = cos_psi * t1059 - sin_psi * t1065;
+        t1099 = t1059 * sin_psi + cos_psi * t1065;
+        t1100 = -t1089;
+        [[t1081, t1084, t1093], [t1096, t1099, t1100]]
     }
 }
 
@@ -1083,6 +2442,10 @@ impl<T: Scalar> Model<2> for WhippleTyres<T> {
 
     fn derivatives(&self) -> Option<WithDerivatives<Self, 2>> {
         Some(Differentiable::coefficients_and_derivatives(self))
+    }
+
+    fn nonlinear(&self) -> Option<impl carvallo::motion::Motion<Scalar = Self::Scalar>> {
+        Some(self.motion())
     }
 
     fn gravity(&self) -> Option<T> {
