@@ -42,6 +42,9 @@
 //! What is printed, known in closed form or recomputed of their critical speeds stands in one table, which the tests assert. Sets
 //! that are called an example, or given by estimate, describe no machine that anyone has measured.
 //!
+//! [`WhippleMechanism`], [`WhippleTyres`], [`WhippleLeaning`], [`RollingDisc`], [`DoublePendulum`] and [`WheeledPendulum`] have
+//! nonlinear equations of motion as well.
+//!
 //! [`Car`], [`Pendulum`], [`TwoPipes`] and [`ThreePipes`] are written as formulas, from the sources that they name.
 //!
 //! With feature `serde` the parameters of every model can be written and read as JSON, TOML and all that serde knows. What
