@@ -7,7 +7,7 @@ use carvallo::{Complex, CriticalSpeed, CriticalValue, ParameterInfo, ParameterSt
 use crate::analysis::{self, extremes};
 use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
-use crate::matrices::NAME;
+use crate::matrices::{NAME, NO_PARAMETERS};
 use crate::number::{shortest, with_unit};
 use crate::options::problem;
 use crate::speeds;
@@ -74,7 +74,7 @@ impl AlongAnalysis {
         let info = design.info();
         let wrong = |message: String| Failure::at(Place::Option(format!("--along {}", along.written)), message);
         if info.name == NAME {
-            return Err(wrong("matrices that are given themselves have no parameters".to_owned()));
+            return Err(wrong(NO_PARAMETERS.to_owned()));
         }
         if along.name == "v" {
             return Err(wrong("`v` is the speed: without --along everything is along it".to_owned()));

@@ -19,6 +19,10 @@ pub const NAME: &str = "Matrices";
 /// What it was called where all matrices were given; files may still say so.
 const FORMER_NAME: &str = "AllMatrices";
 
+/// Why nothing goes along a parameter of theirs.
+pub const NO_PARAMETERS: &str =
+    "matrices that are given themselves have no parameters but their entries, which `carvallo sweep --vary` goes along";
+
 /// The most coordinates that given matrices may have.
 pub const MOST: usize = 12;
 
@@ -131,11 +135,11 @@ impl<const N: usize> Derivation for Given<N> {
         visitor(&self.coefficients(parameters)?)
     }
 
-    /// Each entry by itself: one, where the parameter is it, in the matrix of the derivatives by it.
     fn along(&self, _: &[f64], _: usize, _: [f64; 2], _: f64) -> Result<ParameterStability, String> {
-        Err("matrices that are given themselves have no parameters".to_owned())
+        Err(NO_PARAMETERS.to_owned())
     }
 
+    /// Each entry by itself: one, where the parameter is it, in the matrix of the derivatives by it.
     fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
         let coefficients = self.coefficients(parameters)?;
         let place = |index: usize| (index / (N * N), index / N % N, index % N);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use carvallo::Stability;
+use carvallo::{Stability, UndecidedRange};
 
 use super::GOOD;
 use crate::number::shortest;
@@ -25,5 +25,13 @@ fn between(from: f64, to: Option<f64>) -> String {
     match to {
         Some(to) => format!("from {} to {} m/s", shortest(from), shortest(to)),
         None => format!("above {} m/s", shortest(from)),
+    }
+}
+
+/// Where a critical speed may be missing.
+pub fn write_undecided(stability: &Stability, text: &mut String) {
+    for UndecidedRange { from, to } in &stability.undecided {
+        let (from, to) = (shortest(*from), shortest(*to));
+        let _ = writeln!(text, "  from {from} to {to} m/s one may be missing: rounding decides there");
     }
 }

@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, UndecidedRange, Verdict};
+use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, Verdict};
 
 use super::columns::{speeds, width};
-use super::ranges::write_ranges;
+use super::ranges::{write_ranges, write_undecided};
 use super::shapes::write_shapes;
 use super::{FAINT, GOOD, HEADING, branches, equations, sorted};
 use crate::analysis::{self, Analysis, ModeRow, ROUNDING, Rows};
@@ -60,12 +60,9 @@ fn write_critical_speeds(analysis: &Analysis, text: &mut String) {
         let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
     }
     if stability.critical_speeds.is_empty() {
-        let _ = writeln!(text, "  none");
+        let _ = writeln!(text, "  {}", if stability.undecided.is_empty() { "none" } else { "none found" });
     }
-    for UndecidedRange { from, to } in &stability.undecided {
-        let (from, to) = (shortest(*from), shortest(*to));
-        let _ = writeln!(text, "  from {from} to {to} m/s one may be missing: rounding decides there");
-    }
+    write_undecided(stability, text);
     write_ranges(stability, text);
 }
 

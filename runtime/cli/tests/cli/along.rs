@@ -103,5 +103,6 @@ fn mistakes_are_named() {
     fails("mB=a:2", &at_speed, message);
     fails("v=1:2", &[], "`v` is the speed: without --along everything is along it");
     directory.write("matrices.json", "{\"M\": [[1]], \"C0\": [[1]], \"Kc\": [[4]]}");
-    fails("M_11=1:2", &["matrices.json"], "matrices that are given themselves have no parameters");
+    let message = "matrices that are given themselves have no parameters but their entries, which `carvallo sweep --vary` goes along";
+    fails("M_11=1:2", &["matrices.json"], message);
 }

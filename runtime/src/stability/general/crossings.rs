@@ -64,7 +64,7 @@ impl Equations {
             if self.states() < 2 { 0 } else { self.least_at_samples(|this, v| this.count_zero_sums(v, drifts))? };
         if let Some(divergence) = divergence {
             for bracket in isolate(&divergence, self.is_along_speed(), NARROW_DIVERGENCE)? {
-                if self.is_exhausted() {
+                if self.is_exhausted() && bracket.zero.is_none() {
                     unexamined.push([bracket.low, bracket.high]);
                 } else {
                     self.find_divergences(&bracket, left_out > 0, &mut found);
@@ -104,7 +104,8 @@ impl Equations {
             // What is certain comes first, and takes least.
             brackets.sort_by_key(|bracket| bracket.zero.is_none());
             for bracket in brackets {
-                if self.is_exhausted() {
+                // Those that are certain are no more than the degree, and the search was for them.
+                if self.is_exhausted() && bracket.zero.is_none() {
                     unexamined.push([bracket.low, bracket.high]);
                     continue;
                 }

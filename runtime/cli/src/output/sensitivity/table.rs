@@ -8,7 +8,7 @@ use super::deviations::write_deviations;
 use crate::analysis::{kind, name};
 use crate::number::{fixed, shortest, unit};
 use crate::output::columns::width;
-use crate::output::ranges::write_ranges;
+use crate::output::ranges::{write_ranges, write_undecided};
 use crate::output::table::{describe_effect, write_heading};
 use crate::output::{FAINT, HEADING};
 use crate::sensitivity::{Changes, Step, decides};
@@ -46,9 +46,12 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
     }
     for (kind, meaning) in [(CriticalKind::Weave, weave), (CriticalKind::Capsize, capsize)] {
         if none(kind) {
-            let _ = writeln!(text, "  {meaning:<13}{:<column$}{FAINT}there is no such speed{FAINT:#}", "-");
+            let reason =
+                if changes.stability.undecided.is_empty() { "there is no such speed" } else { "none was found" };
+            let _ = writeln!(text, "  {meaning:<13}{:<column$}{FAINT}{reason}{FAINT:#}", "-");
         }
     }
+    write_undecided(&changes.stability, text);
     write_ranges(&changes.stability, text);
 }
 
