@@ -6,6 +6,7 @@ mod generate;
 mod map;
 mod options;
 pub mod parameter;
+mod pipeline;
 mod plan;
 mod progress;
 mod read;
@@ -13,10 +14,7 @@ mod source;
 mod table;
 mod write;
 
-use std::time::Instant;
-
 use anstyle::Style;
-use rayon::prelude::*;
 
 pub use self::options::Options;
 
@@ -25,12 +23,11 @@ use self::map::Map;
 use self::plan::{Plan, validate};
 use self::progress::Progress;
 use self::source::Batches;
-use self::table::{Designs, Results};
 use crate::failure::Failure;
 use crate::terminal::{WARNING, note, wrote};
 use crate::{input, plot};
 
-/// Computes all designs and writes their results in order. Of the designs only a batch is in memory.
+/// Computes all designs and writes their results in order. Of the designs only a few batches are in memory.
 ///
 /// # Errors
 /// Everything that is wrong with the request; and if a file cannot be read or written. Designs without an answer are no
@@ -42,37 +39,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let mut map = options.map.as_ref().map(|_| Map::default());
     let mut destination = Destination::open(options, &plan)?;
     let done = destination.designs();
-    let mut batches = Batches::new(&plan.source)?;
+    let batches = Batches::new(&plan.source)?;
     let mut progress = Progress::new(batches.total(), destination.is_stdout());
-    let mut first = 0;
-    loop {
-        // Designs whose results are written are computed again only for a map.
-        let is_written = first < done;
-        let designs = batches.next(first, plan.batch)?;
-        let rows: usize = designs.iter().map(|designs| designs.rows).sum();
-        if rows == 0 {
-            break;
-        }
-        if !is_written || map.is_some() {
-            let started = Instant::now();
-            let compute = |designs: &Designs| {
-                let results = plan.task.evaluate(designs);
-                progress.add(designs.rows);
-                results
-            };
-            let results: Vec<Results> = designs.par_iter().map(compute).collect();
-            progress.computed(rows, started.elapsed());
-            if let Some(map) = &mut map {
-                results.iter().for_each(|results| map.add(results));
-            }
-            if !is_written && !destination.write(&plan, designs, results)? {
-                return Ok(());
-            }
-        } else {
-            progress.add(rows);
-        }
-        first += rows as u64;
-    }
+    let Some(first) = pipeline::run(&plan, batches, &mut destination, map.as_mut(), &mut progress)? else {
+        return Ok(());
+    };
     let errors = destination.finish(&plan)?;
     progress.finish();
     if done > 0 {

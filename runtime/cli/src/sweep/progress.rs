@@ -2,15 +2,15 @@
 
 use std::fmt;
 use std::io::IsTerminal as _;
-use std::time::Duration;
+use std::time::Instant;
 
 use indicatif::{HumanCount, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
-/// A bar on the standard error, if that is a terminal and shows nothing else; and the time that was computed.
+/// A bar on the standard error, if that is a terminal and shows nothing else; and the time since the start.
 pub struct Progress {
     bar: ProgressBar,
     designs: usize,
-    time: Duration,
+    started: Instant,
 }
 
 impl Progress {
@@ -32,7 +32,7 @@ impl Progress {
         };
         let style = ProgressStyle::with_template(template).map(|style| style.with_key("rate", rate));
         let bar = style.map_or(bar.clone(), |style| bar.with_style(style));
-        Self { bar, designs: 0, time: Duration::ZERO }
+        Self { bar, designs: 0, started: Instant::now() }
     }
 
     /// Moves the bar by so many designs.
@@ -40,10 +40,9 @@ impl Progress {
         self.bar.inc(designs as u64);
     }
 
-    /// Counts designs, and the time that computing them took.
-    pub fn computed(&mut self, designs: usize, time: Duration) {
+    /// Counts designs that were computed.
+    pub fn computed(&mut self, designs: usize) {
         self.designs += designs;
-        self.time += time;
     }
 
     /// Takes the bar away.
@@ -52,15 +51,15 @@ impl Progress {
     }
 }
 
-/// The designs, the time and the rate, without what was read and written.
+/// The designs that were computed, the time and the rate.
 impl fmt::Display for Progress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (designs, seconds) = (self.designs, self.time.as_secs_f64());
+        let (designs, seconds) = (self.designs, self.started.elapsed().as_secs_f64());
         let noun = if designs == 1 { "design" } else { "designs" };
         write!(f, "{designs} {noun} in {seconds:.3} s")?;
         if seconds > 0.0 && designs > 0 {
             write!(f, ", {:.0} designs/s", designs as f64 / seconds)?;
         }
-        write!(f, ", apart from reading and writing")
+        write!(f, ", with reading and writing")
     }
 }

@@ -69,7 +69,7 @@ impl Store {
             return Ok(None);
         }
         let mut partial =
-            OpenOptions::new().write(true).create(true).truncate(false).open(&partial_path).map_err(fail)?;
+            OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&partial_path).map_err(fail)?;
         partial.set_len(journal.progress().bytes).map_err(fail)?;
         partial.seek(SeekFrom::End(0)).map_err(fail)?;
         sync_directory(path).map_err(fail)?;
@@ -108,25 +108,17 @@ impl Store {
     pub fn finish(mut self, format: Format, headings: &[Heading]) -> Result<(), Failure> {
         self.save()?;
         let path = &self.path;
-        let partial = beside(path, "partial");
         let fail = |error| io(path, error);
-        let whole = match format {
-            Format::Csv => partial.clone(),
-            Format::Parquet => {
-                let whole = beside(path, "assembled");
-                let fail = |error| format!("cannot write {}: {}", path.display(), parquet_message(error));
-                let lengths = self.journal.lengths();
-                parquet::assemble(headings, &partial, lengths, &whole).map_err(|error| Failure::Run(fail(error)))?;
-                whole
-            }
-        };
-        let stamp = std::fs::metadata(&whole).and_then(|metadata| Stamp::of(&metadata)).map_err(fail)?;
-        self.journal.finish(stamp).map_err(fail)?;
-        std::fs::rename(&whole, path).map_err(fail)?;
-        if whole != partial {
-            sync_directory(path).map_err(fail)?;
-            std::fs::remove_file(&partial).map_err(fail)?;
+        if format == Format::Parquet {
+            let message = |error| format!("cannot write {}: {}", path.display(), parquet_message(error));
+            let footer = parquet::footer(headings, &mut self.partial, self.journal.lengths());
+            let footer = footer.map_err(|error| Failure::Run(message(error)))?;
+            self.partial.seek(SeekFrom::End(0)).map_err(fail)?;
+            self.partial.write_all(&footer).and_then(|()| self.partial.sync_data()).map_err(fail)?;
         }
+        let stamp = self.partial.metadata().and_then(|metadata| Stamp::of(&metadata)).map_err(fail)?;
+        self.journal.finish(stamp).map_err(fail)?;
+        std::fs::rename(beside(path, "partial"), path).map_err(fail)?;
         sync_directory(path).map_err(fail)?;
         std::fs::remove_file(beside(path, "journal")).map_err(fail)
     }

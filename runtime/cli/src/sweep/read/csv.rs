@@ -102,11 +102,17 @@ impl Records {
         Ok(Self { path: path.to_owned(), reader, separator, record: ByteRecord::new(), columns, has_both_signs })
     }
 
-    /// Adds the next row; whether there is one.
+    /// Adds the next rows, at most so many.
     ///
     /// # Errors
     /// If the file cannot be read.
-    pub fn next(&mut self, rows: &mut Rows) -> Result<bool, Failure> {
+    pub fn read(&mut self, rows: &mut Rows, most: usize) -> Result<(), Failure> {
+        while rows.designs.rows < most && self.next(rows)? {}
+        Ok(())
+    }
+
+    /// Adds the next row; whether there is one.
+    fn next(&mut self, rows: &mut Rows) -> Result<bool, Failure> {
         let is_there = self.reader.read_byte_record(&mut self.record).map_err(|error| fail(&self.path, error))?;
         if is_there && self.record.len() != self.columns {
             let (found, expected) = (self.record.len(), self.columns);

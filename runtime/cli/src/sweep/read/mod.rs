@@ -1,5 +1,6 @@
 //! Designs from a file: a row each.
 
+mod chunk;
 mod csv;
 mod lines;
 mod parquet;
@@ -109,15 +110,9 @@ impl File {
     /// If the file cannot be read.
     pub fn designs(&self, records: &mut Records, most: usize) -> Result<Designs, Failure> {
         let mut rows = Rows::new(&self.columns, self.info, most);
-        while rows.designs.rows < most {
-            let is_there = match records {
-                Records::Csv(records) => records.next(&mut rows)?,
-                Records::Parquet(records) => records.next(&mut rows)?,
-            };
-            if !is_there {
-                break;
-            }
-            rows.designs.rows += 1;
+        match records {
+            Records::Csv(records) => records.read(&mut rows, most)?,
+            Records::Parquet(records) => records.read(&mut rows, most)?,
         }
         Ok(rows.designs)
     }

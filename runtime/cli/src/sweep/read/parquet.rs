@@ -5,18 +5,22 @@ use std::path::{Path, PathBuf};
 use parquet::basic::{Compression, ConvertedType, Repetition, Type as Physical};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader as _, SerializedFileReader};
-use parquet::record::Field;
-use parquet::record::reader::RowIter;
 use parquet::schema::types::Type;
 
-use super::rows::{Cell, Named, Rows};
+use super::chunk::Chunk;
+use super::rows::{Named, Rows};
 use crate::failure::{Failure, Place, Problem};
 use crate::sweep::table::parquet_message;
 
 /// The rows of a file.
 pub struct Records {
     path: PathBuf,
-    rows: RowIter<'static>,
+    reader: SerializedFileReader<std::fs::File>,
+    /// The number of the next row group.
+    next: usize,
+    /// The columns of the row group before, as far as they are not read, and how many rows of it are left.
+    chunks: Vec<Chunk>,
+    left: usize,
 }
 
 fn open(path: &Path) -> Result<SerializedFileReader<std::fs::File>, Failure> {
@@ -42,18 +46,37 @@ impl Records {
     /// # Errors
     /// If the file cannot be read.
     pub fn open(path: &Path) -> Result<Self, Failure> {
-        Ok(Self { path: path.to_owned(), rows: open(path)?.into_iter() })
+        Ok(Self { path: path.to_owned(), reader: open(path)?, next: 0, chunks: Vec::new(), left: 0 })
     }
 
-    /// Adds the next row; whether there is one.
+    /// Adds the next rows, at most so many.
     ///
     /// # Errors
     /// If the file cannot be read.
-    pub fn next(&mut self, rows: &mut Rows) -> Result<bool, Failure> {
-        let Some(row) = self.rows.next() else { return Ok(false) };
-        let row = row.map_err(|error| fail(&self.path, error))?;
-        rows.add(row.get_column_iter().map(|(_, field)| cell(field)));
-        Ok(true)
+    pub fn read(&mut self, rows: &mut Rows, most: usize) -> Result<(), Failure> {
+        self.fill(rows, most).map_err(|error| fail(&self.path, error))
+    }
+
+    fn fill(&mut self, rows: &mut Rows, most: usize) -> Result<(), ParquetError> {
+        while rows.designs.rows < most {
+            if self.left == 0 {
+                if self.next == self.reader.num_row_groups() {
+                    break;
+                }
+                let group = self.reader.get_row_group(self.next)?;
+                self.chunks = (0..group.num_columns()).map(|at| Chunk::open(&*group, at)).collect::<Result<_, _>>()?;
+                self.left = group.metadata().num_rows().try_into().unwrap_or_default();
+                self.next += 1;
+                continue;
+            }
+            let (first, count) = (rows.designs.rows, self.left.min(most - rows.designs.rows));
+            rows.extend(count);
+            for (column, chunk) in self.chunks.iter_mut().enumerate() {
+                chunk.read(count, |row, cell| rows.put(column, first + row, cell))?;
+            }
+            self.left -= count;
+        }
+        Ok(())
     }
 }
 
@@ -123,23 +146,5 @@ fn description(field: &Type) -> String {
         (None, ConvertedType::NONE) => physical.to_string(),
         (None, converted) => format!("{physical} ({converted})"),
         (Some(logical), _) => format!("{physical} ({logical:?})"),
-    }
-}
-
-fn cell(field: &Field) -> Cell<'_> {
-    match field {
-        Field::Double(value) => Cell::Number(*value),
-        Field::Float(value) => Cell::Number(f64::from(*value)),
-        Field::Byte(value) => Cell::Integer((*value).into()),
-        Field::Short(value) => Cell::Integer((*value).into()),
-        Field::Int(value) => Cell::Integer((*value).into()),
-        Field::Long(value) => Cell::Integer((*value).into()),
-        Field::UByte(value) => Cell::Integer((*value).into()),
-        Field::UShort(value) => Cell::Integer((*value).into()),
-        Field::UInt(value) => Cell::Integer((*value).into()),
-        Field::ULong(value) => Cell::Integer((*value).into()),
-        Field::Str(text) => Cell::Text(text),
-        // Columns of other kinds are refused before a row is read.
-        _ => Cell::Empty,
     }
 }

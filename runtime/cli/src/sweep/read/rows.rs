@@ -48,39 +48,51 @@ impl<'a> Rows<'a> {
 
     /// A row that has the cells of the columns.
     pub fn add<'c>(&mut self, cells: impl Iterator<Item = Cell<'c>>) {
-        let mut error = None;
-        for ((cell, column), Named { name, position }) in cells.zip(&mut self.designs.columns).zip(self.columns) {
-            match column {
-                Column::Numbers(values) => {
-                    let parameter = position.map(|position| &self.info.parameters[position]);
-                    match parameter.map_or(Ok(None), |parameter| number(cell, parameter).map(Some)) {
-                        Ok(value) => values.push(value),
-                        Err(message) => {
-                            error.get_or_insert(message);
-                            values.push(None);
-                        }
+        self.designs.errors.push(None);
+        cells.enumerate().for_each(|(column, cell)| self.put(column, self.designs.rows, cell));
+        self.designs.rows += 1;
+    }
+
+    /// More rows, whose cells are put into them column by column.
+    pub fn extend(&mut self, rows: usize) {
+        self.designs.rows += rows;
+        self.designs.errors.resize(self.designs.rows, None);
+    }
+
+    /// The next cell of a column, which is in a row. Of a row the first mistake is told, so columns come in their order.
+    pub fn put(&mut self, column: usize, row: usize, cell: Cell) {
+        let Named { name, position } = &self.columns[column];
+        let error = &mut self.designs.errors[row];
+        match &mut self.designs.columns[column] {
+            Column::Numbers(values) => {
+                let parameter = position.map(|position| &self.info.parameters[position]);
+                match parameter.map_or(Ok(None), |parameter| number(cell, parameter).map(Some)) {
+                    Ok(value) => values.push(value),
+                    Err(message) => {
+                        error.get_or_insert(message);
+                        values.push(None);
                     }
                 }
-                Column::Texts(values) => values.push(match cell {
-                    Cell::Text(text) | Cell::TextWithCommas(text, _) => Some(text.to_owned().into()),
-                    Cell::Integer(integer) => Some(integer.to_string().into()),
-                    Cell::Number(number) => Some(shortest(number).into()),
-                    Cell::Empty => None,
-                    Cell::NotText => {
-                        error.get_or_insert_with(|| format!("`{name}` is not UTF-8 text"));
-                        None
-                    }
-                }),
-                Column::Counts(values) => values.push(None),
             }
+            Column::Texts(values) => values.push(match cell {
+                Cell::Text(text) | Cell::TextWithCommas(text, _) => Some(text.to_owned().into()),
+                Cell::Integer(integer) => Some(integer.to_string().into()),
+                Cell::Number(number) => Some(shortest(number).into()),
+                Cell::Empty => None,
+                Cell::NotText => {
+                    error.get_or_insert_with(|| format!("`{name}` is not UTF-8 text"));
+                    None
+                }
+            }),
+            Column::Counts(values) => values.push(None),
         }
-        self.designs.errors.push(error);
     }
 
     /// A row that cannot be read.
     pub fn add_error(&mut self, error: String) {
         self.designs.columns.iter_mut().for_each(Column::push_none);
         self.designs.errors.push(Some(error));
+        self.designs.rows += 1;
     }
 }
 

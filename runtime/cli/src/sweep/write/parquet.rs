@@ -1,21 +1,21 @@
 //! Results as Parquet.
 //!
-//! A file cannot grow: what is in it stands at its end. So each batch is first kept as a small file of its own, and when
-//! all are there their columns are copied, as they are, into row groups of one file.
+//! A file cannot grow: what is in it stands at its end. So each batch is a small file of its own, behind the one before,
+//! and when all are there they become the row groups of one file by another end, which tells where their columns are.
 
-use std::fs::File;
-use std::io::{BufReader, BufWriter, Read as _, Write};
-use std::path::Path;
+use std::io::{Read, Seek, SeekFrom};
 use std::sync::Arc;
 
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
-use parquet::column::writer::ColumnCloseResult;
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int32Type};
 use parquet::errors::ParquetError;
-use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
-use parquet::file::properties::WriterProperties;
+use parquet::file::FOOTER_SIZE;
+use parquet::file::metadata::{
+    FileMetaData, FooterTail, KeyValue, ParquetMetaData, ParquetMetaDataReader, ParquetMetaDataWriter, RowGroupMetaData,
+};
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
-use parquet::schema::types::{Type, TypePtr};
+use parquet::schema::types::{ColumnPath, Type, TypePtr};
 
 use crate::number;
 use crate::sweep::table::{Column, Heading, Kind};
@@ -25,7 +25,7 @@ use crate::sweep::table::{Column, Heading, Kind};
 /// # Errors
 /// What the library says.
 pub fn part(headings: &[Heading], tables: &[Vec<Column>]) -> Result<Vec<u8>, ParquetError> {
-    let mut writer = SerializedFileWriter::new(Vec::new(), schema(headings)?, Arc::new(properties(&[])))?;
+    let mut writer = SerializedFileWriter::new(Vec::new(), schema(headings)?, Arc::new(properties(headings)))?;
     let mut group = writer.next_row_group()?;
     for index in 0..headings.len() {
         if let Some(mut column) = group.next_column()? {
@@ -73,52 +73,79 @@ fn schema(headings: &[Heading]) -> Result<TypePtr, ParquetError> {
     Type::group_type_builder("sweep").with_fields(columns).build().map(Arc::new)
 }
 
-/// The units of the columns go into the metadata of the file, as `unit:w` = `m`.
+/// What is read of a file is a column of a row group and no page of it alone. Numbers are seldom the same in two rows, and
+/// a dictionary of them would take as much again.
 fn properties(headings: &[Heading]) -> WriterProperties {
-    let units = headings.iter().filter(|heading| !heading.unit.is_empty());
-    let units = units.map(|Heading { name, unit, .. }| KeyValue::new(format!("unit:{name}"), number::unit(unit)));
-    WriterProperties::builder()
+    let builder = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_created_by(format!("carvallo {}", env!("CARGO_PKG_VERSION")))
-        .set_key_value_metadata(Some(units.collect()))
-        .build()
+        .set_statistics_enabled(EnabledStatistics::Chunk)
+        .set_offset_index_disabled(true);
+    let numbers = headings.iter().filter(|heading| heading.kind == Kind::Number);
+    let columns = numbers.map(|heading| ColumnPath::from(vec![heading.name.clone()]));
+    columns.fold(builder, |builder, column| builder.set_column_dictionary_enabled(column, false)).build()
 }
 
-/// One file of the parts that stand one after the other in another, each as long as it is said.
+/// The end of a file of parts, which stand one after the other and are each as long as it is said. The units of the columns
+/// go into the metadata of the file, as `unit:w` = `m`.
 ///
 /// # Errors
-/// If one of the files cannot be read or written.
-pub fn assemble(
+/// If the parts cannot be read, or are none.
+pub fn footer(
     headings: &[Heading],
-    parts: &Path,
+    parts: &mut (impl Read + Seek),
     lengths: impl Iterator<Item = u64>,
-    whole: &Path,
-) -> Result<(), ParquetError> {
-    let mut parts = BufReader::new(File::open(parts)?);
-    let whole = BufWriter::new(File::create(whole)?);
-    let mut writer = SerializedFileWriter::new(whole, schema(headings)?, Arc::new(properties(headings)))?;
+) -> Result<Vec<u8>, ParquetError> {
+    let mut groups = Vec::new();
+    let mut last = None;
+    let mut start = 0;
     for length in lengths {
-        let mut part = Vec::new();
-        parts.by_ref().take(length).read_to_end(&mut part)?;
-        let part = bytes::Bytes::from(part);
-        let metadata = ParquetMetaDataReader::new().parse_and_finish(&part)?;
-        for group in metadata.row_groups() {
-            let mut copy = writer.next_row_group()?;
-            for column in group.columns() {
-                let close = ColumnCloseResult {
-                    bytes_written: column.compressed_size() as u64,
-                    rows_written: group.num_rows() as u64,
-                    metadata: column.clone(),
-                    bloom_filter: None,
-                    column_index: None,
-                    offset_index: None,
-                };
-                copy.append_column(&part, close)?;
-            }
-            copy.close()?;
+        let part = metadata(parts, start + length)?;
+        for group in part.row_groups() {
+            groups.push(moved(group, start as i64, groups.len())?);
         }
+        start += length;
+        last = Some(part);
     }
-    let mut whole = writer.into_inner()?;
-    whole.flush()?;
-    Ok(whole.get_ref().sync_all()?)
+    let part = last.ok_or_else(|| ParquetError::General("there is no part".to_owned()))?;
+    let part = part.file_metadata();
+    let units = headings.iter().filter(|heading| !heading.unit.is_empty());
+    let units = units.map(|Heading { name, unit, .. }| KeyValue::new(format!("unit:{name}"), number::unit(unit)));
+    let file = FileMetaData::new(
+        part.version(),
+        groups.iter().map(RowGroupMetaData::num_rows).sum(),
+        part.created_by().map(str::to_owned),
+        Some(units.collect()),
+        part.schema_descr_ptr(),
+        part.column_orders().cloned(),
+    );
+    let mut bytes = Vec::new();
+    ParquetMetaDataWriter::new(&mut bytes, &ParquetMetaData::new(file, groups)).finish()?;
+    Ok(bytes)
+}
+
+/// What a part that ends there says of itself.
+fn metadata(parts: &mut (impl Read + Seek), end: u64) -> Result<ParquetMetaData, ParquetError> {
+    let mut tail = [0; FOOTER_SIZE];
+    parts.seek(SeekFrom::Start(end - FOOTER_SIZE as u64))?;
+    parts.read_exact(&mut tail)?;
+    let mut bytes = vec![0; FooterTail::try_new(&tail)?.metadata_length()];
+    parts.seek(SeekFrom::Start(end.saturating_sub((FOOTER_SIZE + bytes.len()) as u64)))?;
+    parts.read_exact(&mut bytes)?;
+    ParquetMetaDataReader::decode_metadata(&bytes)
+}
+
+/// A row group of a part that starts there.
+fn moved(group: &RowGroupMetaData, start: i64, ordinal: usize) -> Result<RowGroupMetaData, ParquetError> {
+    let columns = group.columns().iter().map(|column| {
+        let dictionary = column.dictionary_page_offset().map(|offset| offset + start);
+        let builder = column.clone().into_builder().set_dictionary_page_offset(dictionary);
+        builder.set_data_page_offset(column.data_page_offset() + start).build()
+    });
+    let mut builder = group.clone().into_builder().set_column_metadata(columns.collect::<Result<_, _>>()?);
+    if let Some(offset) = group.file_offset() {
+        builder = builder.set_file_offset(offset + start);
+    }
+    let ordinal = ordinal.try_into().map_err(|_| ParquetError::General("there are too many row groups".to_owned()))?;
+    builder.set_ordinal(ordinal).build()
 }

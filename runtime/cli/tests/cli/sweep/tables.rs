@@ -100,6 +100,70 @@ fn designs_come_from_rows_of_parquet() {
     assert!((from_parquet.number(0, "weave_1").unwrap() - 4.292_382_536_341_11).abs() < 1e-13);
 }
 
+/// Row groups that end elsewhere than what is computed at once; with kinds of numbers, and rows without a value.
+#[test]
+fn long_parquet_is_read_to_its_end() {
+    let directory = Directory::new("sweep-long-parquet");
+    let schema =
+        "message designs { optional double w; required float c; optional int64 mB; required binary id (UTF8); }";
+    let schema = Arc::new(parse_message_type(schema).unwrap());
+    let file = File::create(directory.0.join("bikes.parquet")).unwrap();
+    let mut writer = SerializedFileWriter::new(file, schema, Arc::new(WriterProperties::default())).unwrap();
+    let mut csv = "w,c,mB,id\n".to_owned();
+    let mut first = 0;
+    for rows in [700, 1, 5000] {
+        let range = first..first + rows;
+        let w = |row: &i32| (row % 7 != 3).then_some(1.0 + f64::from(row % 100) * 1e-3);
+        // Floats that the nearest double to a decimal is.
+        let c = |row: &i32| 0.0625 + (row % 3) as f32 * 0.015625;
+        let mass = |row: &i32| (row % 1000 != 999).then_some(i64::from(60 + row % 40));
+        let mut group = writer.next_row_group().unwrap();
+        let levels =
+            |is_there: &dyn Fn(&i32) -> bool| range.clone().map(|row| is_there(&row).into()).collect::<Vec<i16>>();
+        let mut column = group.next_column().unwrap().unwrap();
+        let values: Vec<f64> = range.clone().filter_map(|row| w(&row)).collect();
+        let is_there = levels(&|row| w(row).is_some());
+        column.typed::<DoubleType>().write_batch(&values, Some(&is_there), None).unwrap();
+        column.close().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        let values: Vec<f32> = range.clone().map(|row| c(&row)).collect();
+        column.typed::<FloatType>().write_batch(&values, None, None).unwrap();
+        column.close().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        let values: Vec<i64> = range.clone().filter_map(|row| mass(&row)).collect();
+        let is_there = levels(&|row| mass(row).is_some());
+        column.typed::<Int64Type>().write_batch(&values, Some(&is_there), None).unwrap();
+        column.close().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        let values: Vec<ByteArray> = range.clone().map(|row| ByteArray::from(format!("r{row}").as_str())).collect();
+        column.typed::<ByteArrayType>().write_batch(&values, None, None).unwrap();
+        column.close().unwrap();
+        group.close().unwrap();
+        let text = |number: Option<String>| number.unwrap_or_default();
+        let row = |row: i32| {
+            let [w, mass] = [text(w(&row).map(|w| w.to_string())), text(mass(&row).map(|mass| mass.to_string()))];
+            format!("{w},{},{mass},r{row}\n", c(&row))
+        };
+        csv.extend(range.map(row));
+        first += rows;
+    }
+    writer.close().unwrap();
+    directory.write("bikes.csv", &csv);
+    let outputs = ["bikes.parquet", "bikes.csv"].map(|designs| {
+        let output = format!("of-{designs}");
+        let run = directory.run(&["sweep", "--designs", designs, "--output", &output]);
+        assert!(run.stderr.contains("computed: 5701 designs in "), "{}", run.stderr);
+        directory.0.join(output)
+    });
+    let from_parquet = read(&outputs[0]);
+    let from_csv = Table::read(&std::fs::read_to_string(&outputs[1]).unwrap());
+    assert_eq!(from_parquet.rows.len(), 5701);
+    assert_eq!(from_parquet.text(3, "error"), "`w` is empty; expected a number");
+    assert_eq!(from_parquet.text(999, "error"), "`mB` is empty; expected a number");
+    assert_eq!(from_parquet.header, from_csv.header);
+    assert!(from_parquet.rows == from_csv.rows);
+}
+
 /// A file with one row: `w` and another column.
 fn two_columns<T: parquet::data_type::DataType>(path: &Path, column: &str, values: &[T::T], compression: Compression) {
     let schema = Arc::new(parse_message_type(&format!("message designs {{ required double w; {column}; }}")).unwrap());
