@@ -19,8 +19,8 @@
 
 mod inside;
 
-use carvallo_cli::design::Design;
-use carvallo_cli::input;
+use carvallo_design::Design;
+use carvallo_design::input;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {

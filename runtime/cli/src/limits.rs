@@ -2,11 +2,12 @@
 
 use std::str::FromStr;
 
-use crate::failure::Problem;
-use crate::number::shortest;
+use carvallo_design::Problem;
+use carvallo_design::number::shortest;
+use carvallo_design::quantity::{self, Context, Reason, check_units, no_names};
+use carvallo_design::speeds::{self, CONTEXT as SPEED};
+
 use crate::options::problem;
-use crate::quantity::{self, Context, Reason, check_units, no_names};
-use crate::speeds::{self, CONTEXT as SPEED};
 
 const EIGENVALUE: Context = Context { unit: "1/s", names: &no_names };
 

@@ -3,14 +3,13 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use carvallo_design::input::{self, Request};
+use carvallo_design::{Design, Failure, Place, Problem, speeds};
+use carvallo_plot::picture::Scene;
 use clap::builder::{PathBufValueParser, TypedValueParser as _, ValueParser, ValueParserFactory};
 use clap::{Args, ValueEnum};
 
-use crate::design::Design;
-use crate::failure::{Failure, Place, Problem};
-use crate::input::{self, Request};
-use crate::plot::{self, Scene};
-use crate::speeds;
+use crate::picture;
 use crate::terminal::{WARNING, note, wrote};
 
 /// Which design is meant.
@@ -93,6 +92,18 @@ impl FromStr for Speeds {
     }
 }
 
+/// One speed in m/s.
+#[derive(Clone, Copy, Debug)]
+pub struct Speed(pub f64);
+
+impl FromStr for Speed {
+    type Err = Problem;
+
+    fn from_str(text: &str) -> Result<Self, Problem> {
+        speeds::number(text, "the speed").map(Self).map_err(problem)
+    }
+}
+
 /// How results are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
@@ -131,7 +142,7 @@ impl Picture {
     /// # Errors
     /// If the file cannot be written.
     pub fn write(&self, scene: &Scene) -> Result<(), Failure> {
-        plot::save(scene, &self.0)?;
+        picture::save(scene, &self.0)?;
         wrote(&self.0);
         Ok(())
     }

@@ -5,8 +5,7 @@ use std::io::{BufWriter, ErrorKind, Write};
 use std::path::Path;
 
 use anstyle::{AnsiColor, Style};
-
-use crate::failure::Failure;
+use carvallo_design::Failure;
 
 pub const ERROR: Style = AnsiColor::Red.on_default().bold();
 pub const WARNING: Style = AnsiColor::Yellow.on_default().bold();

@@ -1,7 +1,7 @@
 //! The README's coin, which does not ask for derivatives: it works everywhere else, and says what to add.
 
 use carvallo::{Model, Sensitivity, SensitivityError};
-use carvallo_cli::model::Shipped;
+use carvallo_design::Shipped;
 
 carvallo::model! {
     /// A coin that rolls: it stays up while it is fast.

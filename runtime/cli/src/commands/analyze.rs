@@ -1,16 +1,17 @@
 //! `carvallo analyze`: everything about one design along speed.
 
 use carvallo::ModeValue;
+use carvallo_design::{Failure, Place};
+use carvallo_plot::analysis::Analysis;
+use carvallo_plot::analysis::along::{Along, AlongAnalysis};
+use carvallo_plot::analysis::reach;
+use carvallo_plot::data;
+use carvallo_plot::picture::{Limits, draw_along, draw_eigenvalues};
 use clap::Args;
 
-use crate::along::{Along, AlongAnalysis, Speed};
-use crate::analysis::Analysis;
-use crate::failure::{Failure, Place};
 use crate::limits::{EigenvalueLimits, SpeedLimits};
-use crate::options::{DesignOptions, Format, Picture, Speeds};
+use crate::options::{DesignOptions, Format, Picture, Speed, Speeds};
 use crate::output;
-use crate::plot::{self, Limits};
-use crate::reach;
 use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
@@ -127,12 +128,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         let x = options.xlim.map_or_else(|| extremes(&speeds_or(false)), |SpeedLimits(low, high)| (low, high));
         let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
-        picture.write(&plot::draw_eigenvalues(&analysis, Limits { x, y })?)?;
+        picture.write(&draw_eigenvalues(&analysis, Limits { x, y })?)?;
     }
     match options.format {
         Format::Table => print(&output::render_table(&analysis, &rows, shapes)),
-        Format::Json => write(|output| output::write_json(&analysis, &rows, shapes, output)),
-        Format::Csv => write(|output| output::write_csv(&analysis, &rows, output)),
+        Format::Json => write(|output| data::analysis::write_json(&analysis, &rows, shapes, output)),
+        Format::Csv => write(|output| data::analysis::write_csv(&analysis, &rows, output)),
     }
 }
 
@@ -150,13 +151,13 @@ fn run_along(options: &Options, along: &Along) -> Result<(), Failure> {
     }
     if let Some(picture) = &options.plot {
         let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
-        picture.write(&plot::draw_along(&analysis, y)?)?;
+        picture.write(&draw_along(&analysis, y)?)?;
     }
     let rows = analysis.rows(if options.format == Format::Table { 11 } else { 101 })?;
     match options.format {
         Format::Table => print(&output::render_along(&analysis, &rows)),
-        Format::Json => write(|output| output::write_along_json(&analysis, &rows, output)),
-        Format::Csv => write(|output| output::write_along_csv(&analysis, &rows, output)),
+        Format::Json => write(|output| data::along::write_json(&analysis, &rows, output)),
+        Format::Csv => write(|output| data::along::write_csv(&analysis, &rows, output)),
     }
 }
 

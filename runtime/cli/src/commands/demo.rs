@@ -2,13 +2,15 @@
 
 use std::path::PathBuf;
 
-use crate::analysis::Analysis;
-use crate::failure::Failure;
-use crate::input::DEFAULT_BICYCLE;
+use carvallo_design::Failure;
+use carvallo_design::input::DEFAULT_BICYCLE;
+use carvallo_plot::analysis::Analysis;
+use carvallo_plot::analysis::reach;
+use carvallo_plot::picture::{Limits, draw_eigenvalues};
+
 use crate::options::DesignOptions;
 use crate::output;
-use crate::plot::{self, Limits};
-use crate::reach;
+use crate::picture;
 use crate::terminal::print;
 
 /// The benchmark bicycle and its picture, and how to go on.
@@ -21,8 +23,7 @@ pub fn run() -> Result<(), Failure> {
     let path = picture_directory().map(|directory| directory.join(format!("{DEFAULT_BICYCLE}.svg")));
     let limits = Limits { x: (0.0, analysis.reach), y: None };
     // Nobody asked for the picture, so that what keeps it from being written is no failure.
-    match path
-        .filter(|path| plot::draw_eigenvalues(&analysis, limits).and_then(|scene| plot::save(&scene, path)).is_ok())
+    match path.filter(|path| draw_eigenvalues(&analysis, limits).and_then(|scene| picture::save(&scene, path)).is_ok())
     {
         Some(path) => {
             let here = std::env::current_dir().unwrap_or_default();

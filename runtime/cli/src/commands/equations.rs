@@ -1,10 +1,9 @@
 //! `carvallo equations`: the formulas of a model.
 
 use carvallo::Notation;
+use carvallo_design::{Failure, Shipped, WHIPPLE};
 use clap::{Args, ValueEnum};
 
-use crate::failure::Failure;
-use crate::model::{Shipped, WHIPPLE};
 use crate::terminal::print;
 
 const HELP: &str = "\

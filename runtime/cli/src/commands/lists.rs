@@ -1,11 +1,10 @@
 //! `carvallo bicycles` and `carvallo models`: what ships.
 
+use carvallo_design::input::{self, Request};
+use carvallo_design::{Failure, MODELS};
 use carvallo_models::BICYCLES;
+use carvallo_plot::analysis::Analysis;
 
-use crate::analysis::Analysis;
-use crate::failure::Failure;
-use crate::input::{self, Request};
-use crate::model::MODELS;
 use crate::output;
 use crate::terminal::print;
 

@@ -13,11 +13,11 @@ use std::error::Error as _;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
+use carvallo_design::{Failure, Place, Problem};
 use clap::builder::{Styles, styling::AnsiColor};
 use clap::error::{ContextKind, ContextValue};
 use clap::{Parser, Subcommand};
 
-use crate::failure::{Failure, Place, Problem};
 use crate::terminal::{ERROR, note};
 use crate::{simulate, sweep};
 
@@ -78,7 +78,8 @@ pub fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             note(ERROR, "error", &failure.to_string());
-            failure.exit_code()
+            // What was asked for is wrong, or there is no answer.
+            ExitCode::from(if matches!(failure, Failure::Input(_)) { 2 } else { 1 })
         }
     }
 }

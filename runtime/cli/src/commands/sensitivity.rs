@@ -1,12 +1,13 @@
 //! `carvallo sensitivity`: what the critical speeds of one design depend on.
 
+use carvallo_design::Failure;
+use carvallo_plot::analysis::sensitivity::Changes;
+use carvallo_plot::{data, picture};
 use clap::Args;
 
-use crate::failure::Failure;
 use crate::options::{DesignOptions, Format, Picture};
-use crate::sensitivity::Changes;
+use crate::output;
 use crate::terminal::{print, write};
-use crate::{output, plot};
 
 const HELP: &str = "\
 Ranks the parameters by how much 1 % of each changes the weave and capsize speeds (m/s), with the derivatives beside it
@@ -56,11 +57,11 @@ pub fn run(options: &Options) -> Result<(), Failure> {
             let title = changes.design.title();
             Failure::Run(format!("{title} has neither a weave nor a capsize speed, so there is no chart to draw"))
         };
-        picture.write(&plot::draw_tornado(&changes).ok_or_else(nothing)?)?;
+        picture.write(&picture::draw_tornado(&changes).ok_or_else(nothing)?)?;
     }
     match options.format {
         Format::Table => print(&output::sensitivity::render_table(&changes)),
-        Format::Json => write(|output| output::sensitivity::write_json(&changes, output)),
-        Format::Csv => write(|output| output::sensitivity::write_csv(&changes, output)),
+        Format::Json => write(|output| data::sensitivity::write_json(&changes, output)),
+        Format::Csv => write(|output| data::sensitivity::write_csv(&changes, output)),
     }
 }

@@ -1,11 +1,12 @@
 //! `carvallo show`: the parameters of one design.
 
+use carvallo_design::Failure;
+use carvallo_plot::picture;
 use clap::Args;
 
-use crate::failure::Failure;
 use crate::options::{DesignOptions, Picture};
+use crate::output;
 use crate::terminal::{WARNING, note, print};
-use crate::{output, plot};
 
 const HELP: &str = "\
 What is printed can be edited, and read by `carvallo analyze` and the others. DESIGN and MODEL are as for
@@ -31,7 +32,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let design = options.design.load()?;
     if let Some(picture) = &options.plot {
         let no_view = || Failure::Run(format!("the model {} has no side view", design.info().name));
-        let (scene, left_out) = plot::draw_side_view(&design).ok_or_else(no_view)?;
+        let (scene, left_out) = picture::draw_side_view(&design).ok_or_else(no_view)?;
         if !left_out.is_empty() {
             note(WARNING, "note", &format!("the side view has no place for {}", left_out.join(", ")));
         }

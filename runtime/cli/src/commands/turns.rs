@@ -2,15 +2,15 @@
 
 use std::path::PathBuf;
 
+use carvallo_design::quantity::{self, Context, Mistake, Reason, check_units, no_names};
+use carvallo_design::{Failure, Place};
+use carvallo_plot::analysis::turns::Families;
+use carvallo_plot::{data, picture};
 use clap::Args;
 
-use crate::failure::{Failure, Place};
 use crate::options::{DesignOptions, Format, Picture};
 use crate::output;
-use crate::plot;
-use crate::quantity::{self, Context, Mistake, Reason, check_units, no_names};
 use crate::terminal::deliver;
-use crate::turns::Families;
 
 const HELP: &str = "\
 Where straight running loses its stability to capsize, a curve of circles begins: hands free, at a lean and a steer that are
@@ -62,12 +62,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     let families = Families::new(&design, steers.as_deref())?;
     if let Some(picture) = &options.plot {
         let all = if steers.is_some() { Some(Families::new(&design, None)?) } else { None };
-        picture.write(&plot::draw_turns(all.as_ref().unwrap_or(&families)))?;
+        picture.write(&picture::draw_turns(all.as_ref().unwrap_or(&families)))?;
     }
     deliver(options.output.as_deref(), |output| match options.format {
         Format::Table => output.write_all(output::turns::render_table(&families, steers.is_some()).as_bytes()),
-        Format::Json => output::turns::write_json(&families, output),
-        Format::Csv => output::turns::write_csv(&families, output),
+        Format::Json => data::turns::write_json(&families, output),
+        Format::Csv => data::turns::write_csv(&families, output),
     })
 }
 

@@ -1,19 +1,14 @@
-//! Stability along a parameter: for people, as JSON, and as comma-separated values.
+//! Stability along a parameter, for people.
 
 use std::fmt::Write as _;
-use std::io::{Result, Write};
 
 use carvallo::{Complex, CriticalKind, ParameterRange, Verdict};
-use serde::Serialize;
+use carvallo_design::number::{fixed, shortest, unit, with_unit};
+use carvallo_plot::analysis::along::{AlongAnalysis, AtValue};
 
-use super::cells::{exact, write_rows};
 use super::columns::width;
-use super::head::Head;
-use super::layout::{Line, Members, Parts, write_document};
 use super::table::{effect, write_heading};
 use super::{FAINT, GOOD, HEADING};
-use crate::along::{AlongAnalysis, AtValue};
-use crate::number::{fixed, shortest, unit, with_unit};
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn render_along(analysis: &AlongAnalysis, rows: &[AtValue]) -> String {
@@ -70,93 +65,4 @@ pub fn render_along(analysis: &AlongAnalysis, rows: &[AtValue]) -> String {
 fn entry(value: &Complex<f64>) -> String {
     let re = fixed(value.re, 4);
     if value.im < 0.0 { format!("{re} ± {} i", fixed(-value.im, 4)) } else { re }
-}
-
-#[derive(Serialize)]
-struct Document<'a> {
-    #[serde(flatten)]
-    head: Head<'a>,
-    parameters: Members<Line<f64>>,
-    along: Line<Parameter>,
-    speed: Option<f64>,
-    range: Line<[f64; 2]>,
-    critical_values: Vec<Line<Event>>,
-    stable_ranges: Vec<Line<[f64; 2]>>,
-    undecided_ranges: Vec<Line<[f64; 2]>>,
-    eigenvalues: Vec<Line<Row>>,
-}
-
-#[derive(Serialize)]
-struct Parameter {
-    name: &'static str,
-    unit: &'static str,
-}
-
-/// A critical value.
-#[derive(Serialize)]
-struct Event {
-    kind: &'static str,
-    value: f64,
-    error: f64,
-    eigenvalue: Parts,
-    change: String,
-    /// Just below and just above the value.
-    verdicts: [String; 2],
-}
-
-#[derive(Serialize)]
-struct Row {
-    value: f64,
-    verdict: String,
-    values: Vec<Parts>,
-}
-
-/// # Errors
-/// If it cannot be written.
-pub fn write_along_json(analysis: &AlongAnalysis, rows: &[AtValue], output: &mut dyn Write) -> Result<()> {
-    let AlongAnalysis { design, parameter, speed, range, stability, .. } = analysis;
-    let parameters = design.info().parameters.iter().zip(&design.parameters);
-    let ranges =
-        |ranges: &[ParameterRange]| ranges.iter().map(|ParameterRange { from, to }| Line([*from, *to])).collect();
-    let events = stability.critical_values.iter().map(|critical| Event {
-        kind: analysis.name(critical),
-        value: critical.value,
-        error: critical.error,
-        eigenvalue: critical.eigenvalue.into(),
-        change: critical.change.to_string(),
-        verdicts: stability.verdicts_around(critical).map(|verdict| verdict.to_string()),
-    });
-    let rows = rows.iter().map(|row| Row {
-        value: row.value,
-        verdict: row.verdict.to_string(),
-        values: row.eigenvalues.iter().copied().map(Parts::from).collect(),
-    });
-    let document = Document {
-        head: Head::of(design),
-        parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
-        along: Line(Parameter { name: parameter.name, unit: parameter.unit }),
-        speed: *speed,
-        range: Line(*range),
-        critical_values: events.map(Line).collect(),
-        stable_ranges: ranges(&stability.stable_ranges),
-        undecided_ranges: ranges(&stability.undecided),
-        eigenvalues: rows.map(Line).collect(),
-    };
-    write_document(&document, output)
-}
-
-/// One row a value, under a header with the units.
-///
-/// # Errors
-/// If it cannot be written.
-pub fn write_along_csv(analysis: &AlongAnalysis, rows: &[AtValue], output: &mut dyn Write) -> Result<()> {
-    let info = analysis.parameter;
-    let numbers = 1..=rows.first().map_or(0, |row| row.eigenvalues.len());
-    let names = numbers.flat_map(|k| [format!("eigenvalue {k} re (1/s)"), format!("eigenvalue {k} im (1/s)")]);
-    let header = [format!("{} ({})", info.name, info.unit)].into_iter().chain(names).chain(["verdict".to_owned()]);
-    let lines = rows.iter().map(|row| {
-        let values = row.eigenvalues.iter().flat_map(|value| [exact(value.re), exact(value.im)]);
-        [exact(row.value)].into_iter().chain(values).chain([row.verdict.to_string()]).collect()
-    });
-    write_rows([header.collect()].into_iter().chain(lines), output)
 }

@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use anstyle::Style;
 use carvallo::{Complex, Verdict};
+use carvallo_design::number::fixed;
+use carvallo_plot::analysis::strands::{Strand, strands};
+use carvallo_plot::analysis::{Eigenvalues, ROUNDING, Row, largest};
 
 use super::columns::{LINE, speeds, width};
 use super::{FAINT, GOOD, HEADING};
-use crate::analysis::{Eigenvalues, ROUNDING, Row, largest};
-use crate::number::fixed;
-use crate::strands::{Strand, strands};
 
 /// What stands in a column at one speed: a pair, or real ones side by side.
 enum Cell {

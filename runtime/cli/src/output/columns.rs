@@ -1,7 +1,7 @@
 //! Columns of tables for people.
 
-use crate::analysis::Row;
-use crate::number::shortest;
+use carvallo_design::number::shortest;
+use carvallo_plot::analysis::Row;
 
 /// How wide a line may become where that can be helped.
 pub const LINE: usize = 124;

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use carvallo::{CriticalKind, StableRange};
+use carvallo_plot::analysis::Analysis;
 
 use super::{FAINT, GOOD, HEADING};
-use crate::analysis::Analysis;
 
 pub fn render_bicycles(analyses: &[Analysis]) -> String {
     let mut text = format!(

@@ -2,13 +2,8 @@
 
 mod along;
 mod branches;
-mod cells;
 mod columns;
-mod csv;
 mod equations;
-mod head;
-mod json;
-mod layout;
 mod list;
 mod models;
 pub mod motion;
@@ -21,9 +16,7 @@ mod sorted;
 mod table;
 pub mod turns;
 
-pub use self::along::{render_along, write_along_csv, write_along_json};
-pub use self::csv::write_csv;
-pub use self::json::write_json;
+pub use self::along::render_along;
 pub use self::list::render_bicycles;
 pub use self::models::render_models;
 pub use self::parameters::render_parameters;

@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
+use carvallo_design::Shipped;
+
 use super::equations::coordinate;
 use super::{FAINT, HEADING};
-use crate::model::Shipped;
 
 pub fn render_models(models: &[Shipped]) -> String {
     let name = models.iter().map(|model| model.info.name.len()).max().unwrap_or(0) + 2;

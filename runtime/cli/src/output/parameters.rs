@@ -1,11 +1,11 @@
 //! A design as a file: what `show` prints can be edited and analyzed.
 
 use carvallo::{CoordinateInfo, States};
+use carvallo_design::matrices::NAME;
+use carvallo_design::number::unit;
+use carvallo_design::{Design, Given};
 
 use super::FAINT;
-use crate::design::{Design, Given};
-use crate::matrices::NAME;
-use crate::number::unit;
 
 pub fn render_parameters(design: &Design) -> String {
     let info = design.info();

@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 
 use carvallo::{Stability, UndecidedRange};
+use carvallo_design::number::shortest;
 
 use super::GOOD;
-use crate::number::shortest;
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn write_ranges(stability: &Stability, text: &mut String) {

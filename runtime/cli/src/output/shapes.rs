@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 
 use carvallo::{Complex, ModeValue, States};
+use carvallo_design::Shape;
+use carvallo_design::number::{fixed, shortest};
+use carvallo_plot::analysis::{Analysis, Rows};
 
 use super::columns::width;
 use super::{FAINT, HEADING};
-use crate::analysis::{Analysis, Rows};
-use crate::model::Shape;
-use crate::number::{fixed, shortest};
 
 /// The eigenvectors at each of some speeds, of pairs those of the half with a positive imaginary part.
 ///

@@ -2,11 +2,11 @@
 
 use anstyle::{AnsiColor, Style};
 use carvallo::Mode;
+use carvallo_design::Failure;
+use carvallo_design::number::shortest;
+use carvallo_plot::analysis::{Analysis, ModeRow, Rows};
 
 use super::{FAINT, GOOD};
-use crate::analysis::{Analysis, ModeRow, Rows};
-use crate::failure::Failure;
-use crate::number::shortest;
 
 /// Characters; a braille character has two dots across and four upright.
 const COLUMNS: usize = 66;
@@ -27,7 +27,7 @@ struct Cell {
 pub fn draw_sketch(analysis: &Analysis, high: f64) -> Result<String, Failure> {
     let speeds: Vec<f64> = (0..2 * COLUMNS).map(|dot| high * dot as f64 / (2 * COLUMNS - 1) as f64).collect();
     let Rows::Modes(rows) = analysis.rows(&speeds)? else { return Ok(String::new()) };
-    let extent = crate::plot::extent(rows.iter().flat_map(|row| row.values.iter().map(|mode| mode.value)));
+    let extent = carvallo_plot::picture::extent(rows.iter().flat_map(|row| row.values.iter().map(|mode| mode.value)));
     let cells = cells(&rows, extent);
 
     let mut text = format!("{FAINT}real parts (1/s) against v (m/s):{FAINT:#}");

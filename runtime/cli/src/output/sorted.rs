@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use anstyle::Style;
 use carvallo::{Complex, ModeValue, Verdict};
+use carvallo_design::number::fixed;
+use carvallo_plot::analysis::{Eigenvalues, ROUNDING, Row, largest};
 
 use super::columns::{LINE, width};
 use super::{GOOD, HEADING};
-use crate::analysis::{Eigenvalues, ROUNDING, Row, largest};
-use crate::number::fixed;
 
 /// A real eigenvalue, or a pair with the size of its imaginary parts.
 struct Entry {

@@ -3,15 +3,14 @@
 use std::fmt::Write as _;
 
 use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, Verdict};
+use carvallo_design::number::{fixed, shortest};
+use carvallo_design::{Design, Shape};
+use carvallo_plot::analysis::{self, Analysis, ModeRow, ROUNDING, Rows};
 
 use super::columns::{speeds, width};
 use super::ranges::{write_ranges, write_undecided};
 use super::shapes::write_shapes;
 use super::{FAINT, GOOD, HEADING, branches, equations, sorted};
-use crate::analysis::{self, Analysis, ModeRow, ROUNDING, Rows};
-use crate::design::Design;
-use crate::model::Shape;
-use crate::number::{fixed, shortest};
 
 /// With eigenvectors at each speed, if there are any.
 ///

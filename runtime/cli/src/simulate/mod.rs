@@ -1,33 +1,24 @@
 //! Motions in time: what is asked for, and from what it is computed.
 
-mod contacts;
-mod force;
-mod initial;
-mod linear;
-mod motion;
-mod nonlinear;
 mod options;
 mod progress;
-mod solver;
 mod times;
 
 use std::path::Path;
 
-pub use self::contacts::paths;
-pub use self::motion::{Motion, Quantity, Row};
+use carvallo_design::input::is_same_file;
+use carvallo_design::quantity::{self, Mistake, Reason};
+use carvallo_design::speeds::CONTEXT as SPEED;
+use carvallo_design::{Design, Failure, Place, Problem};
+use carvallo_plot::analysis::simulation::{Given, Linear, Motion, Nonlinear, Solver, read};
+use carvallo_plot::{data, picture};
+
 pub use self::options::Options;
 
-use self::linear::Linear;
-use self::nonlinear::Nonlinear;
-use self::solver::{Solver, read};
-use crate::design::Design;
-use crate::failure::{Failure, Place, Problem};
-use crate::input::is_same_file;
+use self::progress::Progress;
 use crate::options::Format;
-use crate::quantity::{self, Mistake, Reason};
-use crate::speeds::CONTEXT as SPEED;
+use crate::output;
 use crate::terminal::{WARNING, deliver, note};
-use crate::{output, plot};
 
 /// Rows of a table for people, and of what is read by programs or drawn.
 const COARSE: u32 = 20;
@@ -81,13 +72,13 @@ impl Asked<'_> {
     fn simulate(self, solver: &dyn Solver) -> Result<(), Failure> {
         let Self { design, options, times, speed, mut problems } = self;
         let (Ok(times), Ok(speed), true) = (times, speed, problems.is_empty()) else {
-            problems.extend(read(solver, design, options, 0.0).err().into_iter().flatten());
+            problems.extend(read(solver, design, &options.initial, &options.force, 0.0).err().into_iter().flatten());
             return Err(Failure::Input(problems));
         };
         let end = times[times.len() - 1];
-        let given = read(solver, design, options, end).map_err(Failure::Input)?;
+        let given = read(solver, design, &options.initial, &options.force, end).map_err(Failure::Input)?;
         let speed = required_speed(design, speed)?;
-        let motion = solver.run(design, &given, speed, &times)?;
+        let motion = solved(solver, design, &given, speed, &times)?;
         tell(&motion, options)?;
         motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
         if let Some(picture) = &options.plot {
@@ -97,26 +88,41 @@ impl Asked<'_> {
             // No further than it goes.
             let end = motion.rows.last().map_or(end, |row| row.t);
             let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();
-            let drawn = solver.run(design, &given, speed, &fine)?;
+            let drawn = solved(solver, design, &given, speed, &fine)?;
             let linear = (!drawn.is_linear).then(|| beside(&drawn, options, speed, &fine)).transpose()?;
-            picture.write(&plot::draw_motion(&drawn, linear.as_ref()))?;
+            picture.write(&picture::draw_motion(&drawn, linear.as_ref()))?;
         }
         Ok(())
     }
 }
 
+/// The motion, with a bar for who waits.
+fn solved<'a>(
+    solver: &dyn Solver,
+    design: &'a Design,
+    given: &Given,
+    speed: f64,
+    times: &[f64],
+) -> Result<Motion<'a>, Failure> {
+    let progress = Progress::new(times[times.len() - 1]);
+    let motion = solver.run(design, given, speed, times, &|time| progress.reach(time))?;
+    progress.finish();
+    Ok(motion)
+}
+
 /// The linear motion that is drawn beside a nonlinear one.
 fn beside<'a>(motion: &Motion<'a>, options: &Options, speed: f64, times: &[f64]) -> Result<Motion<'a>, Failure> {
     let linear = Linear::new(motion.design);
-    let given = read(&linear, motion.design, options, times[times.len() - 1]).map_err(Failure::Input)?;
-    linear.run(motion.design, &given, speed, times)
+    let given = read(&linear, motion.design, &options.initial, &options.force, times[times.len() - 1])
+        .map_err(Failure::Input)?;
+    linear.run(motion.design, &given, speed, times, &|_| {})
 }
 
 fn tell(motion: &Motion, options: &Options) -> Result<(), Failure> {
     deliver(options.output.as_deref(), |output| match options.format {
         Format::Table => output.write_all(output::motion::render_table(motion).as_bytes()),
-        Format::Json => output::motion::write_json(motion, output),
-        Format::Csv => output::motion::write_csv(motion, output),
+        Format::Json => data::motion::write_json(motion, output),
+        Format::Csv => data::motion::write_csv(motion, output),
     })
 }
 

@@ -1,8 +1,8 @@
 //! The times at which a motion is told.
 
-use crate::failure::{Place, Problem};
-use crate::number::shortest;
-use crate::quantity::{self, Context, Mistake, Reason, Steps, no_names};
+use carvallo_design::number::shortest;
+use carvallo_design::quantity::{self, Context, Mistake, Reason, Steps, no_names};
+use carvallo_design::{Place, Problem};
 
 /// More rows than these are taken for a slip in the step.
 const MOST_ROWS: f64 = 1_000_000.0;

@@ -1,12 +1,12 @@
 //! The stable range over two parameters that vary.
 
 use carvallo::{ParameterInfo, StableRange};
+use carvallo_design::Design;
+use carvallo_plot::picture::{self, MapAxis, MapCell, Scene};
 
 use super::plan::Plan;
 use super::source::Source;
 use super::table::Results;
-use crate::design::Design;
-use crate::plot::{self, MapAxis, MapCell, Scene};
 
 /// What a map shows of each design, in their order.
 #[derive(Default)]
@@ -39,7 +39,7 @@ impl Map {
                 MapAxis::new(label(info), info.unit, &axis.values, values[axis.position])
             })
             .collect();
-        plot::draw_map(&design.title(), &axes, &self.cells)
+        picture::draw_map(&design.title(), &axes, &self.cells)
     }
 }
 

@@ -5,7 +5,6 @@ mod evaluate;
 mod generate;
 mod map;
 mod options;
-pub mod parameter;
 mod pipeline;
 mod plan;
 mod progress;
@@ -15,6 +14,7 @@ mod table;
 mod write;
 
 use anstyle::Style;
+use carvallo_design::{Failure, input};
 
 pub use self::options::Options;
 
@@ -23,9 +23,8 @@ use self::map::Map;
 use self::plan::{Plan, validate};
 use self::progress::Progress;
 use self::source::Batches;
-use crate::failure::Failure;
+use crate::picture;
 use crate::terminal::{WARNING, note, wrote};
-use crate::{input, plot};
 
 /// Computes all designs and writes their results in order. Of the designs only a few batches are in memory.
 ///
@@ -35,7 +34,7 @@ use crate::{input, plot};
 pub fn run(options: &Options) -> Result<(), Failure> {
     let design = options.base.load().map_err(|failure| with_options(failure, options))?;
     let plan = Plan::new(&design, options)?;
-    options.map.as_deref().map(plot::check).transpose()?;
+    options.map.as_deref().map(picture::check).transpose()?;
     let mut map = options.map.as_ref().map(|_| Map::default());
     let mut destination = Destination::open(options, &plan)?;
     let done = destination.designs();
@@ -57,7 +56,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         wrote(path);
     }
     if let (Some(path), Some(map)) = (&options.map, map) {
-        plot::save(&map.draw(&design, &plan), path)?;
+        picture::save(&map.draw(&design, &plan), path)?;
         wrote(path);
     }
     Ok(())

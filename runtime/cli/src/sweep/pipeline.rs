@@ -3,6 +3,7 @@
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread;
 
+use carvallo_design::Failure;
 use rayon::prelude::*;
 
 use super::destination::Destination;
@@ -11,7 +12,6 @@ use super::plan::Plan;
 use super::progress::Progress;
 use super::source::Batches;
 use super::table::{Designs, Results};
-use crate::failure::Failure;
 
 /// How many designs may wait between two of them: as many as a disk that is busy for a moment keeps waiting.
 const WAITING: usize = 65_536;

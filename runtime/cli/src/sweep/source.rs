@@ -1,12 +1,11 @@
 //! Where the designs of a sweep come from, and the way to them.
 
+use carvallo_design::{Design, Failure};
 use rayon::prelude::*;
 
 use super::generate::Generator;
 use super::read::{File, Named, Records};
 use super::table::{Designs, Heading};
-use crate::design::Design;
-use crate::failure::Failure;
 
 /// The designs that one core computes before it looks for more: small enough for its cache.
 const CHUNK: usize = 512;

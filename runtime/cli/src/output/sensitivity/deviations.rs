@@ -2,11 +2,13 @@
 
 use std::fmt::Write as _;
 
-use crate::analysis::name;
-use crate::number::shortest;
+use carvallo_design::number::shortest;
+use carvallo_plot::analysis::name;
+use carvallo_plot::analysis::sensitivity::{Changes, Derivatives};
+use carvallo_plot::data::matrices;
+
 use crate::output::columns::width;
-use crate::output::{FAINT, HEADING, equations};
-use crate::sensitivity::{Changes, Derivatives};
+use crate::output::{FAINT, HEADING};
 
 /// So many of the parameters that contribute most are named.
 const NAMED: usize = 4;
@@ -46,7 +48,7 @@ fn contributions(changes: &Changes, derivatives: &Derivatives) -> String {
 
 fn write_matrices(changes: &Changes, text: &mut String) {
     let found = changes.matrix_deviations.iter().flat_map(|deviations| deviations.matrices());
-    let matrices = equations::matrices(&changes.design);
+    let matrices = matrices(&changes.design);
     let rows: Vec<Vec<Vec<String>>> = matrices
         .iter()
         .map(|matrix| {

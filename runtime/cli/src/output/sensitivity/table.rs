@@ -3,15 +3,15 @@
 use std::fmt::Write as _;
 
 use carvallo::CriticalKind;
+use carvallo_design::number::{fixed, shortest, unit};
+use carvallo_plot::analysis::sensitivity::{Changes, Step, decides};
+use carvallo_plot::analysis::{kind, name};
 
 use super::deviations::write_deviations;
-use crate::analysis::{kind, name};
-use crate::number::{fixed, shortest, unit};
 use crate::output::columns::width;
 use crate::output::ranges::{write_ranges, write_undecided};
 use crate::output::table::{describe_effect, write_heading};
 use crate::output::{FAINT, HEADING};
-use crate::sensitivity::{Changes, Step, decides};
 
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn render_table(changes: &Changes) -> String {

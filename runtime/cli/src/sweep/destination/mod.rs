@@ -2,6 +2,7 @@
 
 use std::io::{ErrorKind, Write as _};
 
+use carvallo_design::Failure;
 use rayon::prelude::*;
 
 mod journal;
@@ -12,7 +13,6 @@ use super::options::Options;
 use super::plan::Plan;
 use super::table::{Column, Designs, Format, Results, joined, parquet_message};
 use super::write::{csv, parquet};
-use crate::failure::Failure;
 
 /// Where the results go, and how many designs without results went there.
 pub struct Destination {

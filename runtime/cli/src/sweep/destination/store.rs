@@ -5,8 +5,9 @@ use std::io::{ErrorKind, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use carvallo_design::{Failure, Place};
+
 use super::journal::{Journal, OpenFailure, Progress, Stamp};
-use crate::failure::{Failure, Place};
 use crate::sweep::plan::Plan;
 use crate::sweep::table::{Format, Heading, parquet_message};
 use crate::sweep::write::parquet;

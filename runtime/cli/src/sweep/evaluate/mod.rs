@@ -3,10 +3,11 @@
 mod cells;
 mod solution;
 
+use carvallo_design::Shipped;
+
 use self::cells::Cells;
 use self::solution::Solution;
 use super::table::{Column, Designs, Layout, Results};
-use crate::model::Shipped;
 
 /// What is the same for all designs.
 #[derive(Debug)]

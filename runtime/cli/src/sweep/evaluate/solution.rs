@@ -1,8 +1,8 @@
 //! What there is of one design.
 
 use carvallo::{Complex, Stability, StableRange, SystemError, Verdict};
+use carvallo_design::{Equations, Shipped};
 
-use crate::model::{Equations, Shipped};
 use crate::sweep::table::Layout;
 
 /// The results of one design.

@@ -1,11 +1,10 @@
 //! A parameter that takes one value after the other: `w=0.9:1.2:0.01`, `w=0.9:1.2:31 points`, `mB=60,75,90`.
 
 use carvallo::{ModelInfo, ParameterInfo};
-
-use crate::input::evaluated;
-use crate::number::with_unit;
-use crate::quantity::{Steps, check_commas};
-use crate::sweep::parameter::{any_possible, check_units, number, split, too_wide};
+use carvallo_design::input::evaluated;
+use carvallo_design::number::with_unit;
+use carvallo_design::parameter::{any_possible, check_units, number, split, too_wide};
+use carvallo_design::quantity::{Steps, check_commas};
 
 /// More than this many values of one parameter are taken for a slip in the step.
 const MAX_POINTS: f64 = 1_000_000.0;
@@ -106,7 +105,7 @@ impl Range {
 #[cfg(test)]
 mod tests {
     use super::Axis;
-    use crate::model::WHIPPLE;
+    use carvallo_design::WHIPPLE;
 
     fn values(text: &str) -> Vec<f64> {
         Axis::parse(text, WHIPPLE.info).map(|axis| axis.values).unwrap_or_default()

@@ -1,12 +1,11 @@
 //! A parameter that is drawn: `c=0.02..0.12` or `mB=85+-5`.
 
 use carvallo::ModelInfo;
+use carvallo_design::input::measured;
+use carvallo_design::number::with_unit;
+use carvallo_design::parameter::{any_possible, check_units, number, split, too_wide};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore as _, SeedableRng as _};
-
-use crate::input::measured;
-use crate::number::with_unit;
-use crate::sweep::parameter::{any_possible, check_units, number, split, too_wide};
 
 /// The 32-bit words that each sample takes, whatever its distribution.
 const WORDS: u128 = 4;
@@ -107,7 +106,7 @@ impl Draws {
 #[cfg(test)]
 mod tests {
     use super::Random;
-    use crate::model::WHIPPLE;
+    use carvallo_design::WHIPPLE;
 
     fn samples(text: &str, seed: u64) -> Vec<f64> {
         let random = Random::parse(text, WHIPPLE.info).expect("a distribution");

@@ -4,10 +4,9 @@ use std::fmt::Write as _;
 use std::hash::Hasher as _;
 use std::io::Read as _;
 
+use carvallo_design::{Design, Failure};
 use twox_hash::XxHash64;
 
-use crate::design::Design;
-use crate::failure::Failure;
 use crate::sweep::generate::Distribution;
 use crate::sweep::source::Source;
 use crate::sweep::table::{Format, Heading};

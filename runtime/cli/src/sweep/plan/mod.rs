@@ -5,6 +5,8 @@ mod validate;
 
 pub use self::validate::validate;
 
+use carvallo_design::{Design, Failure, Place, Problem};
+
 use self::fingerprint::fingerprint;
 use self::validate::Validated;
 use super::evaluate::Task;
@@ -13,8 +15,6 @@ use super::options::Options;
 use super::read::File;
 use super::source::Source;
 use super::table::{Format, Heading, Layout};
-use crate::design::Design;
-use crate::failure::{Failure, Place, Problem};
 
 /// More designs than this are taken for a slip in a step.
 const MAX_DESIGNS: u64 = 1_000_000_000_000;

@@ -3,12 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use carvallo::{MatrixName, ModelInfo};
+use carvallo_design::input::{is_same_file, position};
+use carvallo_design::number::shortest;
+use carvallo_design::{Failure, Place, Problem, Shipped, speeds};
 
-use crate::failure::{Failure, Place, Problem};
-use crate::input::{is_same_file, position};
-use crate::model::Shipped;
-use crate::number::shortest;
-use crate::speeds;
 use crate::sweep::generate::{Axis, Random};
 use crate::sweep::options::Options;
 use crate::sweep::table::{Capacity, Format};

@@ -4,12 +4,12 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
+use carvallo_design::quantity::signs;
+use carvallo_design::{Failure, Place};
 use csv::{ByteRecord, Reader, ReaderBuilder, Trim};
 
 use super::lines::{LineProblem, Lines};
 use super::rows::{Cell, Named, Rows};
-use crate::failure::{Failure, Place};
-use crate::quantity::signs;
 
 /// The rows of a file.
 pub struct Records {

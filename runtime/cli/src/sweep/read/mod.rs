@@ -9,13 +9,13 @@ mod rows;
 use std::path::{Path, PathBuf};
 
 use carvallo::ModelInfo;
+use carvallo_design::parameter::find;
+use carvallo_design::{Failure, Place, Problem};
 
 pub use self::rows::Named;
 
 use self::rows::Rows;
-use super::parameter::find;
 use super::table::{Designs, Format};
-use crate::failure::{Failure, Place, Problem};
 
 /// Columns that are no parameters; they are copied to the result.
 const COPIED: [&str; 5] = ["name", "id", "index", "bike", "bicycle"];

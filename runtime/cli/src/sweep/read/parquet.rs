@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use carvallo_design::{Failure, Place, Problem};
 use parquet::basic::{Compression, ConvertedType, Repetition, Type as Physical};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader as _, SerializedFileReader};
@@ -9,7 +10,6 @@ use parquet::schema::types::Type;
 
 use super::chunk::Chunk;
 use super::rows::{Named, Rows};
-use crate::failure::{Failure, Place, Problem};
 use crate::sweep::table::parquet_message;
 
 /// The rows of a file.

@@ -1,10 +1,10 @@
 //! Rows of a file as designs, whatever its format.
 
 use carvallo::{ModelInfo, ParameterInfo};
+use carvallo_design::input::measured;
+use carvallo_design::number::shortest;
+use carvallo_design::quantity::ambiguous;
 
-use crate::input::measured;
-use crate::number::shortest;
-use crate::quantity::ambiguous;
 use crate::sweep::table::{Column, Designs, Kind};
 
 /// A column of a file.

@@ -1,11 +1,11 @@
 //! The columns of the results: as many for every design.
 
 use carvallo::{CriticalKind, MatrixName, Stability};
+use carvallo_design::Shipped;
+use carvallo_design::number::shortest;
+use carvallo_plot::analysis::kind;
 
 use super::columns::Heading;
-use crate::analysis::kind;
-use crate::model::Shipped;
-use crate::number::shortest;
 
 const SPEED: &str = "m/s";
 const RATE: &str = "1/s";

@@ -6,6 +6,7 @@
 use std::io::{Read, Seek, SeekFrom};
 use std::sync::Arc;
 
+use carvallo_design::number;
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int32Type};
 use parquet::errors::ParquetError;
@@ -17,7 +18,6 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
 
-use crate::number;
 use crate::sweep::table::{Column, Heading, Kind};
 
 /// One row group, as a file of its own. The parts of a column come one after the other.

@@ -1,0 +1,97 @@
+//! A motion for people, at a terminal.
+
+use std::fmt::Write as _;
+
+use carvallo_design::number::{fixed, shortest};
+use carvallo_plot::analysis::simulation::{Motion, Quantity, Row};
+
+use crate::output::columns::width;
+use crate::output::table::write_heading;
+use crate::output::{FAINT, HEADING};
+
+/// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
+pub fn render_table(motion: &Motion) -> String {
+    let mut text = String::new();
+    write_heading(motion.design, &mut text);
+    let equations = if motion.is_linear { "the linear equations, solved exactly" } else { "the nonlinear equations" };
+    let _ = writeln!(text, "\n{HEADING}Motion{HEADING:#} by {equations}");
+    let columns = columns(motion);
+    let widths: Vec<usize> =
+        columns.iter().map(|column| width(std::iter::once(&column.heading).chain(&column.cells), 0)).collect();
+    let line = |cells: Vec<&str>| -> String {
+        cells.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect()
+    };
+    let _ = writeln!(text, "{FAINT}{}{FAINT:#}", line(columns.iter().map(|column| column.heading.as_str()).collect()));
+    for row in 0..motion.rows.len() {
+        let _ = writeln!(text, "{}", line(columns.iter().map(|column| column.cells[row].as_str()).collect()));
+    }
+    text
+}
+
+/// The most letters that explain a symbol.
+const LONGEST: usize = 16;
+
+struct Column {
+    heading: String,
+    cells: Vec<String>,
+}
+
+/// Time, speed, and the positions; of a few coordinates their rates as well. Angles are in degrees.
+fn columns(motion: &Motion) -> Vec<Column> {
+    let column = |heading: String, cell: &dyn Fn(&Row) -> String| Column {
+        heading,
+        cells: motion.rows.iter().map(cell).collect(),
+    };
+    let mut columns = vec![column("t (s)".to_owned(), &|row| time(row.t))];
+    if motion.position("thetaR").is_some() {
+        columns.push(column("v (m/s)".to_owned(), &|row| four_decimals(motion.speed(row).unwrap_or(0.0))));
+    }
+    let told = |quantity: &&Quantity| !matches!(quantity.name, "thetaR" | "thetaF");
+    let place = |quantity: &Quantity| motion.position(quantity.name).unwrap_or(0);
+    for quantity in motion.quantities.iter().filter(told) {
+        let place = place(quantity);
+        let unit = unit(quantity);
+        // What is longer explains more than there is room for.
+        let is_short = quantity.label != quantity.name && quantity.label.chars().count() <= LONGEST;
+        let name = if is_short { format!("{} ", quantity.label) } else { String::new() };
+        columns.push(column(format!("{name}{}{unit}", quantity.name), &|row| {
+            four_decimals(in_degrees(quantity, row.positions[place]))
+        }));
+    }
+    if motion.position("thetaR").is_none() {
+        for quantity in &motion.quantities {
+            let place = place(quantity);
+            let unit = match quantity.unit {
+                "rad" => "°/s".to_owned(),
+                _ => quantity.unit_per_time(1),
+            };
+            columns.push(column(format!("{}' ({unit})", quantity.name), &|row| {
+                four_decimals(in_degrees(quantity, row.rates[place]))
+            }));
+        }
+    }
+    columns
+}
+
+fn unit(quantity: &Quantity) -> String {
+    match quantity.unit {
+        "rad" => " (°)".to_owned(),
+        "1" | "" => String::new(),
+        unit => format!(" ({unit})"),
+    }
+}
+
+fn in_degrees(quantity: &Quantity, value: f64) -> f64 {
+    if quantity.unit == "rad" { value.to_degrees() } else { value }
+}
+
+/// What is close to zero is zero: how close is of no interest in a motion.
+fn four_decimals(value: f64) -> String {
+    if value.abs() < 1e7 { format!("{:.4}", (value * 1e4).round() / 1e4 + 0.0) } else { fixed(value, 4) }
+}
+
+/// No more digits than tell a time from its neighbours.
+fn time(t: f64) -> String {
+    let rounded: f64 = format!("{t:.6}").parse().unwrap_or(t);
+    shortest(if rounded == 0.0 { t } else { rounded })
+}

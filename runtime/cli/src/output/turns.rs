@@ -1,0 +1,88 @@
+//! Steady turns for people, at a terminal.
+
+use std::fmt::Write as _;
+
+use anstyle::Style;
+use carvallo::turns::Turn;
+use carvallo_design::number::{fixed, shortest};
+use carvallo_plot::analysis::turns::{Families, Family, end, growth, verdict};
+
+use crate::output::columns::width;
+use crate::output::table::write_heading;
+use crate::output::{FAINT, GOOD, HEADING};
+
+/// How many turns of a curve are shown, about.
+const SHOWN: usize = 24;
+
+/// All turns, or of a curve some, from its beginning to its end. Writing to a string cannot fail, so that the results of
+/// `write!` are dropped.
+pub fn render_table(families: &Families, all: bool) -> String {
+    let mut text = String::new();
+    write_heading(families.design, &mut text);
+    for family in &families.families {
+        let _ = writeln!(
+            text,
+            "\n{HEADING}Steady turns{HEADING:#} from the capsize speed of {} m/s",
+            shortest(family.capsize)
+        );
+        let turns = shown(family, all);
+        write_turns(families, &turns, &mut text);
+        let _ = match all {
+            true if turns.is_empty() => writeln!(text, "  none at these steers"),
+            true => Ok(()),
+            false => writeln!(text, "{FAINT}end of the curve: {}{FAINT:#}", end(family.end)),
+        };
+    }
+    text
+}
+
+fn shown(family: &Family, all: bool) -> Vec<&Turn> {
+    let last = family.turns.len().saturating_sub(1);
+    let each = if all { 1 } else { family.turns.len().div_ceil(SHOWN).max(1) };
+    family
+        .turns
+        .iter()
+        .enumerate()
+        .filter(|(index, _)| index % each == 0 || *index == last)
+        .map(|(_, turn)| turn)
+        .collect()
+}
+
+fn write_turns(families: &Families, turns: &[&Turn], text: &mut String) {
+    if turns.is_empty() {
+        return;
+    }
+    let mut headings = vec!["v (m/s)".to_owned(), "radius (m)".to_owned()];
+    for (_, told) in &families.positions {
+        let label = if told.label == told.name { String::new() } else { format!("{} ", told.label) };
+        let unit = if told.unit == "rad" { "°" } else { told.unit };
+        headings.push(format!("{label}{} ({unit})", told.name));
+    }
+    headings.extend(["yaw rate (°/s)", "growth (1/s)"].map(str::to_owned));
+    let decimals = |value: f64| if value.abs() < 1e7 { format!("{:.4}", value + 0.0) } else { fixed(value, 4) };
+    let rows: Vec<Vec<String>> = turns
+        .iter()
+        .map(|turn| {
+            let radius = if turn.radius.is_finite() { decimals(turn.radius) } else { "straight".to_owned() };
+            let mut row = vec![decimals(turn.speed), radius];
+            row.extend(families.positions.iter().map(|(place, told)| {
+                let value = turn.positions[*place];
+                decimals(if told.unit == "rad" { value.to_degrees() } else { value })
+            }));
+            row.extend([decimals(turn.yaw_rate.to_degrees()), decimals(growth(turn))]);
+            row.into_iter().map(|cell| if cell == "-0.0000" { "0.0000".to_owned() } else { cell }).collect()
+        })
+        .collect();
+    let widths: Vec<usize> = (0..headings.len())
+        .map(|column| width(rows.iter().map(|row| &row[column]).chain([&headings[column]]), 0))
+        .collect();
+    let line = |cells: &[String]| -> String {
+        cells.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect()
+    };
+    let _ = writeln!(text, "{FAINT}{}{FAINT:#}", line(&headings));
+    for (row, turn) in rows.iter().zip(turns) {
+        let verdict = verdict(turn);
+        let style = if verdict == "stable" { GOOD } else { Style::new() };
+        let _ = writeln!(text, "{style}{}  {verdict}{style:#}", line(row));
+    }
+}

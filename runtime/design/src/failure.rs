@@ -1,0 +1,94 @@
+//! Why there is no result.
+
+use std::fmt;
+
+/// Why there is no result.
+#[derive(Debug)]
+pub enum Failure {
+    /// What the user asked for, or a file, is wrong; everything that is wrong at once.
+    Input(Vec<Problem>),
+    /// The analysis has no answer, or a file cannot be read or written.
+    Run(String),
+}
+
+impl Failure {
+    /// A single problem with what was asked for.
+    pub fn usage(message: impl Into<String>) -> Self {
+        Self::at(Place::Nowhere, message)
+    }
+
+    /// A single problem at a place.
+    pub fn at(place: Place, message: impl Into<String>) -> Self {
+        Self::Input(vec![Problem { place, message: message.into() }])
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Run(message) => f.write_str(message),
+            Self::Input(problems) => match problems.as_slice() {
+                [problem] => problem.fmt(f),
+                problems => {
+                    write!(f, "{} problems", problems.len())?;
+                    problems.iter().try_for_each(|problem| write!(f, "\n{problem}"))
+                }
+            },
+        }
+    }
+}
+
+/// One thing that is wrong, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// Where it is.
+    pub place: Place,
+    /// What is there, and what was expected.
+    pub message: String,
+}
+
+/// Where something is wrong, in the order in which problems are told.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// The message says it.
+    Nowhere,
+    /// An option of the command line, as it was given.
+    Option(String),
+    /// A file and a line in it.
+    Line(String, usize),
+    /// A file as a whole.
+    File(String),
+}
+
+impl std::error::Error for Failure {}
+
+impl std::error::Error for Problem {}
+
+impl Place {
+    /// The file that it is in, or the place itself.
+    pub fn file(&self) -> &str {
+        match self {
+            Self::Nowhere => "",
+            Self::Option(label) | Self::Line(label, _) | Self::File(label) => label,
+        }
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            Place::Nowhere => f.write_str(&self.message),
+            place => write!(f, "{place}: {}", self.message),
+        }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nowhere => Ok(()),
+            Self::Option(label) | Self::File(label) => f.write_str(label),
+            Self::Line(label, line) => write!(f, "{label}:{line}"),
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! Parameters of a model: shipped ones by name, and files in any of the formats that people have.
+
+mod document;
+mod entries;
+mod json;
+mod lines;
+mod magnitude;
+mod matrices;
+mod members;
+mod names;
+mod neutral;
+mod parameters;
+mod plausible;
+mod scope;
+mod shipped;
+mod tables;
+mod texts;
+mod toml;
+mod value;
+
+use std::io::Read as _;
+use std::path::Path;
+
+use self::document::{Document, Entry, File};
+use crate::design::Design;
+use crate::failure::{Failure, Place, Problem};
+use crate::model::{Shipped, WHIPPLE};
+
+pub use self::names::position;
+pub use self::names::{Expected, Known, known};
+pub use self::shipped::DEFAULT_BICYCLE;
+pub use self::value::{evaluated, measured};
+
+/// Where the parameters come from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Request {
+    /// The name of the model; otherwise a file chooses it, or it is the one of the bicycles.
+    pub model: Option<String>,
+    /// The name of what ships for the model, a path, or `-` for the standard input; otherwise the first that ships.
+    pub parameters: Option<String>,
+    /// Values from the command line: the option as it was given, the name and the value.
+    pub overrides: Vec<(String, String, String)>,
+}
+
+impl Request {
+    /// Whether the parameters are read from this file, so that nothing must be written there.
+    pub fn reads(&self, path: &Path) -> bool {
+        self.parameters.as_ref().is_some_and(|parameters| is_same_file(Path::new(parameters), path))
+    }
+}
+
+/// Whether two paths are of one file, which is there.
+pub fn is_same_file(first: &Path, second: &Path) -> bool {
+    first.canonicalize().is_ok_and(|first| second.canonicalize().is_ok_and(|second| first == second))
+}
+
+/// Reads and judges the parameters.
+///
+/// # Errors
+/// Everything that is wrong with the request or the file, or that the file cannot be read.
+pub fn load(request: &Request) -> Result<Design, Failure> {
+    let overrides = request.overrides.iter();
+    let overrides =
+        overrides.map(|(option, name, value)| Entry::from_text(name, Place::Option(option.clone()), value)).collect();
+    let asked = request.model.as_ref().map(|name| {
+        let place = Place::Option(format!("--model {name}"));
+        Kind::called(name).map_err(|message| Failure::Input(vec![Problem { place, message }]))
+    });
+    let asked = asked.transpose()?;
+    let expected = asked.unwrap_or(Kind::Shipped(&WHIPPLE));
+    let shipped = expected.shipped();
+    let name = request.parameters.as_deref().or_else(|| shipped.and_then(shipped::default_name));
+    let Some(name) = name else {
+        return Err(Failure::usage(format!(
+            "no parameter set ships for the model {}: expected a file",
+            expected.name()
+        )));
+    };
+    let (label, document) = if let Some(document) = shipped.and_then(|shipped| shipped::find(shipped, name)) {
+        (name, document)
+    } else if name == "-" {
+        let mut bytes = Vec::new();
+        let read = std::io::stdin().lock().read_to_end(&mut bytes);
+        read.map_err(|error| Failure::Run(format!("cannot read the standard input: {error}")))?;
+        ("<stdin>", parse("<stdin>", bytes)?)
+    } else if Path::new(name).exists() {
+        let bytes = std::fs::read(name).map_err(|error| Failure::Run(format!("cannot read {name}: {error}")))?;
+        (name, parse(name, bytes)?)
+    } else {
+        return Err(Failure::usage(match shipped {
+            Some(shipped) => shipped::unknown(shipped, name),
+            None => format!("there is no file {name}"),
+        }));
+    };
+    resolve(document, label, asked, overrides)
+}
+
+/// Reads and judges the contents of a file; the ending of its label tells the format, or else what is in it.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn read(label: &str, bytes: Vec<u8>) -> Result<Design, Failure> {
+    resolve(parse(label, bytes)?, label, None, Vec::new())
+}
+
+/// Judges the parameters by the model that was asked for, or else the one that they name themselves.
+fn resolve(mut document: Document, label: &str, asked: Option<Kind>, overrides: Vec<Entry>) -> Result<Design, Failure> {
+    let kind = match (asked, &document.model) {
+        (None, None) => Ok(Kind::Shipped(&WHIPPLE)),
+        (None, Some(name)) => Kind::called(name),
+        (Some(asked), Some(name)) if !asked.is_called(name) => {
+            Err(format!("the parameters are for the model `{name}`, but --model is {}", asked.name()))
+        }
+        (Some(asked), _) => Ok(asked),
+    };
+    let model = kind.and_then(|kind| match (kind, &document.form) {
+        (Kind::Shipped(model), None) => Ok(Some(model)),
+        (Kind::Shipped(model), Some(_)) => {
+            Err(format!("there are matrices in the place of parameters of the model `{}`", model.info.name))
+        }
+        (Kind::Matrices, Some(form)) => Ok(Some(crate::matrices::model(form))),
+        (Kind::Matrices, None) if document.problems.is_empty() => {
+            Err("there are no matrices; expected `M` and others, in JSON or TOML".to_owned())
+        }
+        (Kind::Matrices, None) => Ok(None),
+    });
+    match model {
+        Ok(Some(model)) => parameters::resolve(document, label, model, overrides).map_err(Failure::Input),
+        Ok(None) => Err(Failure::Input(document.problems)),
+        Err(message) => {
+            document.problem(Place::File(label.to_owned()), message);
+            Err(Failure::Input(document.problems))
+        }
+    }
+}
+
+/// What a model can be.
+#[derive(Clone, Copy)]
+enum Kind {
+    Shipped(&'static Shipped),
+    /// That of given matrices.
+    Matrices,
+}
+
+impl Kind {
+    fn called(name: &str) -> Result<Self, String> {
+        if crate::matrices::is_called(name) { Ok(Self::Matrices) } else { Shipped::called(name).map(Self::Shipped) }
+    }
+
+    fn is_called(self, name: &str) -> bool {
+        match self {
+            Self::Shipped(model) => model.is_called(name),
+            Self::Matrices => crate::matrices::is_called(name),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        self.shipped().map_or(crate::matrices::NAME, |model| model.info.name)
+    }
+
+    fn shipped(self) -> Option<&'static Shipped> {
+        match self {
+            Self::Shipped(model) => Some(model),
+            Self::Matrices => None,
+        }
+    }
+}
+
+fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let line = 1 + error.as_bytes().iter().take(error.utf8_error().valid_up_to()).filter(|&&b| b == b'\n').count();
+        Failure::Input(vec![Problem {
+            place: Place::Line(label.to_owned(), line),
+            message: "this is not UTF-8 text".to_owned(),
+        }])
+    })?;
+    // Some editors begin a file with a byte order mark.
+    let file = File { label, text: text.strip_prefix('\u{feff}').unwrap_or(&text) };
+    let ending = Path::new(label).extension().and_then(|ending| ending.to_str()).map(str::to_lowercase);
+    Ok(match ending.as_deref() {
+        Some("toml") => toml::read(file),
+        Some("json") => json::read(file),
+        Some("yml" | "yaml") => lines::read(file, ':'),
+        Some("py" | "m") => lines::read(file, '='),
+        _ => by_content(file),
+    })
+}
+
+/// Whether a line, alone, tells that a file is in TOML.
+fn is_of_toml(line: &str) -> bool {
+    line.starts_with("[parameters]")
+        || line.starts_with("[matrices]")
+        || line == "[[coordinates]]"
+        || line.starts_with('{')
+        || line.contains("= {")
+        || line.contains("[{")
+}
+
+/// Other endings tell nothing: the first line that is neither empty nor a comment does, nor in a script the head of a class.
+fn by_content(file: File) -> Document {
+    let is_comment = |line: &&str| line.is_empty() || line.starts_with(['#', '%']) || lines::is_statement(line);
+    // What a script of Python says of itself tells nothing, either.
+    let folded = texts::fold_python(file.text);
+    let text = if lines::is_matlab(file) { file.text } else { &folded.text };
+    let mut lines = text.lines().map(str::trim).filter(|line| !is_comment(line));
+    let first = lines.next().unwrap_or_default();
+    if first.starts_with('{') {
+        json::read(file)
+    } else if first.starts_with('[') || lines.any(is_of_toml) {
+        toml::read(file)
+    } else if first.split_once(':').is_some_and(|(name, _)| !name.contains('=')) {
+        lines::read(file, ':')
+    } else {
+        lines::read(file, '=')
+    }
+}

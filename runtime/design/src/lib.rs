@@ -1,0 +1,29 @@
+//! Designs: the models that ship with Carvallo, by name, and their parameters from files in any of the formats that
+//! people have, or by the names of what ships.
+//!
+//! ```
+//! use carvallo_design::input;
+//!
+//! let design = input::read("mine.toml", b"model = \"Pendulum\"\n[parameters]\nl = \"50 cm\"\n".to_vec());
+//! println!("{}", design.unwrap_err()); // names everything that is missing
+//! let pista = input::load(&input::Request { parameters: Some("pista".to_owned()), ..Default::default() }).unwrap();
+//! println!("{}: {:?}", pista.title(), pista.equations.stability(9.81).unwrap().stable_ranges);
+//! ```
+
+mod bodies;
+mod design;
+mod failure;
+pub mod input;
+pub mod matrices;
+mod model;
+mod nearest;
+pub mod number;
+pub mod parameter;
+pub mod quantity;
+pub mod speeds;
+
+pub use self::bodies::body;
+pub use self::design::{Design, Deviation, Given};
+pub use self::failure::{Failure, Place, Problem};
+pub use self::model::{Equations, MODELS, MachineVisitor, Sensitive, Shape, Shipped, Visitor, WHIPPLE};
+pub use self::nearest::nearest;

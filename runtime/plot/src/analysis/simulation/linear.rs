@@ -1,0 +1,137 @@
+//! The motion of the linear equations, of any model.
+
+use carvallo::simulation::{LinearMotion, SimulationError};
+use carvallo::{Model, Rate, States};
+use carvallo_design::number::shortest;
+use carvallo_design::{Design, Failure};
+use carvallo_models::WhippleMechanism;
+
+use super::force::Channel;
+use super::initial::Givable;
+use super::motion::{Motion, Quantity, Row, order};
+use super::solver::{Given, Solver};
+use crate::analysis::extremes;
+
+/// What the path of a bicycle is told by, behind its lean and steer; the first is its yaw.
+const PATH: [Quantity; 5] = [
+    Quantity::new("psi", "yaw", "rad"),
+    Quantity::new("x", "x", "m"),
+    Quantity::new("y", "y", "m"),
+    Quantity::new("thetaR", "rear wheel", "rad"),
+    Quantity::new("thetaF", "front wheel", "rad"),
+];
+
+const OF_YAW: &str = "it follows from steer";
+pub const OF_SPEED: &str = "it follows from --speed";
+
+/// The linear equations of a design, with what may be given of their motion.
+pub struct Linear {
+    givable: Vec<Givable>,
+    channels: Vec<Channel>,
+}
+
+impl Linear {
+    /// The linear equations of a design.
+    pub fn new(design: &Design) -> Self {
+        let info = design.info();
+        let coordinates = info.coordinates.iter().map(|coordinate| Givable {
+            quantity: Quantity::new(coordinate.name, coordinate.label, coordinate.unit),
+            position: Ok(()),
+            rate: match coordinate.states {
+                States::Position => Err("it is of first order, and its rate follows"),
+                States::Rate | States::Both => Ok(()),
+            },
+        });
+        let has_path = kinematics(design).is_some();
+        let path = PATH.iter().filter(|_| has_path).map(|quantity| Givable {
+            quantity: *quantity,
+            position: Ok(()),
+            rate: Err(if matches!(quantity.name, "psi" | "y") { OF_YAW } else { OF_SPEED }),
+        });
+        let channels = info.coordinates.iter().map(|coordinate| Channel {
+            names: vec![coordinate.name.to_owned(), format!("T{}", coordinate.name), coordinate.label.to_owned()],
+            unit: match coordinate.unit {
+                "rad" => "N*m",
+                "m" => "N",
+                _ => "1",
+            },
+        });
+        Self { givable: coordinates.chain(path).collect(), channels: channels.collect() }
+    }
+}
+
+impl Solver for Linear {
+    fn givable(&self) -> &[Givable] {
+        &self.givable
+    }
+
+    fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
+    fn run<'a>(
+        &self,
+        design: &'a Design,
+        given: &Given,
+        speed: f64,
+        times: &[f64],
+        _: &dyn Fn(f64),
+    ) -> Result<Motion<'a>, Failure> {
+        let Given { initial, forces } = given;
+        let title = design.title();
+        let fail = |message: String| Failure::Run(format!("{title}: {message}{}", extremes(design)));
+        let motion = design.equations.motion(speed, design.gravity().unwrap_or(0.0));
+        let mut motion = motion.map_err(|error| fail(error.to_string()))?;
+        if let Some(kinematics) = kinematics(design) {
+            let forward = Rate { speed: 1.0, rates: [0.0; 2], coordinates: [0.0; 2], heading: 0.0 };
+            let [yaw, others @ ..] =
+                [kinematics.yaw, forward, kinematics.lateral, kinematics.wheel_R, kinematics.wheel_F];
+            motion = motion.followed_by(speed, &yaw, &others);
+        }
+        let count = design.info().coordinates.len();
+        let run = |motion: &LinearMotion, times: &[f64]| {
+            motion.run(&initial.positions, &initial.rates[..count], forces, times)
+        };
+        let (snapshots, end) = match run(&motion, times) {
+            Ok(snapshots) => (snapshots, None),
+            // What there is until then.
+            Err(SimulationError::OutOfRange { time }) => {
+                let reached = times.partition_point(|before| *before < time);
+                let snapshots = run(&motion, &times[..reached]).map_err(|error| fail(error.to_string()))?;
+                let reason = "the motion then leaves the range of floating-point numbers";
+                (snapshots, Some(format!("the motion ends before {} s: {reason}", shortest(time))))
+            }
+            Err(error) => return Err(fail(error.to_string())),
+        };
+        let quantities: Vec<Quantity> = self.givable.iter().map(|givable| givable.quantity).collect();
+        let order = order(&quantities);
+        let arranged = |values: &[f64]| order.iter().map(|&place| values[place] + 0.0).collect();
+        let rows = snapshots.iter().map(|snapshot| Row {
+            t: snapshot.time,
+            positions: arranged(&snapshot.positions),
+            rates: arranged(&snapshot.rates),
+            accelerations: arranged(&snapshot.accelerations),
+            energy: None,
+            contact_forces: Vec::new(),
+        });
+        Ok(Motion {
+            is_linear: true,
+            quantities: order.iter().map(|&place| quantities[place]).collect(),
+            wheels: Vec::new(),
+            rows: rows.collect(),
+            end,
+            notes: Vec::new(),
+            design,
+        })
+    }
+}
+
+/// What follows from lean and steer, of the models whose parameters are those of the shipped bicycles.
+fn kinematics(design: &Design) -> Option<carvallo_models::WhippleMechanismKinematics> {
+    let bicycle = WhippleMechanism::INFO;
+    if !(design.model.is_whipple() || design.model.is_called(bicycle.name)) {
+        return None;
+    }
+    let values: Option<Vec<f64>> = bicycle.parameters.iter().map(|parameter| design.value(parameter.name)).collect();
+    Some(WhippleMechanism::from_slice(&values?).ok()?.kinematics())
+}

@@ -1,0 +1,17 @@
+//! Motions in time, and from what they are computed.
+
+mod contacts;
+mod force;
+mod initial;
+mod linear;
+mod motion;
+mod nonlinear;
+mod solver;
+
+pub use self::contacts::paths;
+pub use self::force::Channel;
+pub use self::initial::{Givable, Initial};
+pub use self::linear::Linear;
+pub use self::motion::{Motion, Quantity, Row};
+pub use self::nonlinear::Nonlinear;
+pub use self::solver::{Given, Solver, read};

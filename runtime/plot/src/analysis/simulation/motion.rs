@@ -1,0 +1,89 @@
+//! A motion as it is told, whichever equations it is of.
+
+use carvallo_design::Design;
+
+/// The order in which quantities of bicycles are told: that of the paper.
+const ORDER: [&str; 8] = ["x", "y", "psi", "phi", "pitch", "delta", "thetaR", "thetaF"];
+
+/// The places of quantities in the order in which they are told: of bicycles that of the paper, of others their own.
+pub fn order(quantities: &[Quantity]) -> Vec<usize> {
+    let place = |quantity: &Quantity| ORDER.iter().position(|name| *name == quantity.name);
+    let mut places: Vec<usize> = (0..quantities.len()).collect();
+    if quantities.iter().all(|quantity| place(quantity).is_some()) {
+        places.sort_by_key(|&index| place(&quantities[index]));
+    }
+    places
+}
+
+/// Something that moves, with its symbol, what it is, and the unit of its position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quantity {
+    /// Its symbol.
+    pub name: &'static str,
+    /// What it is.
+    pub label: &'static str,
+    /// Of its position.
+    pub unit: &'static str,
+}
+
+impl Quantity {
+    /// A quantity by its symbol, what it is, and the unit of its position.
+    pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
+        Self { name, label, unit }
+    }
+
+    /// The unit of its rate, or with `power` 2 of its acceleration.
+    pub fn unit_per_time(&self, power: u32) -> String {
+        let unit = if self.unit.is_empty() { "1" } else { self.unit };
+        if power == 1 { format!("{unit}/s") } else { format!("{unit}/s^{power}") }
+    }
+}
+
+/// A motion, row by row.
+#[derive(Debug)]
+pub struct Motion<'a> {
+    /// What moves.
+    pub design: &'a Design,
+    /// Whether it is by the linear equations.
+    pub is_linear: bool,
+    /// In the order in which they are told.
+    pub quantities: Vec<Quantity>,
+    /// The wheels that touch the ground, where the forces on them are known.
+    pub wheels: Vec<&'static str>,
+    /// Ascending in time.
+    pub rows: Vec<Row>,
+    /// Why it ended before its time, if it did.
+    pub end: Option<String>,
+    /// What else is to be known of it.
+    pub notes: Vec<String>,
+}
+
+/// A motion at one time, in SI units.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// In s.
+    pub t: f64,
+    /// Of each quantity.
+    pub positions: Vec<f64>,
+    /// Of each quantity.
+    pub rates: Vec<f64>,
+    /// Of each quantity.
+    pub accelerations: Vec<f64>,
+    /// Kinetic and potential, in J.
+    pub energy: Option<[f64; 2]>,
+    /// The force of the ground on each wheel, in N.
+    pub contact_forces: Vec<[f64; 3]>,
+}
+
+impl Motion<'_> {
+    /// Where a quantity stands in the rows.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        self.quantities.iter().position(|quantity| quantity.name == name)
+    }
+
+    /// The forward speed in m/s, of bicycles that of the rear wheel: -rR thetaR'.
+    pub fn speed(&self, row: &Row) -> Option<f64> {
+        let (radius, wheel) = (self.design.value("rR")?, self.position("thetaR")?);
+        Some(-radius * row.rates[wheel])
+    }
+}

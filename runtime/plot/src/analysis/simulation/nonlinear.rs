@@ -1,0 +1,189 @@
+//! The motion of the nonlinear equations.
+
+use carvallo::motion::{MotionInfo, PositionKind};
+use carvallo::simulation::{End, Machine, Moment, Ride, RideRow, Simulation, State};
+use carvallo_design::number::shortest;
+use carvallo_design::{Design, Failure};
+
+use super::force::Channel;
+use super::initial::Givable;
+use super::linear::OF_SPEED;
+use super::motion::{Motion, Quantity, Row, order};
+use super::solver::{Given, Solver};
+
+/// A machine that leans by so much has fallen, and one that is steered by so much has its front wheel turned around, in
+/// degrees; if it did not begin so.
+const FALLEN: f64 = 80.0;
+const TURNED: f64 = 180.0;
+
+/// A force that would hold a wheel down, in N; less is rounding.
+const HOLDS: f64 = 1e-6;
+
+const FALL: &str = "it falls: it leans";
+const TURN: &str = "its front turns around: it is steered";
+const STOP: &str = "stop";
+
+/// The nonlinear equations of a design, with what may be given of their motion.
+pub struct Nonlinear<'a> {
+    machine: &'a dyn Machine,
+    givable: Vec<Givable>,
+    channels: Vec<Channel>,
+    drive: Option<Drive>,
+}
+
+/// How a machine is given its forward speed.
+#[derive(Clone, Copy)]
+struct Drive {
+    /// The position whose rate is proportional to the speed: the angle of the first wheel, or x.
+    position: usize,
+    /// That rate at 1 m/s.
+    per_speed: f64,
+}
+
+impl<'a> Nonlinear<'a> {
+    /// The nonlinear equations of a machine.
+    pub fn new(machine: &'a dyn Machine) -> Self {
+        let info = machine.info();
+        let drive = drive(machine);
+        let givable = info.positions.iter().enumerate().map(|(place, position)| Givable {
+            quantity: Quantity::new(position.name, position.label, position.unit),
+            position: match position.kind {
+                PositionKind::Dependent => Err("it follows, since every wheel is on the ground"),
+                PositionKind::Free | PositionKind::Ignorable => Ok(()),
+            },
+            rate: match (drive, info.speed_of(place)) {
+                (Some(drive), _) if drive.position == place => Err(OF_SPEED),
+                (_, Some(_)) => Ok(()),
+                (_, None) => Err("it follows, since wheels roll"),
+            },
+        });
+        let channels = info.forces.iter().map(|force| {
+            let short = force.name.strip_prefix(['T', 'F']).filter(|short| !short.is_empty());
+            let names = [Some(force.name), short, Some(force.label)];
+            Channel { names: names.into_iter().flatten().map(str::to_owned).collect(), unit: force.unit }
+        });
+        Self { machine, givable: givable.collect(), channels: channels.collect(), drive }
+    }
+
+    fn state(&self, given: &Given, speed: f64) -> Result<State, String> {
+        let names = || self.machine.info().positions.iter().map(|position| position.name);
+        let positions: Vec<(&str, f64)> = names().zip(given.initial.positions.iter().copied()).collect();
+        let mut rates = given.initial.rates.clone();
+        if let Some(drive) = self.drive {
+            rates[drive.position] = drive.per_speed * speed;
+        }
+        let free = |place: &usize| self.machine.info().speed_of(*place).is_some();
+        let rates: Vec<(&str, f64)> =
+            names().zip(rates).enumerate().filter(|(place, _)| free(place)).map(|(_, rate)| rate).collect();
+        State::new(self.machine, &positions, &rates).map_err(|error| error.to_string())
+    }
+}
+
+/// At rest in the reference state, what rate of which position 1 m/s takes; `None` for what does not run.
+fn drive(machine: &dyn Machine) -> Option<Drive> {
+    let info = machine.info();
+    let x = info.position("x")?;
+    if info.speed_of(x).is_some() {
+        return Some(Drive { position: x, per_speed: 1.0 });
+    }
+    let wheel = info.wheels.first()?;
+    let position = info.position(&format!("theta{}", wheel.name))?;
+    let speed = info.speed_of(position)?;
+    let state = State::new(machine, &[], &[]).ok()?;
+    let mut speeds = state.speeds;
+    speeds[speed] = 1.0;
+    let mut rates = vec![0.0; info.positions.len()];
+    machine.rates(&state.positions, &speeds, &mut rates).ok()?;
+    (rates[x] != 0.0).then(|| Drive { position, per_speed: 1.0 / rates[x] })
+}
+
+impl Solver for Nonlinear<'_> {
+    fn givable(&self) -> &[Givable] {
+        &self.givable
+    }
+
+    fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
+    fn run<'a>(
+        &self,
+        design: &'a Design,
+        given: &Given,
+        speed: f64,
+        times: &[f64],
+        reach: &dyn Fn(f64),
+    ) -> Result<Motion<'a>, Failure> {
+        let fail = |message: String| Failure::Run(format!("{}: {message}", design.title()));
+        let info = self.machine.info();
+        let start = self.state(given, speed).map_err(fail)?;
+        let mut simulation = Simulation::new(self.machine);
+        for (force, given) in info.forces.iter().zip(&given.forces) {
+            simulation = simulation.force(force.name, given.clone()).map_err(|error| fail(error.to_string()))?;
+        }
+        for (event, name, degrees) in [(FALL, "phi", FALLEN), (TURN, "delta", TURNED)] {
+            let limit = degrees.to_radians();
+            let place = info.position(name).filter(|&place| start.positions[place].abs() < 0.99 * limit);
+            if let Some(place) = place {
+                simulation = simulation.until(event, move |moment: &Moment| limit - moment.positions[place].abs());
+            }
+        }
+        if let Some(Drive { position, per_speed }) = self.drive {
+            simulation = simulation.noting(STOP, move |moment: &Moment| moment.rates[position] / per_speed);
+        }
+        let simulation = simulation.observed_by(reach);
+        let ride = simulation.run(&start, times).map_err(|error| fail(error.to_string()))?;
+        Ok(told(design, info, &ride))
+    }
+}
+
+/// The motion as it is told.
+fn told<'a>(design: &'a Design, info: &MotionInfo, ride: &Ride) -> Motion<'a> {
+    let quantities: Vec<Quantity> =
+        info.positions.iter().map(|position| Quantity::new(position.name, position.label, position.unit)).collect();
+    let order = order(&quantities);
+    let arranged = |values: &[f64]| order.iter().map(|&place| values[place]).collect();
+    let rows = ride.rows.iter().map(|row| Row {
+        t: row.time,
+        positions: arranged(&row.positions),
+        rates: arranged(&row.rates),
+        accelerations: arranged(&row.accelerations),
+        energy: Some([row.energy.kinetic, row.energy.potential]),
+        contact_forces: row.contact_forces.clone(),
+    });
+    let time = |time: f64| format!("{:.6}", time).trim_end_matches('0').trim_end_matches('.').to_owned();
+    let end = match &ride.end {
+        End::Event { time: end, name } => {
+            let degrees = if name == FALL { FALLEN } else { TURNED };
+            Some(format!("the motion ends at {} s: {name} by {} degrees", time(*end), shortest(degrees)))
+        }
+        End::Singular { time: end, error } => Some(format!("the motion ends at {} s: {error}", time(*end))),
+        End::Stalled { time: end, steps } => {
+            Some(format!("the motion ends at {} s: it hardly goes on, with {steps} steps so far", time(*end)))
+        }
+        _ => None,
+    };
+    let stops = ride.events.iter().filter(|(_, name)| name == STOP);
+    let mut notes: Vec<String> =
+        stops.map(|(stop, _)| format!("at {} s it stops, and turns back", time(*stop))).collect();
+    for (place, wheel) in info.wheels.iter().enumerate() {
+        // z is downward: what would hold the wheel down.
+        // Where the equations end, forces may be anything.
+        let is_end = |row: &RideRow| matches!(ride.end, End::Singular { time, .. } if row.time >= time);
+        let mut rows = ride.rows.iter().filter(|row| !is_end(row));
+        let pulled = rows.find(|row| row.contact_forces.get(place).is_some_and(|force| force[2] > HOLDS));
+        if let Some(row) = pulled {
+            let (name, at) = (wheel.label, time(row.time));
+            notes.push(format!("at {at} s the ground would have to hold the {name} down: a real one would lift off"));
+        }
+    }
+    Motion {
+        design,
+        is_linear: false,
+        quantities: order.iter().map(|&place| quantities[place]).collect(),
+        wheels: info.wheels.iter().map(|wheel| wheel.name).collect(),
+        rows: rows.collect(),
+        end,
+        notes,
+    }
+}

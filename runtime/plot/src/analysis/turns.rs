@@ -1,0 +1,119 @@
+//! The steady turns of a design: a curve from each of its capsize speeds.
+
+use carvallo::motion::{MotionInfo, PositionKind};
+use carvallo::turns::{Turn, Turns, TurnsEnd};
+use carvallo::{CriticalKind, CriticalSpeed};
+use carvallo_design::{Design, Failure};
+
+use crate::analysis::simulation::Quantity;
+
+/// Real parts below this, in 1/s, are zero but for the rounding of differences.
+const ZERO: f64 = 1e-8;
+
+/// All curves of a design.
+#[derive(Debug)]
+pub struct Families<'a> {
+    /// What turns.
+    pub design: &'a Design,
+    /// What turns are told by: their positions, those that depend on others behind them.
+    pub positions: Vec<(usize, Quantity)>,
+    /// The rates that are not zero in a turn: of the yaw and the wheels.
+    pub rates: Vec<(usize, Quantity)>,
+    /// One for each capsize speed.
+    pub families: Vec<Family>,
+}
+
+/// One curve.
+#[derive(Debug)]
+pub struct Family {
+    /// The capsize speed at which it begins, in m/s.
+    pub capsize: f64,
+    /// Along the curve.
+    pub turns: Vec<Turn>,
+    /// Why it ends.
+    pub end: TurnsEnd,
+}
+
+impl<'a> Families<'a> {
+    /// The curves of a design, or of them the turns at which the steer, or what is steered last, has the given values.
+    ///
+    /// # Errors
+    /// If there are none.
+    pub fn new(design: &'a Design, steers: Option<&[f64]>) -> Result<Self, Failure> {
+        let title = design.title();
+        let fail = |message: String| Failure::Run(format!("{title}: {message}"));
+        let stability = design.equations.stability(design.gravity().unwrap_or(0.0));
+        let stability = stability.map_err(|error| fail(error.to_string()))?;
+        let is_capsize = |critical: &&CriticalSpeed| critical.kind == CriticalKind::Capsize;
+        let speeds: Vec<f64> = stability.critical_speeds.iter().filter(is_capsize).map(|found| found.speed).collect();
+        if speeds.is_empty() {
+            return Err(fail("there is no capsize speed, at which steady turns begin".to_owned()));
+        }
+        let mut found: Result<Vec<Family>, String> = Ok(Vec::new());
+        let mut told = [Vec::new(), Vec::new()];
+        let has_equations = design.with_machine(&mut |machine| {
+            told = quantities(machine.info());
+            let steer = told[0].iter().rfind(|(place, _)| machine.info().positions[*place].kind == PositionKind::Free);
+            let steer = steer.map_or(0, |(place, _)| *place);
+            let family = |&capsize: &f64| {
+                let curve = Turns::from_capsize(machine, capsize).map_err(|error| error.to_string())?;
+                let turns = match steers {
+                    None => curve.turns,
+                    Some(steers) => {
+                        let at = steers.iter().map(|&value| curve.where_position(machine, steer, value));
+                        let found = at.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?;
+                        found.concat()
+                    }
+                };
+                Ok(Family { capsize, turns, end: curve.end })
+            };
+            found = speeds.iter().map(family).collect();
+        });
+        if !has_equations {
+            return Err(fail(format!("the model {} has no nonlinear equations", design.info().name)));
+        }
+        let families = found.map_err(fail)?;
+        let [positions, rates] = told;
+        Ok(Self { design, positions, rates, families })
+    }
+}
+
+/// What turns are told by: positions, and rates.
+fn quantities(info: &MotionInfo) -> [Vec<(usize, Quantity)>; 2] {
+    let all = || {
+        let positions = info.positions.iter().enumerate();
+        positions.map(|(place, position)| {
+            (position.kind, place, Quantity::new(position.name, position.label, position.unit))
+        })
+    };
+    let of =
+        |wanted: PositionKind| all().filter(move |(kind, ..)| *kind == wanted).map(|(_, place, told)| (place, told));
+    let positions = of(PositionKind::Free).chain(of(PositionKind::Dependent)).collect();
+    let rates = of(PositionKind::Ignorable).filter(|(_, told)| !matches!(told.name, "x" | "y")).collect();
+    [positions, rates]
+}
+
+/// The largest real part of the eigenvalues near a turn, in 1/s.
+pub fn growth(turn: &Turn) -> f64 {
+    turn.eigenvalues.iter().map(|eigenvalue| eigenvalue.re).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Whether a turn is stable, in a word.
+pub fn verdict(turn: &Turn) -> &'static str {
+    match growth(turn) {
+        growth if growth > ZERO => "unstable",
+        growth if growth < -ZERO => "stable",
+        _ => "marginal",
+    }
+}
+
+/// Where a curve ends, in words.
+pub fn end(end: TurnsEnd) -> String {
+    match end {
+        TurnsEnd::Rest => "at rest, in an equilibrium".to_owned(),
+        TurnsEnd::Straight => "in straight running".to_owned(),
+        TurnsEnd::Fallen => "followed no further: it leans by 80 degrees, or is turned around".to_owned(),
+        TurnsEnd::Lost(Some(error)) => format!("followed no further: {error}"),
+        _ => "followed no further".to_owned(),
+    }
+}

@@ -1,0 +1,128 @@
+//! An analysis as JSON; its form is documented in `docs/json.md`, and stays.
+
+use std::io::{Result, Write};
+
+use carvallo::{Complex, CriticalSpeed, ModeValue, ModelInfo, Stability, StableRange, UndecidedRange};
+use carvallo_design::Shape;
+use serde::Serialize;
+
+use crate::analysis::{Analysis, Eigenvalues, ModeRow, Row, Rows, name};
+use crate::data::head::Head;
+use crate::data::layout::{Line, Members, Parts, write_document};
+use crate::data::matrices::{Matrix, matrices};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    #[serde(flatten)]
+    head: Head<'a>,
+    parameters: Members<Line<f64>>,
+    matrices: Members<Line<Vec<Vec<f64>>>>,
+    critical_speeds: Vec<Line<Event>>,
+    stable_ranges: Vec<Line<Range>>,
+    undecided_ranges: Vec<Line<(f64, f64)>>,
+    eigenvalues: Vec<Line<AtSpeed>>,
+}
+
+/// The ends of a stable range; there may be no upper one.
+type Range = (f64, Option<f64>);
+
+/// A critical speed.
+#[derive(Serialize)]
+struct Event {
+    kind: &'static str,
+    speed: f64,
+    eigenvalue: Parts,
+    change: String,
+    /// Just below and just above the speed.
+    verdicts: [String; 2],
+}
+
+/// The eigenvalues at one speed, with the names of their modes, and but for bicycles with a verdict.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum AtSpeed {
+    Modes { speed: f64, values: Vec<Named> },
+    Sorted { speed: Option<f64>, verdict: String, values: Vec<Named> },
+}
+
+/// An eigenvalue whose mode has a name.
+#[derive(Serialize)]
+struct Named {
+    re: f64,
+    im: f64,
+    mode: String,
+    /// The eigenvectors, by coordinate, where they are asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    right: Option<Vec<Parts>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left: Option<Vec<Parts>>,
+}
+
+/// With eigenvectors at each speed, if there are any.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_json(
+    analysis: &Analysis,
+    rows: &Rows,
+    shapes: Option<&[Vec<Shape>]>,
+    output: &mut dyn Write,
+) -> Result<()> {
+    let Analysis { design, stability, .. } = analysis;
+    let info = design.info();
+    let parameters = info.parameters.iter().zip(&design.parameters);
+    let matrices = matrices(design).into_iter();
+    let document = Document {
+        head: Head::of(design),
+        parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
+        matrices: Members(matrices.map(|Matrix { name, rows, .. }| (name, Line(rows))).collect()),
+        critical_speeds: events(stability, info),
+        stable_ranges: ranges(stability),
+        undecided_ranges: stability.undecided.iter().map(|UndecidedRange { from, to }| Line((*from, *to))).collect(),
+        eigenvalues: eigenvalues(rows, shapes, design.model.depends_on_speed()),
+    };
+    write_document(&document, output)
+}
+
+fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {
+    let event = |critical: &CriticalSpeed| Event {
+        kind: name(critical, info),
+        speed: critical.speed,
+        eigenvalue: critical.eigenvalue.into(),
+        change: critical.change.to_string(),
+        verdicts: stability.verdicts_around(critical).map(|verdict| verdict.to_string()),
+    };
+    stability.critical_speeds.iter().map(event).map(Line).collect()
+}
+
+fn ranges(stability: &Stability) -> Vec<Line<Range>> {
+    stability.stable_ranges.iter().map(|StableRange { from, to }| Line((*from, *to))).collect()
+}
+
+/// Where nothing depends on the speed there is none.
+fn eigenvalues(rows: &Rows, shapes: Option<&[Vec<Shape>]>, moves: bool) -> Vec<Line<AtSpeed>> {
+    let named = |(row, (_, values)): (usize, (f64, &[ModeValue]))| -> Vec<Named> {
+        let shape = |index: usize| shapes.map(|shapes| &shapes[row][index]);
+        values.iter().enumerate().map(|(index, value)| named(value, shape(index))).collect()
+    };
+    let values = rows.values().into_iter().enumerate().map(named);
+    match rows {
+        Rows::Modes(rows) => {
+            let at = |(row, values): (&ModeRow, _)| Line(AtSpeed::Modes { speed: row.speed, values });
+            rows.iter().zip(values).map(at).collect()
+        }
+        Rows::Branches(rows) | Rows::Sorted(rows) => {
+            let at = |(row, values): (&Row<Eigenvalues>, _)| {
+                let verdict = row.values.verdict.to_string();
+                Line(AtSpeed::Sorted { speed: moves.then_some(row.speed), verdict, values })
+            };
+            rows.iter().zip(values).map(at).collect()
+        }
+    }
+}
+
+fn named(ModeValue { mode, value: Complex { re, im } }: &ModeValue, shape: Option<&Shape>) -> Named {
+    let parts = |vector: &Vec<Complex<f64>>| vector.iter().copied().map(Parts::from).collect();
+    let (right, left) = (shape.map(|shape| parts(&shape.right)), shape.map(|shape| parts(&shape.left)));
+    Named { re: *re, im: *im, mode: mode.to_string(), right, left }
+}

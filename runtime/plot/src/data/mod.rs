@@ -1,0 +1,14 @@
+//! Analyses as JSON and as comma-separated values. What is in them is documented beside the command line, which writes
+//! the same, and stays.
+
+pub mod along;
+pub mod analysis;
+mod cells;
+mod head;
+mod layout;
+mod matrices;
+pub mod motion;
+pub mod sensitivity;
+pub mod turns;
+
+pub use self::matrices::{Matrix, matrices};

@@ -1,0 +1,70 @@
+//! A motion as JSON; its form is documented in `docs/simulate.md`, and stays.
+
+use std::io::{Result, Write};
+
+use serde::Serialize;
+
+use crate::analysis::simulation::{Motion, Row};
+use crate::data::head::Head;
+use crate::data::layout::{Line, Members, write_document};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    #[serde(flatten)]
+    head: Head<'a>,
+    parameters: Members<Line<f64>>,
+    equations: &'static str,
+    /// Why the motion ended before its time, if it did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    end: Option<&'a str>,
+    rows: Vec<Line<AtTime>>,
+}
+
+#[derive(Serialize)]
+struct AtTime {
+    t: f64,
+    positions: Members<f64>,
+    rates: Members<f64>,
+    accelerations: Members<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    energy: Option<Energy>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact_forces: Option<Members<[f64; 3]>>,
+}
+
+#[derive(Serialize)]
+struct Energy {
+    kinetic: f64,
+    potential: f64,
+}
+
+/// # Errors
+/// If it cannot be written.
+pub fn write_json(motion: &Motion, output: &mut dyn Write) -> Result<()> {
+    let parameters = motion.design.info().parameters.iter().zip(&motion.design.parameters);
+    let document = Document {
+        head: Head::of(motion.design),
+        parameters: Members(parameters.map(|(info, given)| (info.name, Line(given.value))).collect()),
+        equations: if motion.is_linear { "linear" } else { "nonlinear" },
+        end: motion.end.as_deref(),
+        rows: motion.rows.iter().map(|row| Line(at_time(motion, row))).collect(),
+    };
+    write_document(&document, output)
+}
+
+fn at_time(motion: &Motion, row: &Row) -> AtTime {
+    let named = |values: &[f64]| {
+        let names = motion.quantities.iter().map(|quantity| quantity.name);
+        // Adding zero turns -0 into 0.
+        Members(names.zip(values.iter().map(|value| value + 0.0)).collect())
+    };
+    let forces = motion.wheels.iter().copied().zip(row.contact_forces.iter().copied());
+    AtTime {
+        t: row.t,
+        positions: named(&row.positions),
+        rates: named(&row.rates),
+        accelerations: named(&row.accelerations),
+        energy: row.energy.map(|[kinetic, potential]| Energy { kinetic, potential }),
+        contact_forces: (!motion.wheels.is_empty()).then(|| Members(forces.collect())),
+    }
+}

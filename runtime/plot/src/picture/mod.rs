@@ -1,0 +1,35 @@
+//! Pictures, as SVG or PNG from one drawing.
+
+mod along;
+mod axes;
+mod beyond;
+mod colors;
+mod critical;
+mod curves;
+mod eigenvalues;
+mod font;
+mod graph;
+mod labels;
+mod map;
+mod marks;
+mod motion;
+mod panels;
+mod path;
+#[cfg(feature = "png")]
+mod png;
+mod scene;
+mod series;
+mod side_view;
+mod svg;
+mod tornado;
+mod turns;
+
+pub use self::along::draw_along;
+pub use self::curves::extent;
+pub use self::eigenvalues::{Limits, draw_eigenvalues};
+pub use self::map::{MapAxis, MapCell, draw_map};
+pub use self::motion::draw_motion;
+pub use self::scene::Scene;
+pub use self::side_view::draw_side_view;
+pub use self::tornado::draw_tornado;
+pub use self::turns::draw_turns;

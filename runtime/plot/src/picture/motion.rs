@@ -1,0 +1,116 @@
+//! A motion against time: positions by their units, the speed, and below them the paths of wheels.
+
+use super::axes::{self, INK};
+use super::curves::Curve;
+use super::graph::{Graph, Line, range, roomy};
+use super::path;
+use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
+use crate::analysis::simulation::Motion;
+
+const WIDTH: f32 = 960.0;
+const RIGHT: f32 = WIDTH - 28.0;
+const TOP: f32 = 56.0;
+const HEIGHT: f32 = 220.0;
+const FLAT: f32 = 160.0;
+/// Curves of a linear motion beside a nonlinear one are lighter, and dashed.
+pub const BESIDE: Paint = dashed(1.8, [7.0, 5.0]);
+pub const LIGHTER: f32 = 0.35;
+pub const COLORS: [Color; 6] = [
+    Color(0x1f, 0x6f, 0xb4),
+    Color(0xc0, 0x28, 0x3c),
+    Color(0x2e, 0x7d, 0x32),
+    Color(0xb4, 0x6a, 0x00),
+    Color(0x7a, 0x3f, 0x9d),
+    Color(0x55, 0x5d, 0x66),
+];
+
+/// What one graph shows: its title, and the curves with their names, each with that of the linear motion.
+struct Shown {
+    title: &'static str,
+    height: f32,
+    curves: Vec<(String, Curve, Curve)>,
+}
+
+/// A motion, and the linear one of the same state where it is not that itself.
+pub fn draw_motion(motion: &Motion, linear: Option<&Motion>) -> Scene {
+    let end = motion.rows.last().map_or(1.0, |row| row.t);
+    let mut drawn: Vec<Graph> = graphs(motion, linear).into_iter().map(|shown| graph(shown, end)).collect();
+    if let (Some(first), Some(_)) = (drawn.first_mut(), linear) {
+        first.note = Some((BESIDE, INK.lighter(LIGHTER), "the same by the linear equations"));
+    }
+    let title = format!("Motion of {}", motion.design.title());
+    let left = drawn.iter().map(|graph| axes::margin(graph.y)).fold(path::MARGIN, f32::max);
+    let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
+    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    let mut top = TOP;
+    for (index, graph) in drawn.iter().enumerate() {
+        let is_last = index + 1 == drawn.len();
+        top = graph.draw(is_last.then_some("time t (s)"), [left, RIGHT], top, &mut scene);
+    }
+    let drawn = path::Drawn { motion, linear, left, right: RIGHT, top };
+    scene.height = path::draw(&drawn, &mut scene) + 12.0;
+    scene
+}
+
+/// Of a bicycle lean and steer, and the speed; of anything else all positions, those of one unit in one graph.
+fn graphs(motion: &Motion, linear: Option<&Motion>) -> Vec<Shown> {
+    let is_bicycle = motion.position("thetaR").is_some();
+    let mut graphs: Vec<Shown> = Vec::new();
+    let shown = motion.quantities.iter().filter(|quantity| !is_bicycle || ["phi", "delta"].contains(&quantity.name));
+    for quantity in shown {
+        let (title, scale) = match quantity.unit {
+            "rad" => ("angles (°)", 1_f64.to_degrees()),
+            "m" => ("positions (m)", 1.0),
+            _ => ("positions", 1.0),
+        };
+        let curve = |motion: &Motion| -> Curve {
+            let Some(place) = motion.position(quantity.name) else { return Curve::new() };
+            motion.rows.iter().map(|row| (row.t, scale * row.positions[place])).collect()
+        };
+        let name = match quantity.label == quantity.name {
+            true => quantity.name.to_owned(),
+            false => format!("{} {}", quantity.label, quantity.name),
+        };
+        let curves = (name, curve(motion), linear.map(curve).unwrap_or_default());
+        match graphs.iter_mut().find(|shown| shown.title == title) {
+            Some(shown) => shown.curves.push(curves),
+            None => graphs.push(Shown { title, height: HEIGHT, curves: vec![curves] }),
+        }
+    }
+    if is_bicycle {
+        let speed = |motion: &Motion| -> Curve {
+            motion.rows.iter().filter_map(|row| Some((row.t, motion.speed(row)?))).collect()
+        };
+        let curves = ("forward speed".to_owned(), speed(motion), linear.map(speed).unwrap_or_default());
+        graphs.push(Shown { title: "v (m/s)", height: FLAT, curves: vec![curves] });
+    }
+    graphs
+}
+
+fn graph(Shown { title, height, curves }: Shown, end: f64) -> Graph {
+    let y = extent(&curves);
+    let color = |index: usize| if curves.len() == 1 { INK } else { COLORS[index % COLORS.len()] };
+    let lines = curves.iter().enumerate();
+    let beside = lines.clone().map(|(index, (_, _, linear))| Line {
+        name: None,
+        color: color(index).lighter(LIGHTER),
+        paint: BESIDE,
+        curve: linear.clone(),
+    });
+    let own = lines.map(|(index, (name, curve, _))| Line {
+        name: Some(name.clone()),
+        color: color(index),
+        paint: line(2.2),
+        curve: curve.clone(),
+    });
+    Graph { title, height, x: (0.0, end), y, lines: beside.chain(own).collect(), note: None }
+}
+
+/// What the vertical axis shows: all of the motion itself, and of a linear one beside it no more than it takes to see how that
+/// leaves.
+fn extent(curves: &[(String, Curve, Curve)]) -> (f64, f64) {
+    let (low, high) = range(curves.iter().flat_map(|(_, curve, _)| curve).map(|point| point.1));
+    let (linear_low, linear_high) = range(curves.iter().flat_map(|(_, _, curve)| curve).map(|point| point.1));
+    let room = (high - low).max(1e-6);
+    roomy((low.min(linear_low.max(low - 0.5 * room)), high.max(linear_high.min(high + 0.5 * room))))
+}

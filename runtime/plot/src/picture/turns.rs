@@ -1,0 +1,75 @@
+//! Steady turns against their speed: what is in balance, and the radius.
+
+use super::axes::{self, INK};
+use super::curves::Curve;
+use super::graph::{Graph, Line, range, roomy};
+use super::motion::COLORS;
+use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
+use crate::analysis::turns::{Families, verdict};
+use carvallo::turns::Turn;
+
+const WIDTH: f32 = 960.0;
+const RIGHT: f32 = WIDTH - 28.0;
+const TOP: f32 = 56.0;
+const HEIGHT: f32 = 320.0;
+const FLAT: f32 = 220.0;
+const UNSTABLE: Paint = dashed(2.0, [7.0, 5.0]);
+/// The radius goes to infinity where a curve begins: it is shown up to so many times the median.
+const LARGEST: f64 = 4.0;
+
+/// The curves of a design.
+pub fn draw_turns(families: &Families) -> Scene {
+    let turns = || families.families.iter().flat_map(|family| &family.turns);
+    let x = roomy(range(turns().map(|turn| turn.speed).chain([0.0])));
+    let angles = families.positions.iter().filter(|(_, told)| told.unit == "rad");
+    let mut lines = Vec::new();
+    for ((place, told), color) in angles.zip(COLORS) {
+        let value = |turn: &Turn| turn.positions[*place].to_degrees();
+        add(
+            &mut lines,
+            families,
+            &format!("{} {}", told.label, told.name).replace("pitch pitch", "pitch"),
+            color,
+            &value,
+        );
+    }
+    let y = roomy(range(lines.iter().flat_map(|line: &Line| line.curve.iter().map(|point| point.1))));
+    let note = Some((UNSTABLE, INK.lighter(0.35), "unstable"));
+    let positions = Graph { title: "angles (°)", height: HEIGHT, x, y, lines, note };
+    let mut lines = Vec::new();
+    add(&mut lines, families, "radius", INK, &|turn| turn.radius);
+    let mut radii: Vec<f64> = turns().map(|turn| turn.radius).filter(|radius| radius.is_finite()).collect();
+    radii.sort_by(f64::total_cmp);
+    let most = radii.get(radii.len() / 2).map_or(1.0, |median| LARGEST * median);
+    let radius = Graph { title: "radius (m)", height: FLAT, x, y: (0.0, most), lines, note: None };
+
+    let title = format!("Steady turns of {}", families.design.title());
+    let left = axes::margin(positions.y).max(axes::margin(radius.y));
+    let mut scene = Scene::new(title.clone(), WIDTH, 0.0);
+    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    let top = positions.draw(None, [left, RIGHT], TOP, &mut scene);
+    scene.height = radius.draw(Some("speed v of the rear wheel (m/s)"), [left, RIGHT], top, &mut scene);
+    scene
+}
+
+/// A value of all turns: one line for each stretch that is stable, or is not; the first one has the name.
+fn add(lines: &mut Vec<Line>, families: &Families, name: &str, color: Color, value: &dyn Fn(&Turn) -> f64) {
+    let mut name = Some(name.to_owned());
+    // Names show the solid line, whether or not there is a stable stretch.
+    lines.push(Line { name: name.take(), color, paint: line(2.4), curve: Curve::new() });
+    for family in &families.families {
+        let is_stable = |turn: &Turn| verdict(turn) == "stable";
+        for pair in family.turns.windows(2) {
+            let points = pair.iter().map(|turn| (turn.speed, value(turn))).filter(|point| point.1.is_finite());
+            let paint = if pair.iter().all(is_stable) { line(2.4) } else { UNSTABLE };
+            match lines.last_mut() {
+                Some(last)
+                    if last.paint == paint && last.name.is_none() && last.color == color && !last.curve.is_empty() =>
+                {
+                    last.curve.extend(points.skip(1));
+                }
+                _ => lines.push(Line { name: None, color, paint, curve: points.collect() }),
+            }
+        }
+    }
+}
