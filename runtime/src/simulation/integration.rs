@@ -13,17 +13,21 @@ use ivp::methods::{DOP853, Tolerance};
 use ivp::solout::{ControlFlag, SolOut};
 use ivp::status::Status;
 
+use super::chart::Chart;
 use super::error::SimulationError;
+use super::events::happened;
 use super::nonlinear::{End, Ride, Simulation};
 use crate::motion::MotionError;
 
-/// More steps than these in one piece, and in a second of it, are taken for a motion that does not go on. A bicycle takes a
-/// hundred in a second.
+/// More steps than these, and those of each second that was reached in a piece, are taken for a motion that does not go on. A
+/// bicycle takes a hundred in a second.
 const MOST_STEPS: f64 = 100_000.0;
 const MOST_PER_SECOND: f64 = 10_000.0;
 
-/// Into how many parts a step is divided, to see changes of sign that would hide in it.
-const PARTS: usize = 4;
+/// Steps that become so much shorter in a chart are those of rounding in it.
+const SHORTENED: f64 = 0.01;
+/// More than this no step may err.
+const ROUGHEST: f64 = 1e-9;
 
 /// A part of a motion between two times.
 pub(super) struct Piece<'a> {
@@ -35,8 +39,8 @@ pub(super) struct Piece<'a> {
     pub derivative: &'a Derivative<'a>,
 }
 
-/// The derivative of a state at a time.
-pub(super) type Derivative<'a> = dyn Fn(f64, &[f64], &mut [f64]) -> Result<(), MotionError> + 'a;
+/// The derivative, at a time, of positions and of the rates that a chart chooses.
+pub(super) type Derivative<'a> = dyn Fn(&Chart, f64, &[f64], &mut [f64]) -> Result<(), MotionError> + 'a;
 
 /// Takes the state to the end of a piece, and adds to the ride what is asked for; whether the ride goes on.
 ///
@@ -46,52 +50,67 @@ pub(super) fn integrate(piece: Piece, state: &mut Vec<f64>, ride: &mut Ride) -> 
     if piece.to <= piece.from {
         return Ok(true);
     }
-    let most = (MOST_STEPS + MOST_PER_SECOND * (piece.to - piece.from)).min(1e9) as usize;
     let (simulation, from, to) = (piece.simulation, piece.from, piece.to);
-    let signs =
-        simulation.event_functions(from, state).map_err(|error| SimulationError::Motion { time: from, error })?;
-    let equations = Equations { derivative: piece.derivative, error: RefCell::new(None) };
+    let at_start = |error| SimulationError::Motion { time: from, error };
+    let values = simulation.event_functions(from, state).map_err(at_start)?;
+    let own = Chart::of_speeds(simulation.machine());
+    let chart = own.renewed(simulation.machine(), simulation.split(state).0).map_err(at_start)?.unwrap_or(own);
+    let reason = RefCell::new(None);
     let mut steps = Steps {
         piece: &piece,
-        reason: &equations.error,
+        chart,
+        renewed: None,
+        reason: &reason,
         next: 0,
         reached: from,
-        state: state.clone(),
-        values: signs,
+        state,
+        values,
         ride,
-        is_over: false,
+        taken: 0,
+        longest: 0.0,
+        tolerance: simulation.allowed_error(),
+        end: None,
     };
-    // What is stiff is integrated as well, if in small steps.
-    let method = DOP853::builder().max_steps(most).stiff_test(usize::MAX).build();
-    let tolerance = || Tolerance::Scalar(simulation.allowed_error());
-    let done = method.solve(&equations, from, state, to, tolerance(), tolerance(), Some(&mut steps));
-    let (reached, is_over) = (steps.reached, steps.is_over);
-    *state = std::mem::take(&mut steps.state);
-    match done.map(|result| result.status) {
-        Ok(Status::Success | Status::UserInterrupt) => Ok(!is_over),
-        other => {
-            if ride.rows.last().is_none_or(|row| row.time < reached)
-                && let Ok(row) = simulation.row(reached, state)
-            {
-                ride.rows.push(row);
+    let end = loop {
+        let equations = Equations { derivative: piece.derivative, chart: steps.chart.clone(), error: &reason };
+        let begin = steps.integrated().map_err(at_start)?;
+        // What is stiff is integrated as well, if in small steps; how many they are is the matter of `Steps`.
+        let method = DOP853::builder().max_steps(usize::MAX).stiff_test(usize::MAX).build();
+        let tolerance = Tolerance::Scalar(steps.tolerance);
+        let done = method.solve(&equations, steps.reached, &begin, to, tolerance.clone(), tolerance, Some(&mut steps));
+        break match done.map(|done| done.status) {
+            Ok(Status::Success) => return Ok(true),
+            Ok(Status::UserInterrupt) => {
+                if let Some((chart, tolerance)) = steps.renewed.take() {
+                    (steps.chart, steps.tolerance, steps.longest) = (chart, tolerance, 0.0);
+                    continue;
+                }
+                steps.end.take().unwrap_or(End::Reached)
             }
-            ride.end = if let Ok(Status::StepSizeTooSmall) = other {
-                let error = equations.error.take().unwrap_or(MotionError::Singular { quantity: "the motion" });
-                End::Singular { time: reached, error }
-            } else {
-                End::Stalled { time: reached, steps: most }
-            };
-            Ok(false)
-        }
+            Ok(Status::StepSizeTooSmall) => {
+                let error = reason.take().unwrap_or(MotionError::Singular { quantity: "the motion" });
+                End::Singular { time: steps.reached, error }
+            }
+            _ => End::Stalled { time: steps.reached, steps: steps.taken },
+        };
+    };
+    let Steps { reached, .. } = steps;
+    if ride.rows.last().is_none_or(|row| row.time < reached)
+        && let Ok(row) = simulation.row(reached, state)
+    {
+        ride.rows.push(row);
     }
+    ride.end = end;
+    Ok(false)
 }
 
 /// The equations as the integrator asks for them. Where they have no value it is told so by what is no number, and tries a
 /// smaller step.
 struct Equations<'a> {
     derivative: &'a Derivative<'a>,
+    chart: Chart,
     /// The last reason for which there was no value.
-    error: RefCell<Option<MotionError>>,
+    error: &'a RefCell<Option<MotionError>>,
 }
 
 impl FirstOrderSystem for Equations<'_> {
@@ -100,7 +119,7 @@ impl FirstOrderSystem for Equations<'_> {
         if state.iter().any(|value| !value.is_finite()) {
             return rates.fill(f64::NAN);
         }
-        if let Err(error) = (self.derivative)(time, state, rates) {
+        if let Err(error) = (self.derivative)(&self.chart, time, state, rates) {
             *self.error.borrow_mut() = Some(error);
             rates.fill(f64::NAN);
         }
@@ -110,17 +129,28 @@ impl FirstOrderSystem for Equations<'_> {
 /// What is done after each step.
 struct Steps<'a, 'b> {
     piece: &'a Piece<'a>,
+    /// What is integrated.
+    chart: Chart,
+    /// What is to be integrated from here on, and how much a step may err, if that is to change.
+    renewed: Option<(Chart, f64)>,
     /// Why the equations had no value in this step, if they had none.
     reason: &'a RefCell<Option<MotionError>>,
     /// The place of the next time that is asked for.
     next: usize,
     reached: f64,
-    /// The state that was reached.
-    state: Vec<f64>,
+    /// The state that was reached: positions and speeds.
+    state: &'b mut Vec<f64>,
     /// The values of the events' functions there.
     values: Vec<f64>,
     ride: &'b mut Ride,
-    is_over: bool,
+    /// How many steps there were.
+    taken: usize,
+    /// The longest since what is integrated changed, in s.
+    longest: f64,
+    /// How much a step may err.
+    tolerance: f64,
+    /// What ends the motion, if something does.
+    end: Option<End>,
 }
 
 impl SolOut for Steps<'_, '_> {
@@ -141,8 +171,7 @@ impl SolOut for Steps<'_, '_> {
             // At the end of the step, or between its stages.
             Err(error) => {
                 let error = self.reason.take().unwrap_or(error);
-                self.ride.end = End::Singular { time: self.reached, error };
-                self.is_over = true;
+                self.end = Some(End::Singular { time: self.reached, error });
                 ControlFlag::Interrupt
             }
         }
@@ -150,24 +179,35 @@ impl SolOut for Steps<'_, '_> {
 }
 
 impl Steps<'_, '_> {
+    /// What the integrator begins with.
+    fn integrated(&self) -> Result<Vec<f64>, MotionError> {
+        let machine = self.piece.simulation.machine();
+        let (positions, speeds) = self.piece.simulation.split(self.state);
+        let mut rates = vec![0.0; positions.len()];
+        machine.rates(positions, speeds, &mut rates)?;
+        Ok(positions.iter().copied().chain(self.chart.choose(&rates)).collect())
+    }
+
     fn step(
         &mut self,
         time: f64,
-        state: &mut [f64],
+        integrated: &mut [f64],
         interpolant: &StepInterpolant,
     ) -> Result<ControlFlag, MotionError> {
         let simulation = self.piece.simulation;
-        let moved = simulation.close(state)?;
+        let moved = simulation.close(integrated)?;
         self.ride.drift = self.ride.drift.max(moved);
         let at = |moment: f64| -> Result<Vec<f64>, MotionError> {
-            let mut between = state.to_vec();
+            let mut between = integrated.to_vec();
             if moment < time {
                 interpolant.interpolate(moment, &mut between);
                 simulation.close(&mut between)?;
             }
-            Ok(between)
+            let (positions, rates) = simulation.split(&between);
+            let speeds = self.chart.speeds(simulation.machine(), positions, rates)?;
+            Ok([positions, &speeds].concat())
         };
-        let happened = self.happened(time, &at)?;
+        let happened = happened(simulation, (self.reached, time), &mut self.values, &at)?;
         let last = happened.last().filter(|(_, event)| simulation.named(*event).1).map(|(moment, _)| *moment);
         let end = last.unwrap_or(time);
         while let Some(&asked) = self.piece.asked.get(self.next).filter(|asked| **asked <= end) {
@@ -177,81 +217,41 @@ impl Steps<'_, '_> {
         for (moment, event) in happened {
             self.ride.events.push((moment, simulation.named(event).0.to_owned()));
         }
-        if let Some(moment) = last {
-            let state = at(moment)?;
-            if self.ride.rows.last().is_none_or(|row| row.time < moment) {
-                self.ride.rows.push(simulation.row(moment, &state)?);
-            }
+        *self.state = at(end)?;
+        let length = time - self.reached;
+        self.reached = end;
+        if last.is_some() {
             let name = self.ride.events.last().map(|(_, name)| name.clone()).unwrap_or_default();
-            self.ride.end = End::Event { name, time: moment };
-            (self.reached, self.state, self.is_over) = (moment, state, true);
+            self.end = Some(End::Event { name, time: end });
             return Ok(ControlFlag::Interrupt);
         }
-        self.reached = time;
-        self.state.copy_from_slice(state);
         simulation.observe(time);
-        Ok(if moved > 0.0 { ControlFlag::ModifiedSolution } else { ControlFlag::Continue })
+        self.taken += 1;
+        if self.taken as f64 > MOST_STEPS + MOST_PER_SECOND * (time - self.piece.from) {
+            self.end = Some(End::Stalled { time, steps: self.taken });
+            return Ok(ControlFlag::Interrupt);
+        }
+        if time < self.piece.to {
+            self.longest = self.longest.max(length);
+            self.renewed = self.renew(simulation.split(integrated).0, length)?;
+        }
+        Ok(match (&self.renewed, moved > 0.0) {
+            (Some(_), _) => ControlFlag::Interrupt,
+            (None, true) => ControlFlag::ModifiedSolution,
+            (None, false) => ControlFlag::Continue,
+        })
     }
 
-    /// The events in a step, in their order and up to one that ends the simulation.
-    fn happened(
-        &mut self,
-        end: f64,
-        at: &dyn Fn(f64) -> Result<Vec<f64>, MotionError>,
-    ) -> Result<Vec<(f64, usize)>, MotionError> {
+    /// What is to be integrated behind a step of a length, and how much a step may err, if that is to change.
+    fn renew(&self, positions: &[f64], length: f64) -> Result<Option<(Chart, f64)>, MotionError> {
         let simulation = self.piece.simulation;
-        let mut happened = Vec::new();
-        if self.values.is_empty() {
-            return Ok(happened);
+        if let Some(chart) = self.chart.renewed(simulation.machine(), positions)? {
+            return Ok(Some((chart, simulation.allowed_error())));
         }
-        let begin = self.reached;
-        for part in 1..=PARTS {
-            let moment = if part == PARTS { end } else { begin + (end - begin) * part as f64 / PARTS as f64 };
-            let from = begin + (end - begin) * (part - 1) as f64 / PARTS as f64;
-            let values = simulation.event_functions(moment, &at(moment)?)?;
-            let mut found = Vec::new();
-            for (event, (before, after)) in self.values.iter().zip(&values).enumerate() {
-                if before * after < 0.0 || *after == 0.0 && *before != 0.0 {
-                    found.push((
-                        change_of_sign(
-                            (from, *before),
-                            moment,
-                            |t| Ok(simulation.event_functions(t, &at(t)?)?[event]),
-                        )?,
-                        event,
-                    ));
-                }
-            }
-            found.sort_by(|a, b| a.0.total_cmp(&b.0));
-            self.values = values;
-            for (moment, event) in found {
-                happened.push((moment, event));
-                if simulation.named(event).1 {
-                    return Ok(happened);
-                }
-            }
-        }
-        Ok(happened)
+        // Where rates by the speeds are nearly infinite, there is rounding in what is integrated instead, and no step is short
+        // enough to be without it.
+        let is_in_rounding = length < SHORTENED * self.longest && !self.chart.is_of_speeds(simulation.machine());
+        let tolerance = 10.0 * self.tolerance;
+        Ok((is_in_rounding && tolerance <= ROUGHEST).then(|| (self.chart.clone(), tolerance)))
     }
-}
-
-/// The time between two at which a function changes its sign, to rounding: the latter of two neighbours.
-fn change_of_sign(
-    (mut from, before): (f64, f64),
-    mut to: f64,
-    value: impl Fn(f64) -> Result<f64, MotionError>,
-) -> Result<f64, MotionError> {
-    // As often as a double can be halved.
-    for _ in 0..100 {
-        let middle = from + 0.5 * (to - from);
-        if middle <= from || middle >= to {
-            break;
-        }
-        if value(middle)? * before > 0.0 {
-            from = middle;
-        } else {
-            to = middle;
-        }
-    }
-    Ok(to)
 }

@@ -18,7 +18,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(feature = "simulation")]
+mod chart;
 mod error;
+#[cfg(feature = "simulation")]
+mod events;
 mod exponential;
 mod force;
 #[cfg(feature = "simulation")]

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use super::chart::Chart;
 use super::error::{SimulationError, require_ascending, require_length};
 use super::force::{Force, pieces};
 use super::integration::{Piece, integrate};
@@ -13,8 +14,9 @@ use crate::motion::{Energy, MotionError};
 ///
 /// The equations are integrated by the method of Dormand and Prince of order 8 with steps of their own, and between steps by
 /// its polynomials of order 7, so that what is told is as accurate wherever it is asked for. Integrated are all positions and
-/// the free speeds. So the conditions of rolling hold by themselves, to rounding: the other rates are computed from
-/// these. The positions that the heights of the wheels determine are made to do so after every step and wherever the motion
+/// the free speeds; where these come to determine the other rates no more, as those of a bicycle do whose front wheel is
+/// steered by a right angle, rates that do take their place for a while. So the conditions of rolling hold by themselves, to
+/// rounding: the other rates are computed from these. The positions that the heights of the wheels determine are made to do so after every step and wherever the motion
 /// is told; [`Ride::drift`] is by how much they had to be moved.
 ///
 /// The [guide](crate::guide::motions) has examples, with a controller.
@@ -186,10 +188,10 @@ impl<'a> Simulation<'a> {
         let evaluations = Cell::new(0);
         for to in pieces(&self.forces, first, last) {
             let lines: Vec<(f64, f64)> = self.forces.iter().map(|force| force.line_from(from)).collect();
-            let derivative = |time: f64, state: &[f64], rates: &mut [f64]| {
+            let derivative = |chart: &Chart, time: f64, state: &[f64], rates: &mut [f64]| {
                 evaluations.set(evaluations.get() + 1);
                 let forces = lines.iter().map(|(force, slope)| force + (time - from) * slope).collect();
-                self.derivative(time, state, forces, rates)
+                self.derivative(chart, time, state, forces, rates)
             };
             let next = ride.rows.len();
             let asked = &times[next..times.partition_point(|time| *time <= to)];
@@ -204,26 +206,38 @@ impl<'a> Simulation<'a> {
         Ok(ride)
     }
 
-    /// The derivatives of positions and speeds under given forces and those of the controller.
+    /// The derivatives of positions and of what is integrated beside them, under given forces and those of the controller.
     fn derivative(
         &self,
+        chart: &Chart,
         time: f64,
         state: &[f64],
         mut forces: Vec<f64>,
         derivatives: &mut [f64],
     ) -> Result<(), MotionError> {
-        let (positions, speeds) = state.split_at(self.machine.info().positions.len());
-        let (rates, of_speeds) = derivatives.split_at_mut(positions.len());
-        if let Some(control) = &self.control {
+        let (positions, chosen) = self.split(state);
+        let (rates, of_chosen) = derivatives.split_at_mut(positions.len());
+        let is_of_speeds = chart.is_of_speeds(self.machine);
+        let others = if is_of_speeds { Vec::new() } else { chart.speeds(self.machine, positions, chosen)? };
+        let speeds = if is_of_speeds { chosen } else { &others };
+        if self.control.is_some() || !is_of_speeds {
             self.machine.rates(positions, speeds, rates)?;
+        }
+        if let Some(control) = &self.control {
             control(&Moment { time, positions, rates }, &mut forces);
         }
-        self.machine.derivatives(positions, speeds, &forces, rates, of_speeds)
+        if is_of_speeds {
+            return self.machine.derivatives(positions, speeds, &forces, rates, of_chosen);
+        }
+        let mut accelerations = vec![0.0; positions.len()];
+        self.machine.accelerations(positions, speeds, &forces, &mut accelerations)?;
+        of_chosen.iter_mut().zip(chart.choose(&accelerations)).for_each(|(to, from)| *to = from);
+        Ok(())
     }
 
     /// What there is to tell of a state.
     pub(super) fn row(&self, time: f64, state: &[f64]) -> Result<RideRow, MotionError> {
-        let (positions, speeds) = state.split_at(self.machine.info().positions.len());
+        let (positions, speeds) = self.split(state);
         let mut row = RideRow {
             time,
             positions: positions.to_vec(),
@@ -259,7 +273,7 @@ impl<'a> Simulation<'a> {
         if self.events.is_empty() {
             return Ok(Vec::new());
         }
-        let (positions, speeds) = state.split_at(self.machine.info().positions.len());
+        let (positions, speeds) = self.split(state);
         let mut rates = vec![0.0; positions.len()];
         self.machine.rates(positions, speeds, &mut rates)?;
         let moment = Moment { time, positions, rates: &rates };
@@ -269,6 +283,15 @@ impl<'a> Simulation<'a> {
     /// The name of an event, and whether the simulation ends there.
     pub(super) fn named(&self, event: usize) -> (&str, bool) {
         (self.events[event].name, self.events[event].ends)
+    }
+
+    /// Positions, and what stands behind them.
+    pub(super) fn split<'s>(&self, state: &'s [f64]) -> (&'s [f64], &'s [f64]) {
+        state.split_at(self.machine.info().positions.len())
+    }
+
+    pub(super) fn machine(&self) -> &dyn Machine {
+        self.machine
     }
 
     pub(super) fn allowed_error(&self) -> f64 {

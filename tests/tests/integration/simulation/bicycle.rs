@@ -60,6 +60,30 @@ fn energy_is_conserved_for_a_minute() {
     assert!(worst < 1e-9, "energy drifts by {worst} of itself");
 }
 
+/// A bicycle that falls steers across, and where the front wheel stands at a right angle to its way the rate of the rear wheel
+/// tells no more how it moves, though it moves on as smoothly: quickly, slowly, and near the turning point of the steer.
+#[test]
+fn energy_is_conserved_where_the_front_wheel_stands_across() {
+    for (speed, positions, rates) in [
+        (2.0, [0.0, 0.0], [0.5, 0.0]),
+        (-4.637720223970579, [-0.1628286180527443, 2.12482593396322], [-0.8579245032667782, -1.4614907231857202]),
+        (-7.933523407379065, [0.24158142349048273, -2.2547207765376904], [0.9509657590633007, 2.6512283928584637]),
+    ] {
+        let bicycle = WhippleMechanism::BENCHMARK.motion();
+        let rates = [("phi", rates[0]), ("delta", rates[1]), ("thetaR", -speed / WhippleMechanism::BENCHMARK.rR)];
+        let start = State::new(&bicycle, &[("phi", positions[0]), ("delta", positions[1])], &rates).expect("a state");
+        let simulation = Simulation::new(&bicycle).until("fall", |moment| 1.4 - moment.positions[LEAN].abs());
+        let times: Vec<f64> = (0..=12_000).map(|row| f64::from(row) / 200.0).collect();
+        let ride = simulation.run(&start, &times).expect("a motion");
+        assert!(matches!(ride.end, End::Event { .. }), "{speed}: {:?}", ride.end);
+        let across = |row: &carvallo::simulation::RideRow| (row.positions[STEER].abs() - 1.6).signum();
+        assert!(ride.rows.windows(2).any(|pair| across(&pair[0]) != across(&pair[1])), "{speed}");
+        let energy = |row: usize| ride.rows[row].energy.kinetic + ride.rows[row].energy.potential;
+        let worst = (0..ride.rows.len()).map(|row| (energy(row) / energy(0) - 1.0).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-9, "{speed}: energy drifts by {worst} of itself");
+    }
+}
+
 /// The smaller the motion, the closer it is to that of the linear equations: they differ by the cube, as a mirrored motion
 /// is the mirror image.
 #[test]
