@@ -43,10 +43,12 @@ fn columns(motion: &Motion) -> Vec<Column> {
         cells: motion.rows.iter().map(cell).collect(),
     };
     let mut columns = vec![column("t (s)".to_owned(), &|row| time(row.t))];
-    if motion.position("thetaR").is_some() {
+    // Of bicycles the speed tells what the angles of the wheels do.
+    let has_speed = motion.rows.first().is_some_and(|row| motion.speed(row).is_some());
+    if has_speed {
         columns.push(column("v (m/s)".to_owned(), &|row| four_decimals(motion.speed(row).unwrap_or(0.0))));
     }
-    let told = |quantity: &&Quantity| !matches!(quantity.name, "thetaR" | "thetaF");
+    let told = |quantity: &&Quantity| !(has_speed && matches!(quantity.name, "thetaR" | "thetaF"));
     let place = |quantity: &Quantity| motion.position(quantity.name).unwrap_or(0);
     for quantity in motion.quantities.iter().filter(told) {
         let place = place(quantity);
@@ -58,7 +60,7 @@ fn columns(motion: &Motion) -> Vec<Column> {
             four_decimals(in_degrees(quantity, row.positions[place]))
         }));
     }
-    if motion.position("thetaR").is_none() {
+    if !has_speed {
         for quantity in &motion.quantities {
             let place = place(quantity);
             let unit = match quantity.unit {
@@ -92,6 +94,8 @@ fn four_decimals(value: f64) -> String {
 
 /// No more digits than tell a time from its neighbours.
 fn time(t: f64) -> String {
-    let rounded: f64 = format!("{t:.6}").parse().unwrap_or(t);
-    shortest(if rounded == 0.0 { t } else { rounded })
+    if 0.0 < t && t < 1e-4 {
+        return format!("{t:.3e}");
+    }
+    shortest(format!("{t:.6}").parse().unwrap_or(t))
 }

@@ -77,7 +77,7 @@ impl Asked<'_> {
         };
         let end = times[times.len() - 1];
         let given = read(solver, design, &options.initial, &options.force, end).map_err(Failure::Input)?;
-        let speed = required_speed(design, speed)?;
+        let speed = required_speed(solver, design, speed)?;
         let motion = solved(solver, design, &given, speed, &times)?;
         tell(&motion, options)?;
         motion.notes.iter().chain(&motion.end).for_each(|text| note(WARNING, "note", text));
@@ -160,15 +160,23 @@ fn speed(text: &str) -> Result<f64, Problem> {
     })
 }
 
-/// The speed of what depends on it.
-fn required_speed(design: &Design, given: Option<f64>) -> Result<f64, Failure> {
-    match (given, design.model.depends_on_speed()) {
+/// The speed of what has one.
+fn required_speed(solver: &dyn Solver, design: &Design, given: Option<f64>) -> Result<f64, Failure> {
+    match (given, solver.takes_speed(design)) {
         (Some(speed), true) => Ok(speed),
-        (None, true) => Err(Failure::usage("expected --speed V, which the motion depends on, such as --speed 4.6")),
-        (None, false) => Ok(0.0),
+        (None, true) if design.model.depends_on_speed() => {
+            Err(Failure::usage("expected --speed V, which the motion depends on, such as --speed 4.6"))
+        }
+        (None, _) => Ok(0.0),
         (Some(_), false) => {
-            let text = format!("nothing in the model {} depends on the speed: --speed is ignored", design.info().name);
-            note(WARNING, "note", &text);
+            let model = design.info().name;
+            let coordinate = design.info().coordinates.iter().find(|coordinate| coordinate.name == "x");
+            let hint = coordinate.map_or("", |_| "; what moves forward is x, whose rate is --initial x_rate=…");
+            note(
+                WARNING,
+                "note",
+                &format!("nothing in the model {model} depends on the speed: --speed is ignored{hint}"),
+            );
             Ok(0.0)
         }
     }

@@ -351,3 +351,62 @@ fn motions_and_paths_are_drawn() {
         (Some(2), "error: --plot still.svg: a picture needs a duration above 0\n")
     );
 }
+
+/// What begins beyond a fall is told to, and no wheel rolls under a machine that lies flat.
+#[test]
+fn a_start_beyond_a_fall_is_told() {
+    let directory = Directory::of_this_test();
+    let begin = |initial: &str| simulate(&directory, &["--speed", "4.6", "--initial", initial, "--duration", "0.05"]);
+    let as_if = "and this one is told as if nothing but the wheels touched the ground";
+    for (initial, beyond) in [
+        ("phi=85deg", "beyond a fall: it leans by 85 degrees; a motion ends at 80"),
+        ("phi=-200 deg", "beyond a fall: it leans by 200 degrees; a motion ends at 80"),
+        ("delta=190 deg", "with its front turned around: it is steered by 190 degrees; a motion ends at 180"),
+    ] {
+        let run = begin(initial);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        assert!(run.stderr.starts_with(&format!("note: it begins {beyond}, {as_if}\n")), "{}", run.stderr);
+    }
+    assert!(!begin("phi=79.9deg").stderr.contains("begins"));
+    begin("phi=90 deg")
+        .fails(1, "error: benchmark: it lies flat on the ground at a lean of 90 degrees, where no wheel can roll\n");
+}
+
+/// A force in the wrong unit turns the front around at once; one beyond numbers is told to be what ends the motion.
+#[test]
+fn enormous_forces_are_told() {
+    let directory = Directory::of_this_test();
+    let pushed = |force: &str| simulate(&directory, &["--speed", "5", "--force", force, "--duration", "1"]);
+    let run = pushed("delta=1e12");
+    let (_, end) = run.stderr.split_once("note: the motion ends at ").expect("an end");
+    assert!(end.ends_with("e-6 s: its front turns around: it is steered by 180 degrees\n"), "{end}");
+    let row = run.stdout.lines().last().expect("a row");
+    assert!(row.trim_start().split(' ').next().is_some_and(|time| end.starts_with(time)), "{row}");
+    let run = pushed("delta=1e300");
+    assert!(
+        run.stderr.contains("accelerations are up to ") && run.stderr.ends_with(": see the forces\n"),
+        "{}",
+        run.stderr
+    );
+}
+
+/// The linear equations of the pendulum on wheels do not depend on the speed, but the nonlinear ones roll at it: at rest in
+/// balance nothing else happens, and x = v t.
+#[test]
+fn what_rolls_has_a_speed() {
+    let directory = Directory::of_this_test();
+    let roll = ["--model", "WheeledPendulum", "--speed", "3", "--duration", "2", "--format", "json"];
+    let run = simulate(&directory, &roll);
+    assert_eq!(run.stderr, "");
+    let json = run.json();
+    for row in json["rows"].as_array().expect("rows") {
+        assert_near(&row["positions"]["x"], 3.0 * row["t"].as_f64().expect("a time"), 1e-11);
+        assert_near(&row["rates"]["thetaL"], -3.0 / 0.04, 1e-12);
+    }
+    // Its table has no speed of a rear wheel, since it has none.
+    let table = simulate(&directory, &roll[..6]).ok();
+    assert!(!table.contains("v (m/s)") && table.contains("thetaR'"), "{table}");
+    let note = "note: nothing in the model WheeledPendulum depends on the speed: --speed is ignored; what moves forward is x, \
+                whose rate is --initial x_rate=…\n";
+    assert_eq!(simulate(&directory, &[&roll[..], &["--linear"]].concat()).stderr, note);
+}

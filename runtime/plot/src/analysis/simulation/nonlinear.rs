@@ -11,17 +11,36 @@ use super::linear::OF_SPEED;
 use super::motion::{Motion, Quantity, Row, order};
 use super::solver::{Given, Solver};
 
-/// A machine that leans by so much has fallen, and one that is steered by so much has its front wheel turned around, in
-/// degrees; if it did not begin so.
-const FALLEN: f64 = 80.0;
-const TURNED: f64 = 180.0;
+/// A machine whose lean has a cosine below this lies on the ground.
+const FLAT: f64 = 1e-6;
 
 /// A force that would hold a wheel down, in N; less is rounding.
 const HOLDS: f64 = 1e-6;
 
-const FALL: &str = "it falls: it leans";
-const TURN: &str = "its front turns around: it is steered";
+const FALL: Ending =
+    Ending { name: "it falls: it leans", position: "phi", degrees: 80.0, beyond: "beyond a fall: it leans" };
+const TURN: Ending = Ending {
+    name: "its front turns around: it is steered",
+    position: "delta",
+    degrees: 180.0,
+    beyond: "with its front turned around: it is steered",
+};
 const STOP: &str = "stop";
+
+/// More stops than these are told by their number.
+const MOST_STOPS: usize = 3;
+/// Accelerations beyond this are those of forces in other units than were meant.
+const ENORMOUS: f64 = 1e9;
+
+/// A position that ends a motion.
+struct Ending {
+    /// What happens, as the beginning of a sentence that goes on with the degrees.
+    name: &'static str,
+    position: &'static str,
+    degrees: f64,
+    /// How a motion begins that is beyond it, likewise.
+    beyond: &'static str,
+}
 
 /// The nonlinear equations of a design, with what may be given of their motion.
 pub struct Nonlinear<'a> {
@@ -106,6 +125,10 @@ impl Solver for Nonlinear<'_> {
         &self.channels
     }
 
+    fn takes_speed(&self, _: &Design) -> bool {
+        self.drive.is_some()
+    }
+
     fn run<'a>(
         &self,
         design: &'a Design,
@@ -116,16 +139,31 @@ impl Solver for Nonlinear<'_> {
     ) -> Result<Motion<'a>, Failure> {
         let fail = |message: String| Failure::Run(format!("{}: {message}", design.title()));
         let info = self.machine.info();
+        let lean = info.position("phi").filter(|_| !info.wheels.is_empty()).map(|place| given.initial.positions[place]);
+        if let Some(lean) = lean.filter(|lean| lean.cos().abs() < FLAT) {
+            let degrees = shortest(lean.to_degrees().round());
+            return Err(fail(format!(
+                "it lies flat on the ground at a lean of {degrees} degrees, where no wheel can roll"
+            )));
+        }
         let start = self.state(given, speed).map_err(fail)?;
+        let mut notes = Vec::new();
         let mut simulation = Simulation::new(self.machine);
         for (force, given) in info.forces.iter().zip(&given.forces) {
             simulation = simulation.force(force.name, given.clone()).map_err(|error| fail(error.to_string()))?;
         }
-        for (event, name, degrees) in [(FALL, "phi", FALLEN), (TURN, "delta", TURNED)] {
+        for Ending { name, position, degrees, beyond } in [FALL, TURN] {
             let limit = degrees.to_radians();
-            let place = info.position(name).filter(|&place| start.positions[place].abs() < 0.99 * limit);
-            if let Some(place) = place {
-                simulation = simulation.until(event, move |moment: &Moment| limit - moment.positions[place].abs());
+            let Some(place) = info.position(position) else { continue };
+            let begins = start.positions[place];
+            if begins.abs() < limit {
+                simulation = simulation.until(name, move |moment: &Moment| limit - moment.positions[place].abs());
+            } else if times.len() > 1 {
+                let begins = shortest((begins.to_degrees().abs() * 1e6).round() / 1e6);
+                notes.push(format!(
+                    "it begins {beyond} by {begins} degrees; a motion ends at {degrees}, and this one is told as if nothing but \
+                     the wheels touched the ground"
+                ));
             }
         }
         if let Some(Drive { position, per_speed }) = self.drive {
@@ -133,39 +171,43 @@ impl Solver for Nonlinear<'_> {
         }
         let simulation = simulation.observed_by(reach);
         let ride = simulation.run(&start, times).map_err(|error| fail(error.to_string()))?;
-        Ok(told(design, info, &ride))
+        Ok(told(design, info, ride, notes))
     }
 }
 
 /// The motion as it is told.
-fn told<'a>(design: &'a Design, info: &MotionInfo, ride: &Ride) -> Motion<'a> {
+fn told<'a>(design: &'a Design, info: &MotionInfo, ride: Ride, mut notes: Vec<String>) -> Motion<'a> {
     let quantities: Vec<Quantity> =
         info.positions.iter().map(|position| Quantity::new(position.name, position.label, position.unit)).collect();
     let order = order(&quantities);
     let arranged = |values: &[f64]| order.iter().map(|&place| values[place]).collect();
-    let rows = ride.rows.iter().map(|row| Row {
-        t: row.time,
-        positions: arranged(&row.positions),
-        rates: arranged(&row.rates),
-        accelerations: arranged(&row.accelerations),
-        energy: Some([row.energy.kinetic, row.energy.potential]),
-        contact_forces: row.contact_forces.clone(),
-    });
-    let time = |time: f64| format!("{:.6}", time).trim_end_matches('0').trim_end_matches('.').to_owned();
+    let time = |time: f64| match time {
+        time if 0.0 < time && time < 1e-4 => format!("{time:.3e}"),
+        time => format!("{time:.6}").trim_end_matches('0').trim_end_matches('.').to_owned(),
+    };
+    let most = ride.rows.last().map_or(0.0, |row| row.accelerations.iter().fold(0.0_f64, |most, a| most.max(a.abs())));
+    let enormous =
+        if most > ENORMOUS { format!("; accelerations are up to {most:.1e}: see the forces") } else { String::new() };
     let end = match &ride.end {
         End::Event { time: end, name } => {
-            let degrees = if name == FALL { FALLEN } else { TURNED };
-            Some(format!("the motion ends at {} s: {name} by {} degrees", time(*end), shortest(degrees)))
+            let degrees = if name == FALL.name { FALL.degrees } else { TURN.degrees };
+            Some(format!("the motion ends at {} s: {name} by {degrees} degrees", time(*end)))
         }
-        End::Singular { time: end, error } => Some(format!("the motion ends at {} s: {error}", time(*end))),
+        End::Singular { time: end, error } => Some(format!("the motion ends at {} s: {error}{enormous}", time(*end))),
         End::Stalled { time: end, steps } => {
-            Some(format!("the motion ends at {} s: it hardly goes on, with {steps} steps so far", time(*end)))
+            let hint = "what moves so fast takes steps as short, and only linear equations have a solution without any (--linear)";
+            Some(format!(
+                "the motion ends at {} s: it hardly goes on, with {steps} steps so far; {hint}{enormous}",
+                time(*end)
+            ))
         }
         _ => None,
     };
-    let stops = ride.events.iter().filter(|(_, name)| name == STOP);
-    let mut notes: Vec<String> =
-        stops.map(|(stop, _)| format!("at {} s it stops, and turns back", time(*stop))).collect();
+    let stops: Vec<f64> = ride.events.iter().filter(|(_, name)| name == STOP).map(|(stop, _)| *stop).collect();
+    notes.extend(stops.iter().take(MOST_STOPS).map(|stop| format!("at {} s it stops, and turns back", time(*stop))));
+    if let Some(last) = stops.get(MOST_STOPS..).and_then(<[f64]>::last) {
+        notes.push(format!("it stops {} times more, the last time at {} s", stops.len() - MOST_STOPS, time(*last)));
+    }
     for (place, wheel) in info.wheels.iter().enumerate() {
         // z is downward: what would hold the wheel down.
         // Where the equations end, forces may be anything.
@@ -177,6 +219,14 @@ fn told<'a>(design: &'a Design, info: &MotionInfo, ride: &Ride) -> Motion<'a> {
             notes.push(format!("at {at} s the ground would have to hold the {name} down: a real one would lift off"));
         }
     }
+    let rows = ride.rows.into_iter().map(|row| Row {
+        t: row.time,
+        positions: arranged(&row.positions),
+        rates: arranged(&row.rates),
+        accelerations: arranged(&row.accelerations),
+        energy: Some([row.energy.kinetic, row.energy.potential]),
+        contact_forces: row.contact_forces,
+    });
     Motion {
         design,
         is_linear: false,

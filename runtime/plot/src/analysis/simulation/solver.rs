@@ -15,6 +15,11 @@ pub trait Solver {
     /// The forces that may act.
     fn channels(&self) -> &[Channel];
 
+    /// Whether there is a forward speed to give.
+    fn takes_speed(&self, design: &Design) -> bool {
+        design.model.depends_on_speed()
+    }
+
     /// The motion at a forward speed in m/s and times in s, the first of which is zero. What takes long tells how far it is: the
     /// time of the motion in s.
     ///
