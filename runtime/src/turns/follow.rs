@@ -108,7 +108,8 @@ impl Turns {
         Ok(Self { turns, end })
     }
 
-    /// The turns of the curve at which a position has a value, by Newton's method from those beside it.
+    /// The turns of the curve at which a position has a value, by Newton's method from those beside it. Straight running, with
+    /// which a curve begins, is one of them if the value is exactly that.
     ///
     /// # Errors
     /// If the equations have no value there.
@@ -118,7 +119,8 @@ impl Turns {
         let unit = self.turns.first().map_or(1.0, |turn| turn.speed);
         let curve = Curve { balance, unit };
         let count = curve.balance.free.len();
-        let mut found = Vec::new();
+        let mut found: Vec<Turn> =
+            self.turns.first().into_iter().filter(|turn| turn.positions[position] == value).cloned().collect();
         for pair in self.turns.windows(2) {
             let [before, after] = [pair[0].positions[position], pair[1].positions[position]];
             let is_between = (before - value) * (after - value) < 0.0 || after == value;

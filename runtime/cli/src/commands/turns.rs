@@ -10,7 +10,7 @@ use clap::Args;
 
 use crate::options::{DesignOptions, Format, Picture};
 use crate::output;
-use crate::terminal::deliver;
+use crate::terminal::{WARNING, deliver, note};
 
 const HELP: &str = "\
 Where straight running loses its stability to capsize, a curve of circles begins: hands free, at a lean and a steer that are
@@ -63,6 +63,14 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     if let Some(picture) = &options.plot {
         let all = if steers.is_some() { Some(Families::new(&design, None)?) } else { None };
         picture.write(&picture::draw_turns(all.as_ref().unwrap_or(&families)))?;
+    }
+    if steers.iter().flatten().any(|steer| *steer == 0.0) {
+        note(
+            WARNING,
+            "note",
+            "with no steer it runs straight, at any speed; circles begin at the capsize speed, and `carvallo analyze` tells at \
+             which speeds straight running is stable",
+        );
     }
     deliver(options.output.as_deref(), |output| match options.format {
         Format::Table => output.write_all(output::turns::render_table(&families, steers.is_some()).as_bytes()),

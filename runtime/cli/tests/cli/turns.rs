@@ -83,6 +83,8 @@ fn turns_are_drawn_and_mistakes_told() {
     assert_eq!((run.code, run.stderr.as_str()), (Some(0), "wrote: turns.svg\nwrote: turns.txt\n"));
     let svg = std::fs::read_to_string(directory.0.join("turns.svg")).expect("a picture");
     assert!(svg.contains("radius (m)") && svg.contains("steer delta") && !svg.contains("NaN"));
+    // All of its turns are unstable, and so are the lines beside the names; the radius ends below infinity.
+    assert!(svg.contains("radius, up to 8 m: it goes on to straight running"));
     directory.run(&["turns", "--steer", "5 kg"]).fails(
         2,
         "error: --steer 5 kg: `5 kg`: `kg` is no unit for an angle: it is in rad, or in degrees as `5 deg`\n",
@@ -90,4 +92,16 @@ fn turns_are_drawn_and_mistakes_told() {
     directory
         .run(&["turns", "--model", "Pendulum"])
         .fails(1, "error: Pendulum seconds: there is no capsize speed, at which steady turns begin\n");
+}
+
+/// Without steer a bicycle runs straight: at the beginning of the curve, and at any other speed too.
+#[test]
+fn no_steer_is_straight_running() {
+    let directory = Directory::of_this_test();
+    let run = directory.run(&["turns", "--steer", "0"]);
+    assert_eq!(run.code, Some(0));
+    assert!(run.stdout.contains("6.0243    straight        0.0000"), "{}", run.stdout);
+    assert!(run.stderr.starts_with("note: with no steer it runs straight, at any speed; "), "{}", run.stderr);
+    let csv = directory.run(&["turns", "--steer", "5 deg, 0", "--format", "csv"]);
+    assert_eq!(csv.stdout.lines().count(), 3);
 }

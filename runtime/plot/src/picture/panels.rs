@@ -102,7 +102,7 @@ fn imaginary_limit(series: &[Series], named: &[String]) -> f64 {
 }
 
 /// The next number of one digit or a half.
-fn finely(size: f64) -> f64 {
+pub fn finely(size: f64) -> f64 {
     if size <= 0.0 {
         return 1.0;
     }

@@ -4,6 +4,7 @@ use super::axes::{self, INK};
 use super::curves::Curve;
 use super::graph::{Graph, Line, range, roomy};
 use super::motion::COLORS;
+use super::panels::finely;
 use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
 use crate::analysis::turns::{Families, verdict};
 use carvallo::turns::Turn;
@@ -37,10 +38,12 @@ pub fn draw_turns(families: &Families) -> Scene {
     let note = Some((UNSTABLE, INK.lighter(0.35), "unstable"));
     let positions = Graph { title: "angles (°)", height: HEIGHT, x, y, lines, note };
     let mut lines = Vec::new();
-    add(&mut lines, families, "radius", INK, &|turn| turn.radius);
     let mut radii: Vec<f64> = turns().map(|turn| turn.radius).filter(|radius| radius.is_finite()).collect();
     radii.sort_by(f64::total_cmp);
-    let most = radii.get(radii.len() / 2).map_or(1.0, |median| LARGEST * median);
+    let most = radii.get(radii.len() / 2).map_or(1.0, |median| finely(LARGEST * median));
+    let goes_on = turns().any(|turn| turn.radius > most);
+    let beyond = if goes_on { format!(", up to {most} m: it goes on to straight running") } else { String::new() };
+    add(&mut lines, families, &format!("radius{beyond}"), INK, &|turn| turn.radius);
     let radius = Graph { title: "radius (m)", height: FLAT, x, y: (0.0, most), lines, note: None };
 
     let title = format!("Steady turns of {}", families.design.title());
@@ -52,13 +55,13 @@ pub fn draw_turns(families: &Families) -> Scene {
     scene
 }
 
-/// A value of all turns: one line for each stretch that is stable, or is not; the first one has the name.
+/// A value of all turns: one line for each stretch that is stable, or is not; before them the name, solid if one of them is.
 fn add(lines: &mut Vec<Line>, families: &Families, name: &str, color: Color, value: &dyn Fn(&Turn) -> f64) {
-    let mut name = Some(name.to_owned());
-    // Names show the solid line, whether or not there is a stable stretch.
-    lines.push(Line { name: name.take(), color, paint: line(2.4), curve: Curve::new() });
+    let is_stable = |turn: &Turn| verdict(turn) == "stable";
+    let has_stable = families.families.iter().any(|family| family.turns.iter().any(is_stable));
+    let paint = if has_stable { line(2.4) } else { UNSTABLE };
+    lines.push(Line { name: Some(name.to_owned()), color, paint, curve: Curve::new() });
     for family in &families.families {
-        let is_stable = |turn: &Turn| verdict(turn) == "stable";
         for pair in family.turns.windows(2) {
             let points = pair.iter().map(|turn| (turn.speed, value(turn))).filter(|point| point.1.is_finite());
             let paint = if pair.iter().all(is_stable) { line(2.4) } else { UNSTABLE };
