@@ -168,10 +168,7 @@ fn a_short_wheel_base_has_its_steer_axis() {
     directory.run(&["show", "benchmark", "--set", "w=0.01", "--plot", "picture.svg"]);
     let svg = std::fs::read_to_string(directory.0.join("picture.svg")).unwrap();
     let axis = svg.lines().find(|line| line.contains("stroke-dasharray=\"12 4\"")).unwrap();
-    let data = axis.split_once(" d=\"").unwrap().1.split_once('"').unwrap().0;
-    let numbers: Vec<f64> =
-        data.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter_map(|text| text.parse().ok()).collect();
-    let [foot_x, foot_y, x, y] = numbers[..] else { panic!("{axis}") };
+    let [(foot_x, foot_y), (x, y)] = points(axis)[..] else { panic!("{axis}") };
     // In the benchmark the front wheel has a radius of 0.35 m, and the trail is 0.08 m; the view is 960 wide.
     assert!((foot_x - x).hypot(foot_y - y) > 350.0, "{axis}");
 }
@@ -194,9 +191,7 @@ fn imaginary_parts_begin_at_zero() {
     let svg = std::fs::read_to_string(directory.0.join("picture.svg")).unwrap();
     let of = |wanted: &str| {
         let line = svg.lines().find(|line| line.contains(wanted)).unwrap();
-        let data = line.split_once(" d=\"").unwrap().1.split_once('"').unwrap().0;
-        let numbers = data.split(|c: char| c.is_ascii_alphabetic() || c == ' ');
-        numbers.filter_map(|text| text.parse::<f64>().ok()).skip(1).step_by(2).fold(0.0, f64::max)
+        points(line).into_iter().map(|(_, y)| y).fold(0.0, f64::max)
     };
     let zero = of("stroke=\"#222222\" stroke-width=\"1.2\"");
     let lowest = of("stroke-dasharray=\"7 5\"");
@@ -271,10 +266,43 @@ fn a_critical_speed_makes_way_for_a_label_on_it() {
 
 /// A text of a picture, and where its outlines begin and end from left to right.
 fn labelled(line: &str) -> Option<(&str, [f64; 2])> {
-    let (text, rest) = line.strip_prefix("<path aria-label=\"")?.split_once('"')?;
-    let data = rest.split_once(" d=\"")?.1.split_once('"')?.0;
-    let numbers = data.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter_map(|text| text.parse().ok());
-    let (low, high) =
-        numbers.step_by(2).fold((f64::INFINITY, 0.0_f64), |(low, high), x: f64| (low.min(x), high.max(x)));
-    Some((text, [low, high]))
+    let (text, _) = line.strip_prefix("<path aria-label=\"")?.split_once('"')?;
+    let points = points(line);
+    let x = || points.iter().map(|(x, _)| *x);
+    Some((text, [x().fold(f64::INFINITY, f64::min), x().fold(0.0, f64::max)]))
+}
+
+/// The points of a path on the page: what is written are the ways from one to the next.
+fn points(line: &str) -> Vec<(f64, f64)> {
+    let data = line.split_once(" d=\"").unwrap().1.split_once('"').unwrap().0;
+    let mut points = Vec::new();
+    let (mut place, mut start) = ((0.0, 0.0), (0.0, 0.0));
+    let is_command = |c: char| c.is_ascii_alphabetic();
+    for (at, _) in data.match_indices(is_command) {
+        let numbers = data[at + 1..].split(is_command).next().unwrap().replace('-', " -");
+        let numbers: Vec<f64> = numbers.split_whitespace().map(|number| number.parse().unwrap()).collect();
+        match data[at..].chars().next() {
+            Some('z') => place = start,
+            Some('h') => numbers.iter().for_each(|length| place.0 += length),
+            Some('v') => numbers.iter().for_each(|length| place.1 += length),
+            // Control points are told from where the curve begins, as its end is.
+            Some(command) => {
+                let count = "mlqc".find(command).map(|at| [2, 2, 4, 6][at]).unwrap();
+                for curve in numbers.chunks(count) {
+                    let from = place;
+                    for point in curve.chunks(2) {
+                        place = (from.0 + point[0], from.1 + point[1]);
+                        points.push(place);
+                    }
+                }
+                if command == 'm' {
+                    start = place;
+                }
+            }
+            None => {}
+        }
+        points.push(place);
+    }
+    points.dedup();
+    points
 }

@@ -1,90 +1,154 @@
-//! The outlines of the text in a drawing, from the one font that ships with the program: Roboto, Apache License 2.0.
+//! The outlines of the text in a drawing, from the one font that ships with the program: a part of Roboto, Apache License
+//! 2.0.
 
+use std::collections::HashMap;
 use std::sync::LazyLock;
 
-use tiny_skia_path::PathBuilder;
+use tiny_skia_path::{Path, PathBuilder, PathSegment, Point};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-static FACE: LazyLock<Option<Face>> =
-    LazyLock::new(|| Face::parse(include_bytes!("../../fonts/Roboto-Regular.ttf"), 0).ok());
+static FONT: LazyLock<Font> = LazyLock::new(|| {
+    let face = Face::parse(include_bytes!("../../fonts/Roboto-Subset.ttf"), 0);
+    face.map_or_else(|_| Font::default(), |face| Font::of(&face))
+});
+
+/// The glyphs of characters, read once: a picture has a thousand.
+#[derive(Default)]
+struct Font {
+    units_per_em: f32,
+    glyphs: HashMap<char, Glyph>,
+    /// The empty box of what the font lacks.
+    missing: Glyph,
+}
+
+/// A glyph, in units of the font.
+#[derive(Default)]
+struct Glyph {
+    /// From where it begins to where the next one does.
+    advance: f32,
+    /// A space has none.
+    outline: Option<Path>,
+}
+
+impl Font {
+    fn of(face: &Face) -> Self {
+        let glyph = |id: GlyphId| {
+            let mut pen = Pen(PathBuilder::new());
+            face.outline_glyph(id, &mut pen);
+            Glyph { advance: face.glyph_hor_advance(id).map_or(0.0, f32::from), outline: pen.0.finish() }
+        };
+        let mut glyphs = HashMap::new();
+        for table in face.tables().cmap.into_iter().flat_map(|cmap| cmap.subtables).filter(|table| table.is_unicode()) {
+            table.codepoints(|code| {
+                if let (Some(char), Some(id)) = (char::from_u32(code), table.glyph_index(code)) {
+                    glyphs.entry(char).or_insert_with(|| glyph(id));
+                }
+            });
+        }
+        Self { units_per_em: f32::from(face.units_per_em()), glyphs, missing: glyph(GlyphId(0)) }
+    }
+
+    fn glyph(&self, char: char) -> &Glyph {
+        self.glyphs.get(&char).unwrap_or(&self.missing)
+    }
+}
 
 /// The width of a line of text.
 pub fn width(text: &str, size: f32) -> f32 {
-    let Some(face) = FACE.as_ref() else { return 0.0 };
-    let scale = size / f32::from(face.units_per_em());
-    text.chars().map(|char| scale * advance(face, glyph(face, char))).sum()
+    let scale = size / FONT.units_per_em;
+    text.chars().map(|char| scale * FONT.glyph(char).advance).sum()
 }
 
 /// The outlines of a line of text that starts at the origin.
 pub fn outline(text: &str, size: f32) -> PathBuilder {
-    let mut pen = Pen { builder: PathBuilder::new(), x: 0.0, scale: 0.0 };
-    let Some(face) = FACE.as_ref() else { return pen.builder };
-    pen.scale = size / f32::from(face.units_per_em());
+    let scale = size / FONT.units_per_em;
+    let mut builder = PathBuilder::new();
+    let mut x = 0.0;
     for char in text.chars() {
-        let glyph = glyph(face, char);
-        face.outline_glyph(glyph, &mut pen);
-        pen.x += pen.scale * advance(face, glyph);
+        let Glyph { advance, outline } = FONT.glyph(char);
+        // Fonts have y up, drawings have it down.
+        let place = |point: Point| (x + point.x * scale, -point.y * scale);
+        for segment in outline.iter().flat_map(Path::segments) {
+            match segment {
+                PathSegment::MoveTo(p) => {
+                    let (x, y) = place(p);
+                    builder.move_to(x, y);
+                }
+                PathSegment::LineTo(p) => {
+                    let (x, y) = place(p);
+                    builder.line_to(x, y);
+                }
+                PathSegment::QuadTo(p, q) => {
+                    let ((x1, y1), (x, y)) = (place(p), place(q));
+                    builder.quad_to(x1, y1, x, y);
+                }
+                PathSegment::CubicTo(p, q, r) => {
+                    let ((x1, y1), (x2, y2), (x, y)) = (place(p), place(q), place(r));
+                    builder.cubic_to(x1, y1, x2, y2, x, y);
+                }
+                PathSegment::Close => builder.close(),
+            }
+        }
+        x += scale * advance;
     }
-    pen.builder
+    builder
 }
 
-/// Characters that the font lacks show as its empty box.
-fn glyph(face: &Face, char: char) -> GlyphId {
-    face.glyph_index(char).unwrap_or_default()
-}
-
-fn advance(face: &Face, glyph: GlyphId) -> f32 {
-    face.glyph_hor_advance(glyph).map_or(0.0, f32::from)
-}
-
-struct Pen {
-    builder: PathBuilder,
-    x: f32,
-    scale: f32,
-}
-
-impl Pen {
-    /// Fonts have y up, drawings have it down.
-    fn place(&self, x: f32, y: f32) -> (f32, f32) {
-        (self.x + x * self.scale, -y * self.scale)
-    }
-}
+/// Draws a glyph as a path.
+struct Pen(PathBuilder);
 
 impl OutlineBuilder for Pen {
     fn move_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.place(x, y);
-        self.builder.move_to(x, y);
+        self.0.move_to(x, y);
     }
 
     fn line_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.place(x, y);
-        self.builder.line_to(x, y);
+        self.0.line_to(x, y);
     }
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let ((x1, y1), (x, y)) = (self.place(x1, y1), self.place(x, y));
-        self.builder.quad_to(x1, y1, x, y);
+        self.0.quad_to(x1, y1, x, y);
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let ((x1, y1), (x2, y2), (x, y)) = (self.place(x1, y1), self.place(x2, y2), self.place(x, y));
-        self.builder.cubic_to(x1, y1, x2, y2, x, y);
+        self.0.cubic_to(x1, y1, x2, y2, x, y);
     }
 
     fn close(&mut self) {
-        self.builder.close();
+        self.0.close();
     }
+}
+
+/// Whether the font has all characters of a text.
+#[cfg(test)]
+pub fn has(text: &str) -> bool {
+    text.chars().all(|char| FONT.glyphs.contains_key(&char))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::FACE;
+    use super::{has, outline, width};
 
     #[test]
-    fn the_font_has_what_the_drawings_need() {
-        let face = FACE.as_ref().expect("the font parses");
-        for char in "λ±−–²·°µ()/αz0123456789".chars() {
-            assert!(face.glyph_index(char).is_some(), "{char}");
+    fn the_font_has_what_names_are_written_in() {
+        for text in ["λφδψθ²³°µ·×±−–—′″√∂≤≥≈∞", "Çağlar Šťastný Łódź Ø", "велосипед", "ποδήλατο", "Nguyễn", "e\u{301}"]
+        {
+            assert!(has(text), "{text}");
         }
+        assert!(!has("自"));
+    }
+
+    /// In the table `hmtx` of Roboto a digit has 1151 units of 1/2048, a point 540 and the Greek letter lambda 1135.
+    #[test]
+    fn widths_are_those_of_the_font() {
+        assert!((width("2.5", 204.8) - (2.0 * 115.1 + 54.0)).abs() < 1e-3, "{}", width("2.5", 204.8));
+        assert!((width("λ", 204.8) - 113.5).abs() < 1e-3, "{}", width("λ", 204.8));
+    }
+
+    /// What the font lacks is seen all the same, and keeps its place.
+    #[test]
+    fn what_is_missing_is_a_box() {
+        assert!(width("自", 10.0) > 1.0);
+        assert!(outline("自", 10.0).finish().is_some() && outline(" ", 10.0).finish().is_none());
     }
 }

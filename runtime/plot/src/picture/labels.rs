@@ -1,6 +1,7 @@
 //! Where labels go: beside their lines, and clear of everything else.
 
 use super::font;
+use super::places::Places;
 
 /// Weights of what a label should avoid; a pixel of distance from its line weighs 1.
 const OFF_MIDDLE: f32 = 0.03;
@@ -20,17 +21,17 @@ pub struct Labels {
     area: [f32; 4],
     boxes: Vec<[f32; 4]>,
     /// Points of lines, with what they weigh.
-    points: Vec<((f32, f32), f32)>,
+    points: Places,
 }
 
 impl Labels {
     pub fn new(area: [f32; 4]) -> Self {
-        Self { area, boxes: Vec::new(), points: Vec::new() }
+        Self { area, boxes: Vec::new(), points: Places::new(area) }
     }
 
     /// Keeps labels off a line.
     pub fn avoid_line(&mut self, points: &[(f32, f32)], weight: f32) {
-        self.points.extend(dense(points).map(|point| (point, weight)));
+        dense(points).for_each(|point| self.points.add(point, weight));
     }
 
     /// Keeps labels off a text or another box: left, top, right, bottom.
@@ -50,9 +51,14 @@ impl Labels {
                 for left in [x - width / 2.0, x + gap, x - gap - width] {
                     for base in [y - gap - descent, y + gap + ascent] {
                         let bounds = [left, base - ascent, left + width, base + descent];
-                        let cost = GAP * gap + OFF_MIDDLE * (x - middle).abs() + self.cost(bounds);
-                        if best.is_none_or(|(least, _)| cost < least) {
-                            best = Some((cost, bounds));
+                        let least = best.map_or(f32::INFINITY, |(least, _)| least);
+                        let away = GAP * gap + OFF_MIDDLE * (x - middle).abs();
+                        // Nothing weighs less than nothing.
+                        if away < least {
+                            let cost = away + self.cost(bounds);
+                            if cost < least {
+                                best = Some((cost, bounds));
+                            }
                         }
                     }
                 }
@@ -72,18 +78,26 @@ impl Labels {
         let (across, up) = (((right - left - width) / (2.0 * STEP)) as i32, ((bottom - top - height) / STEP) as i32);
         let places = (0..=up).flat_map(|row| (-across..=across).map(move |column| (column, row)));
         let places = places.map(|(column, row)| (middle + column as f32 * STEP, lowest - row as f32 * STEP));
-        let cost = |&(x, y): &(f32, f32)| self.cost(bounds((x, y))) + OFF_MIDDLE * ((x - middle).abs() + (lowest - y));
-        let best = places.min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap_or((middle, lowest));
+        let mut best = (f32::INFINITY, (middle, lowest));
+        for (x, y) in places {
+            let away = OFF_MIDDLE * ((x - middle).abs() + (lowest - y));
+            if away < best.0 {
+                let cost = self.cost(bounds((x, y))) + away;
+                if cost < best.0 {
+                    best = (cost, (x, y));
+                }
+            }
+        }
+        let (_, best) = best;
         self.boxes.push(bounds(best));
         best
     }
 
     /// Whether no line of the data is behind a box.
     pub fn is_clear(&self, [left, top, right, bottom]: [f32; 4]) -> bool {
-        let is_behind = |&((x, y), weight): &((f32, f32), f32)| {
-            weight >= LINE && (left..right).contains(&x) && (top..bottom).contains(&y)
-        };
-        !self.points.iter().any(is_behind)
+        let is_behind =
+            |(x, y): (f32, f32), weight| weight >= LINE && (left..right).contains(&x) && (top..bottom).contains(&y);
+        !self.points.near([left, top, right, bottom]).any(|(point, weight)| is_behind(point, weight))
     }
 
     /// The top and bottom of every box that an upright line meets, from above.
@@ -99,10 +113,10 @@ impl Labels {
         let inside =
             bounds[0] > left + 3.0 && bounds[1] > top + 2.0 && bounds[2] < right - 3.0 && bounds[3] < bottom - 2.0;
         let boxes = self.boxes.iter().filter(|taken| overlap(**taken, bounds)).count();
-        let near = |&&((x, y), _): &&((f32, f32), f32)| {
-            x > bounds[0] - 3.0 && x < bounds[2] + 3.0 && y > bounds[1] - 3.0 && y < bounds[3] + 3.0
-        };
-        let lines: f32 = self.points.iter().filter(near).map(|(_, weight)| weight).sum();
+        let [from, above, to, below] = [bounds[0] - 3.0, bounds[1] - 3.0, bounds[2] + 3.0, bounds[3] + 3.0];
+        let is_near = |(x, y): (f32, f32)| x > from && x < to && y > above && y < below;
+        let points = self.points.near([from, above, to, below]);
+        let lines: f32 = points.map(|(point, weight)| if is_near(point) { weight } else { 0.0 }).sum();
         let outside = if inside { 0.0 } else { OUTSIDE };
         outside + ON_LABEL * boxes as f32 + lines
     }

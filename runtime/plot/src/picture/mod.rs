@@ -15,6 +15,7 @@ mod marks;
 mod motion;
 mod panels;
 mod path;
+mod places;
 #[cfg(feature = "png")]
 mod png;
 mod scene;
@@ -23,6 +24,9 @@ mod side_view;
 mod svg;
 mod tornado;
 mod turns;
+
+#[cfg(test)]
+mod tests;
 
 pub use self::along::draw_along;
 pub use self::curves::extent;

@@ -36,3 +36,34 @@ fn write(scene: &Scene) -> Result<Vec<u8>, String> {
     }
     pixmap.encode_png().map_err(|error| error.to_string())
 }
+
+#[cfg(test)]
+mod tests {
+    use tiny_skia::Pixmap;
+
+    use crate::picture::scene::{Color, Paint, Scene};
+
+    #[test]
+    fn two_pixels_are_as_long_as_one() {
+        let mut scene = Scene::new(String::new(), 10.5, 8.0);
+        scene.rectangle([2.0, 3.0, 4.0, 6.0], Paint::Fill, Color(10, 20, 30));
+        let picture = Pixmap::decode_png(&scene.png().unwrap()).unwrap();
+        assert_eq!((picture.width(), picture.height()), (21, 16));
+        let color = |x, y| {
+            let pixel = picture.pixel(x, y).unwrap();
+            (pixel.red(), pixel.green(), pixel.blue(), pixel.alpha())
+        };
+        for (x, y) in [(4, 6), (7, 11)] {
+            assert_eq!(color(x, y), (10, 20, 30, 255), "{x}, {y}");
+        }
+        for (x, y) in [(3, 6), (8, 11), (4, 5), (7, 12), (20, 15)] {
+            assert_eq!(color(x, y), (255, 255, 255, 255), "{x}, {y}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_room_in_memory_is_told() {
+        let error = Scene::new(String::new(), 1e9, 1e9).png().unwrap_err();
+        assert_eq!(error, "the picture is too large");
+    }
+}
