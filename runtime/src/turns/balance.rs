@@ -6,7 +6,7 @@ use super::TurnsError;
 use crate::motion::{MotionError, PositionKind};
 use crate::simulation::Machine;
 
-/// A machine in turns, described by its free positions and its speed.
+/// A machine in turns, described by its free positions and its speed, or its yaw rate.
 pub(super) struct Balance<'a> {
     pub machine: &'a dyn Machine,
     /// The free positions.
@@ -18,6 +18,8 @@ pub(super) struct Balance<'a> {
     /// The place among the speeds of the one that drives, and its value at 1 m/s.
     drive: (usize, f64),
     x: usize,
+    /// The place of the yaw, if turns are described by its rate: where a machine turns about a wheel that does not roll.
+    yaw: Option<usize>,
     /// Where the search for the dependent positions begins: at those that were found last.
     near: RefCell<Vec<f64>>,
 }
@@ -40,7 +42,7 @@ impl<'a> Balance<'a> {
         let x = info.position("x").ok_or(TurnsError::NoTurns)?;
         let lean = free.iter().position(|&place| info.positions[place].name == "phi");
         let near = RefCell::new(vec![0.0; info.positions.len()]);
-        let mut balance = Self { machine, free, lean, rates, drive: (drive, 1.0), x, near };
+        let mut balance = Self { machine, free, lean, rates, drive: (drive, 1.0), x, yaw: None, near };
         let per_rate = balance.forward(&balance.at(&vec![0.0; balance.free.len()], 1.0).map_err(TurnsError::Motion)?);
         let per_rate = per_rate.map_err(TurnsError::Motion)?;
         if per_rate == 0.0 {
@@ -50,15 +52,28 @@ impl<'a> Balance<'a> {
         Ok(balance)
     }
 
-    /// The state with these free positions and this speed.
+    /// The same by the yaw rate in the place of the speed; `None` without a yaw.
+    pub fn by_yaw(self) -> Option<Self> {
+        let yaw = self.machine.info().position("psi")?;
+        Some(Self { yaw: Some(yaw), ..self })
+    }
+
+    pub fn is_by_yaw(&self) -> bool {
+        self.yaw.is_some()
+    }
+
+    /// The state with these free positions and this speed, or yaw rate.
     pub fn at(&self, free: &[f64], speed: f64) -> Result<At, MotionError> {
         let mut positions = self.near.borrow().clone();
         self.free.iter().zip(free).for_each(|(&place, &value)| positions[place] = value);
         self.machine.close(&mut positions)?;
         *self.near.borrow_mut() = positions.clone();
         let mut speeds = vec![0.0; self.machine.info().speeds.len()];
-        speeds[self.drive.0] = self.drive.1 * speed;
-        Ok(At { positions, speeds })
+        speeds[self.drive.0] = self.drive.1;
+        let mut at = At { positions, speeds };
+        let factor = if let Some(yaw) = self.yaw { speed / self.rates(&at)?[yaw] } else { speed };
+        at.speeds[self.drive.0] *= factor;
+        Ok(at)
     }
 
     /// The speed at which the first wheel's contact goes forward.

@@ -14,6 +14,8 @@ const FIRST: f64 = 0.01;
 const LONGEST: f64 = 0.04;
 const SHORTEST: f64 = 1e-6;
 const MOST_STEPS: usize = 1000;
+/// In such shares: a curve that comes so far goes on to infinite speed.
+const FASTEST: f64 = 5.0;
 
 /// Newton's method is at rounding after four of its steps, if it gets there.
 const MOST_CORRECTIONS: usize = 12;
@@ -29,9 +31,9 @@ const FALLEN: f64 = 80.0 * core::f64::consts::PI / 180.0;
 const AROUND: f64 = core::f64::consts::PI;
 
 /// A condition that picks one point of the curve: the sum of its factors times free positions and the share of the speed.
-struct Condition {
-    factors: DVector<f64>,
-    value: f64,
+pub(super) struct Condition {
+    pub factors: DVector<f64>,
+    pub value: f64,
 }
 
 impl Turns {
@@ -54,58 +56,13 @@ impl Turns {
         let mut point = DVector::zeros(count + 1);
         point[count] = 1.0;
         let first = curve.turn(&point).map_err(TurnsError::Motion)?;
-        let mut tangent = curve.departure(&point).map_err(TurnsError::Motion)?;
-        let mut turns = vec![first];
-        let mut step = FIRST;
-        let end = loop {
-            if turns.len() > MOST_STEPS {
-                break TurnsEnd::Lost(None);
-            }
-            let next = curve.next(&point, &tangent, step);
-            let (corrected, corrections) = match next {
-                Ok(Some(next)) => next,
-                _ if turns.len() == 1 && step <= SHORTEST => return Err(TurnsError::NoBalance { speed }),
-                Ok(None) if step <= SHORTEST => break TurnsEnd::Lost(None),
-                Err(error) if step <= SHORTEST => break TurnsEnd::Lost(Some(error)),
-                _ => {
-                    step *= 0.5;
-                    continue;
-                }
-            };
-            if corrected[count] <= 0.0 {
-                // At rest; the curve goes on as the same turns run backward.
-                let at_rest = Condition { factors: unit_vector(count + 1, count), value: 0.0 };
-                match curve
-                    .correct(corrected, &at_rest)
-                    .and_then(|found| found.map(|found| curve.turn(&found.0)).transpose())
-                {
-                    Ok(Some(turn)) => {
-                        turns.push(turn);
-                        break TurnsEnd::Rest;
-                    }
-                    _ => break TurnsEnd::Lost(None),
-                }
-            }
-            if corrected.rows(0, count).amax() < 0.5 * step && turns.len() > 2 {
-                break TurnsEnd::Straight;
-            }
-            let leans = curve.balance.lean.is_some_and(|lean| corrected[lean].abs() > FALLEN);
-            let has_fallen = leans || corrected.rows(0, count).amax() > AROUND;
-            match curve.turn(&corrected).and_then(|turn| Ok((turn, curve.tangent(&corrected, &tangent)?))) {
-                Ok((turn, along)) => {
-                    turns.push(turn);
-                    (point, tangent) = (corrected, along);
-                }
-                Err(error) => break TurnsEnd::Lost(Some(error)),
-            }
-            if has_fallen {
-                break TurnsEnd::Fallen;
-            }
-            if corrections <= 4 {
-                step = (1.5 * step).min(LONGEST);
-            }
-        };
-        Ok(Self { turns, end })
+        let tangent = curve.departure(&point).map_err(TurnsError::Motion)?;
+        let (others, end) = curve.follow(point, tangent);
+        if others.is_empty() {
+            return Err(TurnsError::NoBalance { speed });
+        }
+        let turns = core::iter::once(first).chain(others).collect();
+        Ok(Self { begin: TurnsEnd::Straight, turns, end, by_yaw: false })
     }
 
     /// The turns of the curve at which a position has a value, by Newton's method from those beside it. Straight running, with
@@ -114,9 +71,13 @@ impl Turns {
     /// # Errors
     /// If the equations have no value there.
     pub fn where_position(&self, machine: &dyn Machine, position: usize, value: f64) -> Result<Vec<Turn>, TurnsError> {
-        let balance = Balance::new(machine)?;
+        let mut balance = Balance::new(machine)?;
         let Some(index) = balance.free.iter().position(|&place| place == position) else { return Ok(Vec::new()) };
-        let unit = self.turns.first().map_or(1.0, |turn| turn.speed);
+        if self.by_yaw {
+            balance = balance.by_yaw().ok_or(TurnsError::NoTurns)?;
+        }
+        let of = |turn: &Turn| if self.by_yaw { turn.yaw_rate } else { turn.speed };
+        let unit = self.turns.first().map_or(1.0, of);
         let curve = Curve { balance, unit };
         let count = curve.balance.free.len();
         let mut found: Vec<Turn> =
@@ -138,7 +99,7 @@ impl Turns {
                     .map(|&place| between(pair[0].positions[place], pair[1].positions[place]))
                     .chain([0.0]),
             );
-            guess[count] = between(pair[0].speed, pair[1].speed) / unit;
+            guess[count] = between(of(&pair[0]), of(&pair[1])) / unit;
             let condition = Condition { factors: unit_vector(count + 1, index), value };
             let corrected = curve.correct(guess, &condition).map_err(TurnsError::Motion)?;
             if let Some((point, _)) = corrected {
@@ -149,13 +110,70 @@ impl Turns {
     }
 }
 
-/// Turns as points: free positions, and the speed as a share of that at which the curve begins.
-struct Curve<'a> {
-    balance: Balance<'a>,
-    unit: f64,
+/// Turns as points: free positions, and the speed, or the yaw rate, as a share of that at which the curve begins.
+pub(super) struct Curve<'a> {
+    pub balance: Balance<'a>,
+    pub unit: f64,
 }
 
 impl Curve<'_> {
+    /// The turns behind a point of the curve, in the direction of a tangent, and where they end.
+    pub fn follow(&self, mut point: DVector<f64>, mut tangent: DVector<f64>) -> (Vec<Turn>, TurnsEnd) {
+        let count = self.balance.free.len();
+        let mut turns = Vec::new();
+        let mut step = FIRST;
+        let end = loop {
+            if turns.len() >= MOST_STEPS {
+                break TurnsEnd::Lost(None);
+            }
+            let mut next = self.next(&point, &tangent, step);
+            // What is singular at a point is not approached in ever smaller steps, but stepped over.
+            if self.balance.is_by_yaw() && !matches!(next, Ok(Some(_))) {
+                next = self.next(&point, &tangent, 2.0 * step);
+            }
+            let (corrected, corrections) = match next {
+                Ok(Some(next)) => next,
+                Ok(None) if step <= SHORTEST => break TurnsEnd::Lost(None),
+                Err(error) if step <= SHORTEST => break TurnsEnd::Lost(Some(error)),
+                _ => {
+                    step *= 0.5;
+                    continue;
+                }
+            };
+            if corrected[count] <= 0.0 {
+                // At rest; the curve goes on as the same turns run backward.
+                let at_rest = Condition { factors: unit_vector(count + 1, count), value: 0.0 };
+                let found = self.correct(corrected.clone(), &at_rest).ok().flatten();
+                let found = found.filter(|(at_rest, _)| (at_rest - &corrected).norm() < 2.0 * step);
+                let Some(Ok(turn)) = found.map(|(point, _)| self.turn(&point)) else { break TurnsEnd::Lost(None) };
+                turns.push(turn);
+                break TurnsEnd::Rest;
+            }
+            if corrected.rows(0, count).amax() < 0.5 * step && turns.len() > 1 {
+                break TurnsEnd::Straight;
+            }
+            let leans = self.balance.lean.is_some_and(|lean| corrected[lean].abs() > FALLEN);
+            let has_fallen = leans || corrected.rows(0, count).amax() > AROUND;
+            match self.turn(&corrected).and_then(|turn| Ok((turn, self.tangent(&corrected, &tangent)?))) {
+                Ok((turn, along)) => {
+                    turns.push(turn);
+                    (point, tangent) = (corrected, along);
+                }
+                Err(error) => break TurnsEnd::Lost(Some(error)),
+            }
+            if has_fallen {
+                break TurnsEnd::Fallen;
+            }
+            if point[count] > FASTEST {
+                break TurnsEnd::Fast;
+            }
+            if corrections <= 4 {
+                step = (1.5 * step).min(LONGEST);
+            }
+        };
+        (turns, end)
+    }
+
     fn accelerations(&self, point: &[f64]) -> Result<Vec<f64>, MotionError> {
         let (free, share) = point.split_at(self.balance.free.len());
         self.balance.accelerations(free, share[0] * self.unit)
@@ -175,7 +193,7 @@ impl Curve<'_> {
     }
 
     /// The direction of the curve at a point, on from the one before.
-    fn tangent(&self, point: &DVector<f64>, before: &DVector<f64>) -> Result<DVector<f64>, MotionError> {
+    pub fn tangent(&self, point: &DVector<f64>, before: &DVector<f64>) -> Result<DVector<f64>, MotionError> {
         let slopes = self.slopes(point)?;
         let size = slopes.ncols();
         // One row more, so that there is a direction without a slope.
@@ -198,7 +216,7 @@ impl Curve<'_> {
     }
 
     /// The point near a guess that is a turn and satisfies a condition.
-    fn correct(
+    pub fn correct(
         &self,
         mut point: DVector<f64>,
         condition: &Condition,
@@ -227,7 +245,7 @@ impl Curve<'_> {
         Ok(None)
     }
 
-    fn turn(&self, point: &DVector<f64>) -> Result<Turn, MotionError> {
+    pub fn turn(&self, point: &DVector<f64>) -> Result<Turn, MotionError> {
         let count = self.balance.free.len();
         let free = &point.as_slice()[..count];
         let at = self.balance.at(free, point[count] * self.unit)?;
@@ -255,6 +273,6 @@ fn least(matrix: &DMatrix<f64>) -> DVector<f64> {
     }
 }
 
-fn unit_vector(size: usize, place: usize) -> DVector<f64> {
+pub(super) fn unit_vector(size: usize, place: usize) -> DVector<f64> {
     DVector::from_fn(size, |i, _| if i == place { 1.0 } else { 0.0 })
 }

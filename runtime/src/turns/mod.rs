@@ -1,11 +1,14 @@
 //! Steady turns: the circles that a machine runs in by itself, hands free.
 //!
 //! Where straight running loses its stability to capsize, a curve of circles begins: at a lean and a steer that are in
-//! balance, at one speed each. [`Turns`] follows it from there to its end, and tells of each [`Turn`] whether it is stable.
+//! balance, at one speed each. [`Turns`] follows it from there to its end, and tells of each [`Turn`] whether it is stable; and
+//! it finds the curves that begin elsewhere, as the three of the benchmark bicycle in Basu-Mandal, Chatterjee & Papadopoulos
+//! (2007).
 
 mod balance;
 mod differences;
 mod follow;
+mod others;
 mod stability;
 
 use core::fmt;
@@ -45,13 +48,17 @@ impl Turn {
 /// A curve of steady turns, in the order in which they follow from each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turns {
-    /// The turns. The first one is straight running at the speed at which the curve begins.
+    /// Where the curve begins: in straight running, if that is at a capsize speed.
+    pub begin: TurnsEnd,
+    /// The turns. From a capsize speed the first one is straight running at that.
     pub turns: Vec<Turn>,
     /// Where the curve ends.
     pub end: TurnsEnd,
+    /// Whether it was followed by yaw rates.
+    by_yaw: bool,
 }
 
-/// Where a curve of turns ends.
+/// Where a curve of turns ends, or begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TurnsEnd {
@@ -61,6 +68,8 @@ pub enum TurnsEnd {
     Straight,
     /// It was followed only so far, since a machine that leans by 80 degrees or is turned around has fallen.
     Fallen,
+    /// It was followed only so far, since its speed grows beyond all bounds.
+    Fast,
     /// It could not be followed further.
     Lost(Option<MotionError>),
 }

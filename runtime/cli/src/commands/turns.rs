@@ -14,8 +14,8 @@ use crate::terminal::{WARNING, deliver, note};
 
 const HELP: &str = "\
 Where straight running loses its stability to capsize, a curve of circles begins: hands free, at a lean and a steer that are
-in balance, at one speed each. It is followed to its end by the nonlinear equations of motion. Circles to the left are the
-mirror images of those to the right.
+in balance, at one speed each. It is followed to its end by the nonlinear equations of motion, and so are the curves that begin
+elsewhere, some of them with the front wheel turned around. Circles to the left are the mirror images of those to the right.
 
 A turn is stable if every small deviation dies away, but for one to a neighbouring circle. Growth is the largest real part of
 the eigenvalues near it, in 1/s: how fast the worst deviation grows, or how slowly it dies away.

@@ -20,12 +20,15 @@ pub fn render_table(families: &Families, all: bool) -> String {
     let mut text = String::new();
     write_heading(families.design, &mut text);
     for family in &families.families {
-        let _ = writeln!(
-            text,
-            "\n{HEADING}Steady turns{HEADING:#} from the capsize speed of {} m/s",
-            shortest(family.capsize)
-        );
+        let begin = match family.capsize {
+            Some(speed) => format!("from the capsize speed of {} m/s", shortest(speed)),
+            None => "that begin at no capsize speed".to_owned(),
+        };
+        let _ = writeln!(text, "\n{HEADING}Steady turns{HEADING:#} {begin}");
         let turns = shown(family, all);
+        if family.capsize.is_none() && !all {
+            let _ = writeln!(text, "{FAINT}beginning of the curve: {}{FAINT:#}", end(family.begin));
+        }
         write_turns(families, &turns, &mut text);
         let _ = match all {
             true if turns.is_empty() => writeln!(text, "  none at these steers"),

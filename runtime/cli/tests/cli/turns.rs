@@ -45,9 +45,12 @@ fn the_curve_goes_from_the_capsize_speed_to_rest() {
     let directory = Directory::of_this_test();
     let text = directory.run(&["turns"]).ok();
     assert!(text.contains("from the capsize speed of 6.02426201538835"), "{text}");
-    assert!(text.ends_with("end of the curve: at rest, in an equilibrium\n"), "{text}");
+    let (first, others) = text.split_once("end of the curve: at rest, in an equilibrium\n").expect("an end");
+    assert!(first.contains("straight") && others.matches("that begin at no capsize speed").count() == 2, "{text}");
     let csv = directory.run(&["turns", "--format", "csv"]).ok();
     let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let (rows, others): (Vec<_>, Vec<_>) = rows.into_iter().partition(|row| !row[0].is_empty());
+    assert!(others.iter().any(|row| row[row.len() - 1] == "stable"));
     assert_eq!(rows[0][..5], ["capsize_speed (m/s)", "speed (m/s)", "radius (m)", "phi (rad)", "delta (rad)"]);
     // Straight running has no radius.
     assert_eq!((rows[1][2], rows[1][rows[1].len() - 1]), ("", "marginal"));
@@ -103,5 +106,6 @@ fn no_steer_is_straight_running() {
     assert!(run.stdout.contains("6.0243    straight        0.0000"), "{}", run.stdout);
     assert!(run.stderr.starts_with("note: with no steer it runs straight, at any speed; "), "{}", run.stderr);
     let csv = directory.run(&["turns", "--steer", "5 deg, 0", "--format", "csv"]);
-    assert_eq!(csv.stdout.lines().count(), 3);
+    // Behind the header one at each, and at 5 degrees one of another curve.
+    assert_eq!(csv.stdout.lines().count(), 4);
 }

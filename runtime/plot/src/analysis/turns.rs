@@ -1,7 +1,8 @@
-//! The steady turns of a design: a curve from each of its capsize speeds.
+//! The steady turns of a design: a curve from each of its capsize speeds, and those that begin elsewhere.
 
 use carvallo::motion::{MotionInfo, PositionKind};
-use carvallo::turns::{Turn, Turns, TurnsEnd};
+use carvallo::simulation::Machine;
+use carvallo::turns::{Turn, Turns, TurnsEnd, TurnsError};
 use carvallo::{CriticalKind, CriticalSpeed};
 use carvallo_design::{Design, Failure};
 
@@ -19,18 +20,20 @@ pub struct Families<'a> {
     pub positions: Vec<(usize, Quantity)>,
     /// The rates that are not zero in a turn: of the yaw and the wheels.
     pub rates: Vec<(usize, Quantity)>,
-    /// One for each capsize speed.
+    /// One for each capsize speed, and behind them those that begin elsewhere.
     pub families: Vec<Family>,
 }
 
 /// One curve.
 #[derive(Debug)]
 pub struct Family {
-    /// The capsize speed at which it begins, in m/s.
-    pub capsize: f64,
+    /// The capsize speed at which it begins, in m/s, if it begins at one.
+    pub capsize: Option<f64>,
+    /// Where it begins.
+    pub begin: TurnsEnd,
     /// Along the curve.
     pub turns: Vec<Turn>,
-    /// Why it ends.
+    /// Where it ends.
     pub end: TurnsEnd,
 }
 
@@ -46,36 +49,46 @@ impl<'a> Families<'a> {
         let stability = stability.map_err(|error| fail(error.to_string()))?;
         let is_capsize = |critical: &&CriticalSpeed| critical.kind == CriticalKind::Capsize;
         let speeds: Vec<f64> = stability.critical_speeds.iter().filter(is_capsize).map(|found| found.speed).collect();
-        if speeds.is_empty() {
-            return Err(fail("there is no capsize speed, at which steady turns begin".to_owned()));
-        }
         let mut found: Result<Vec<Family>, String> = Ok(Vec::new());
         let mut told = [Vec::new(), Vec::new()];
         let has_equations = design.with_machine(&mut |machine| {
             told = quantities(machine.info());
             let steer = told[0].iter().rfind(|(place, _)| machine.info().positions[*place].kind == PositionKind::Free);
             let steer = steer.map_or(0, |(place, _)| *place);
-            let family = |&capsize: &f64| {
-                let curve = Turns::from_capsize(machine, capsize).map_err(|error| error.to_string())?;
+            let family = |(capsize, curve): (Option<f64>, Turns)| {
                 let turns = match steers {
                     None => curve.turns,
                     Some(steers) => {
                         let at = steers.iter().map(|&value| curve.where_position(machine, steer, value));
-                        let found = at.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?;
-                        found.concat()
+                        at.collect::<Result<Vec<_>, _>>()?.concat()
                     }
                 };
-                Ok(Family { capsize, turns, end: curve.end })
+                Ok(Family { capsize, begin: curve.begin, turns, end: curve.end })
             };
-            found = speeds.iter().map(family).collect();
+            found = curves(machine, &speeds)
+                .and_then(|curves| curves.into_iter().map(family).collect::<Result<Vec<_>, TurnsError>>())
+                .map_err(|error| error.to_string());
         });
+        let families = found.map_err(fail)?;
+        if families.is_empty() && speeds.is_empty() {
+            return Err(fail("there is no capsize speed, at which steady turns begin".to_owned()));
+        }
         if !has_equations {
             return Err(fail(format!("the model {} has no nonlinear equations", design.info().name)));
         }
-        let families = found.map_err(fail)?;
         let [positions, rates] = told;
         Ok(Self { design, positions, rates, families })
     }
+}
+
+/// The curve from each of some capsize speeds, and the others.
+fn curves(machine: &dyn Machine, speeds: &[f64]) -> Result<Vec<(Option<f64>, Turns)>, TurnsError> {
+    let from_capsize = |&speed: &f64| Turns::from_capsize(machine, speed);
+    let known = speeds.iter().map(from_capsize).collect::<Result<Vec<_>, _>>()?;
+    // What does not run on wheels has none.
+    let others = Turns::others(machine, &known).unwrap_or_default();
+    let known = speeds.iter().copied().map(Some).zip(known);
+    Ok(known.chain(others.into_iter().map(|turns| (None, turns))).collect())
 }
 
 /// What turns are told by: positions, and rates.
@@ -107,12 +120,13 @@ pub fn verdict(turn: &Turn) -> &'static str {
     }
 }
 
-/// Where a curve ends, in words.
+/// Where a curve ends or begins, in words.
 pub fn end(end: TurnsEnd) -> String {
     match end {
         TurnsEnd::Rest => "at rest, in an equilibrium".to_owned(),
         TurnsEnd::Straight => "in straight running".to_owned(),
         TurnsEnd::Fallen => "followed no further: it leans by 80 degrees, or is turned around".to_owned(),
+        TurnsEnd::Fast => "followed no further: it becomes ever faster".to_owned(),
         TurnsEnd::Lost(Some(error)) => format!("followed no further: {error}"),
         _ => "followed no further".to_owned(),
     }

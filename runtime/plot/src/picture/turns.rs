@@ -6,7 +6,7 @@ use super::graph::{Graph, Line, range, roomy};
 use super::motion::COLORS;
 use super::panels::finely;
 use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
-use crate::analysis::turns::{Families, verdict};
+use crate::analysis::turns::{Families, Family, verdict};
 use carvallo::turns::Turn;
 
 const WIDTH: f32 = 960.0;
@@ -20,7 +20,8 @@ const LARGEST: f64 = 4.0;
 
 /// The curves of a design.
 pub fn draw_turns(families: &Families) -> Scene {
-    let turns = || families.families.iter().flat_map(|family| &family.turns);
+    let drawn = drawn(families);
+    let turns = || drawn.iter().flat_map(|family| &family.turns);
     let x = roomy(range(turns().map(|turn| turn.speed).chain([0.0])));
     let angles = families.positions.iter().filter(|(_, told)| told.unit == "rad");
     let mut lines = Vec::new();
@@ -28,7 +29,7 @@ pub fn draw_turns(families: &Families) -> Scene {
         let value = |turn: &Turn| turn.positions[*place].to_degrees();
         add(
             &mut lines,
-            families,
+            &drawn,
             &format!("{} {}", told.label, told.name).replace("pitch pitch", "pitch"),
             color,
             &value,
@@ -43,7 +44,7 @@ pub fn draw_turns(families: &Families) -> Scene {
     let most = radii.get(radii.len() / 2).map_or(1.0, |median| finely(LARGEST * median));
     let goes_on = turns().any(|turn| turn.radius > most);
     let beyond = if goes_on { format!(", up to {most} m: it goes on to straight running") } else { String::new() };
-    add(&mut lines, families, &format!("radius{beyond}"), INK, &|turn| turn.radius);
+    add(&mut lines, &drawn, &format!("radius{beyond}"), INK, &|turn| turn.radius);
     let radius = Graph { title: "radius (m)", height: FLAT, x, y: (0.0, most), lines, note: None };
 
     let title = format!("Steady turns of {}", families.design.title());
@@ -55,13 +56,19 @@ pub fn draw_turns(families: &Families) -> Scene {
     scene
 }
 
+/// The curves that begin at capsize speeds; the others, which lean and steer much farther, where there is none of these.
+fn drawn<'a>(families: &'a Families) -> Vec<&'a Family> {
+    let from_capsize: Vec<&Family> = families.families.iter().filter(|family| family.capsize.is_some()).collect();
+    if from_capsize.is_empty() { families.families.iter().collect() } else { from_capsize }
+}
+
 /// A value of all turns: one line for each stretch that is stable, or is not; before them the name, solid if one of them is.
-fn add(lines: &mut Vec<Line>, families: &Families, name: &str, color: Color, value: &dyn Fn(&Turn) -> f64) {
+fn add(lines: &mut Vec<Line>, families: &[&Family], name: &str, color: Color, value: &dyn Fn(&Turn) -> f64) {
     let is_stable = |turn: &Turn| verdict(turn) == "stable";
-    let has_stable = families.families.iter().any(|family| family.turns.iter().any(is_stable));
+    let has_stable = families.iter().any(|family| family.turns.iter().any(is_stable));
     let paint = if has_stable { line(2.4) } else { UNSTABLE };
     lines.push(Line { name: Some(name.to_owned()), color, paint, curve: Curve::new() });
-    for family in &families.families {
+    for family in families {
         for pair in family.turns.windows(2) {
             let points = pair.iter().map(|turn| (turn.speed, value(turn))).filter(|point| point.1.is_finite());
             let paint = if pair.iter().all(is_stable) { line(2.4) } else { UNSTABLE };

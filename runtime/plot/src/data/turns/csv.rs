@@ -18,7 +18,7 @@ pub fn write_csv(Families { positions, rates, families, .. }: &Families, output:
     let rows = turns.map(|(capsize, turn)| {
         // Straight running has no radius.
         let radius = if turn.radius.is_finite() { exact(turn.radius) } else { String::new() };
-        let mut row = vec![exact(capsize), exact(turn.speed), radius];
+        let mut row = vec![capsize.map(exact).unwrap_or_default(), exact(turn.speed), radius];
         row.extend(positions.iter().map(|(place, _)| exact(turn.positions[*place] + 0.0)));
         row.extend(rates.iter().map(|(place, _)| exact(turn.rates[*place] + 0.0)));
         row.extend([exact(growth(turn)), verdict(turn).to_owned()]);

@@ -20,7 +20,9 @@ struct Document<'a> {
 
 #[derive(Serialize)]
 struct Curve {
-    capsize_speed: f64,
+    /// Nothing for a curve that begins elsewhere.
+    capsize_speed: Option<f64>,
+    begin: String,
     end: String,
     turns: Vec<Line<OneTurn>>,
 }
@@ -57,6 +59,7 @@ pub fn write_json(families: &Families, output: &mut dyn Write) -> Result<()> {
     };
     let curves = families.families.iter().map(|family| Curve {
         capsize_speed: family.capsize,
+        begin: end(family.begin),
         end: end(family.end),
         turns: family.turns.iter().map(turn).collect(),
     });
