@@ -6,7 +6,8 @@ use carvallo::{
 };
 use carvallo_design::{Design, Equations, Failure, matrices};
 
-use crate::analysis::extremes;
+use crate::analysis::reach::reach;
+use crate::analysis::{extremes, leans_and_steers};
 
 /// A design with the derivatives of its critical speeds.
 pub struct Changes {
@@ -113,6 +114,15 @@ impl Changes {
         of(CriticalKind::Weave).chain(of(CriticalKind::Capsize)).chain(of(CriticalKind::DoubleRoot)).collect()
     }
 
+    /// The ranked ones as far as graphs against the speed go, or all, if these show none. What is beyond decides nothing, and may
+    /// depend on everything.
+    pub fn within_reach(&self) -> Vec<(&CriticalSpeed, &Derivatives)> {
+        let reach = reach(&self.stability, leans_and_steers(self.design.info()));
+        let ranked = self.ranked();
+        let within: Vec<_> = ranked.iter().copied().filter(|(critical, _)| critical.speed <= reach).collect();
+        if within.is_empty() { ranked } else { within }
+    }
+
     /// Whether the parameters are the entries of given matrices.
     pub fn are_entries(&self) -> bool {
         matrices::is_called(self.design.info().name)
@@ -124,12 +134,13 @@ impl Changes {
         effect.is_finite().then_some(effect)
     }
 
-    /// The parameters that have an effect on the ranked speeds, the largest effect first; those whose 1 % is not known come
-    /// last. Of given matrices those entries are left out, of which there are many, each as good as a zero of structure.
+    /// The parameters that have an effect on the ranked speeds, the largest effect on one within reach first; those whose 1 % is
+    /// not known come last. Of given matrices those entries are left out, of which there are many, each as good as a zero of structure.
     pub fn order(&self) -> Vec<usize> {
         let ranked = self.ranked();
+        let within_reach = self.within_reach();
         let largest = |parameter: usize| {
-            let effects = ranked.iter().filter_map(|(_, derivatives)| self.effect(derivatives, parameter));
+            let effects = within_reach.iter().filter_map(|(_, derivatives)| self.effect(derivatives, parameter));
             effects.map(f64::abs).fold(-1.0, f64::max)
         };
         let has_effect = |&parameter: &usize| ranked.iter().any(|(_, derivatives)| derivatives.speed[parameter] != 0.0);

@@ -1,6 +1,6 @@
 //! The effects of parameters on the weave and capsize speeds as bars from zero to both sides, the largest first.
 
-use carvallo::{CriticalKind, Mode};
+use carvallo::{CriticalKind, CriticalSpeed, Mode};
 use carvallo_design::number::{fixed, shortest, unit};
 
 use super::axes::{INK, across};
@@ -21,6 +21,8 @@ const LEAST_ROW: f32 = 18.0;
 const LEGEND: f32 = 21.0;
 const LEGEND_TOP: f32 = 62.0;
 const BELOW: f32 = 82.0;
+/// The height of a line below everything.
+const NOTE: f32 = 19.0;
 const GRID: Color = Color(0xe4, 0xe4, 0xe4);
 /// Of the hue that it has against the speed, but lighter: bars side by side must differ also for who sees no hues.
 const CAPSIZE: Color = Color(0xea, 0xa2, 0x21);
@@ -48,7 +50,8 @@ pub fn draw_tornado(changes: &Changes) -> Option<Scene> {
     let top = LEGEND_TOP + LEGEND * series.len() as f32;
     let bottom = top + row_height * rows.len() as f32 + GAP;
     let title = format!("Sensitivity of {}: what 1 % of each parameter changes", changes.design.title());
-    let mut scene = Scene::new(title.clone(), WIDTH, bottom + BELOW);
+    let notes = notes(changes, &rows);
+    let mut scene = Scene::new(title.clone(), WIDTH, bottom + BELOW + NOTE * notes.len().saturating_sub(1) as f32);
     scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
 
     let steps = rows.iter().map(|row| font::width(&row.step, TEXT_SIZE)).fold(0.0, f32::max);
@@ -73,18 +76,42 @@ pub fn draw_tornado(changes: &Changes) -> Option<Scene> {
         }
     }
     frame(extent, [left, top, RIGHT, bottom], &x, &mut scene);
-    if rows.iter().any(|row| row.step.starts_with('*')) {
-        let note = "* zero itself: 1 % of the median size of the others in the same unit, of an angle 1 % of a radian";
-        scene.text((24.0, bottom + 70.0), Anchor::Start, TEXT_SIZE, INK.lighter(0.4), note);
+    for (index, note) in notes.iter().enumerate() {
+        scene.text((24.0, bottom + 70.0 + NOTE * index as f32), Anchor::Start, TEXT_SIZE, INK.lighter(0.4), note);
     }
     Some(scene)
 }
 
+/// What the chart cannot show.
+fn notes(changes: &Changes, rows: &[Row]) -> Vec<String> {
+    let mut notes = Vec::new();
+    if rows.iter().any(|row| row.step.starts_with('*')) {
+        notes.push(
+            "* zero itself: 1 % of the median size of the others in the same unit, of an angle 1 % of a radian"
+                .to_owned(),
+        );
+    }
+    let drawn = changes.within_reach().len();
+    let mut beyond: Vec<&CriticalSpeed> = changes.ranked().into_iter().map(|(critical, _)| critical).collect();
+    if drawn < beyond.len() {
+        beyond.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let beyond: Vec<String> = beyond[drawn..].iter().map(|critical| title(critical, changes)).collect();
+        notes.push(format!("Not drawn, beyond the speeds that matter: {}", beyond.join("; ")));
+    }
+    notes
+}
+
+/// `weave speed, 4.2924 m/s`.
+fn title(critical: &CriticalSpeed, changes: &Changes) -> String {
+    let name = name(critical, changes.design.info()).replace('_', "-");
+    format!("{name} speed, {} m/s", fixed(critical.speed, 4))
+}
+
 fn rows(changes: &Changes) -> Vec<Row> {
-    let (info, ranked) = (changes.design.info(), changes.ranked());
+    let (info, shown) = (changes.design.info(), changes.within_reach());
     let row = |parameter: usize| {
         let effects: Option<Vec<f64>> =
-            ranked.iter().map(|(_, derivatives)| changes.effect(derivatives, parameter)).collect();
+            shown.iter().map(|(_, derivatives)| changes.effect(derivatives, parameter)).collect();
         let (info, step) = (&info.parameters[parameter], changes.steps[parameter].size()?);
         // Angles are shown in degrees, as on maps.
         let (step, unit) = match info.unit {
@@ -96,26 +123,28 @@ fn rows(changes: &Changes) -> Vec<Row> {
         let sign = if step < 0.0 { "" } else { "+" };
         let mark = if matches!(changes.steps[parameter], Step::OfScale(_)) { "* " } else { "" };
         let step = format!("{mark}{sign}{}{unit}", shortest(rounded)).replace('-', "−");
-        Some(Row { symbol: info.symbol.to_owned(), step: step.trim_end().to_owned(), effects: effects? })
+        let effects = effects.filter(|effects| effects.iter().any(|effect| *effect != 0.0))?;
+        Some(Row { symbol: info.symbol.to_owned(), step: step.trim_end().to_owned(), effects })
     };
     changes.order().into_iter().filter_map(row).collect()
 }
 
 /// What the bars of a parameter stand for, and their colours; of several critical speeds of a kind the later are lighter.
 fn series(changes: &Changes) -> Vec<(String, Color)> {
-    let ranked = changes.ranked();
-    let entry = |(index, (critical, _)): (usize, &(&carvallo::CriticalSpeed, _))| {
-        let name = name(critical, changes.design.info()).replace('_', "-");
+    let shown = changes.within_reach();
+    let entry = |(index, (critical, _)): (usize, &(&CriticalSpeed, _))| {
+        let name = |critical| name(critical, changes.design.info());
         let color = match critical.kind {
+            CriticalKind::Weave if name(critical) == "wobble" => color(Mode::Wobble),
             CriticalKind::Weave => color(Mode::Weave),
             CriticalKind::Capsize => CAPSIZE,
             CriticalKind::DoubleRoot => INK.lighter(0.3),
         };
-        let before = ranked[..index].iter().filter(|(other, _)| other.kind == critical.kind).count();
+        let before = shown[..index].iter().filter(|(other, _)| name(other) == name(critical)).count();
         let color = color.lighter((0.4 * before as f32).min(0.8));
-        (format!("{name} speed, {} m/s", fixed(critical.speed, 4)), color)
+        (title(critical, changes), color)
     };
-    ranked.iter().enumerate().map(entry).collect()
+    shown.iter().enumerate().map(entry).collect()
 }
 
 fn legend(series: &[(String, Color)], left: f32, scene: &mut Scene) {

@@ -1,7 +1,7 @@
 //! Maps of two parameters.
 
 use crate::Directory;
-use crate::pictures::texts;
+use crate::pictures::{points, texts};
 
 fn map(arguments: &[&str]) -> (Vec<String>, String) {
     let directory = Directory::of_this_test();
@@ -44,8 +44,7 @@ fn a_map_has_axes_scales_and_a_legend() {
 fn cells_stand_at_their_values() {
     let (_, svg) = map(&["--vary", "w=-1,1.02", "--vary", "mB=80,90"]);
     let path = svg.lines().find(|line| line.contains(ERROR)).unwrap();
-    let data = path.split_once(" d=\"").unwrap().1.split_once('"').unwrap().0;
-    let xs = data.split(['M', 'L', 'Z']).filter_map(|point| point.split_once(' ')?.0.parse::<f64>().ok());
+    let xs = points(path).into_iter().map(|(x, _)| x);
     let (low, high) = xs.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
     // A panel is 400 wide, and cells overlap a little.
     assert!((high - low - 200.0).abs() < 1.0, "{low} to {high}");
