@@ -9,7 +9,7 @@ use crate::number::Number;
 use crate::number::lane::{Lane, UPPER_HALF};
 use crate::number::real::Real;
 use crate::number::sealed::Sealed;
-use crate::number::trigonometry::sin_cos_of_lanes;
+use crate::number::trigonometry::double::sin_cos_of_lanes;
 
 /// A register of `f64` at the level `S` of the processor's instructions.
 #[derive(Clone, Copy)]

@@ -123,7 +123,11 @@ impl Body {
             Instruction::Sqrt(a) => call(precision.function("sqrt"), a),
             Instruction::Sin(a) => call(format!("carvallo_sin_{}", precision.name()), a),
             Instruction::Cos(a) => call(format!("carvallo_cos_{}", precision.name()), a),
-            Instruction::Tan(a) => call(precision.function("tan"), a),
+            // In double precision that of the platform, as in Rust.
+            Instruction::Tan(a) => match precision {
+                Precision::Double => call(precision.function("tan"), a),
+                Precision::Single => call(format!("carvallo_tan_{}", precision.name()), a),
+            },
             Instruction::Parameter(_) => unreachable!("they are read"),
             Instruction::Power(..) => unreachable!("the pass `powers` leaves none"),
         }

@@ -132,7 +132,8 @@ fn emit_header(context: &Context, file: &str) -> String {
 }
 
 fn emit_source(context: &Context, file: &str) -> String {
-    let has_trigonometry = context.has(|instruction| matches!(instruction, Instruction::Sin(_) | Instruction::Cos(_)));
+    let has_trigonometry = context
+        .has(|instruction| matches!(instruction, Instruction::Sin(_) | Instruction::Cos(_) | Instruction::Tan(_)));
     let needs_math = context.has(|instruction| match instruction {
         Instruction::Sqrt(_) | Instruction::Tan(_) => true,
         Instruction::Constant(value) => Precision::Single.is_too_large(value),

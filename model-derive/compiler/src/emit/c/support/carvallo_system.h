@@ -9,10 +9,9 @@
  * precision throughout and `NAME_f32_…` in single; one without the other is linked where functions have sections of their
  * own (`-ffunction-sections -fdata-sections`, and `--gc-sections` for the linker).
  *
- * The numbers are those of the crate `carvallo`, to the last bit in double precision, where the compiler rounds each
+ * The numbers are those of the crate `carvallo`, to the last bit in both precisions, where the compiler rounds each
  * operation: GCC and Clang with `-ffp-contract=off` (GCC contracts by default unless it is told `-std=c99`), without
- * `-ffast-math`, and not on the x87. In single precision they are as far as `sinf`, `cosf` and `tanf` are the same. With
- * operations contracted, results differ in their last bits, and are no worse.
+ * `-ffast-math`, and not on the x87. With operations contracted, results differ in their last bits, and are no worse.
  */
 
 #ifndef CARVALLO_SYSTEM_H

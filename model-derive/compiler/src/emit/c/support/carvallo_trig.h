@@ -2,12 +2,15 @@
 
 /**
  * @file carvallo_trig.h
- * @brief Sine and cosine, for models with angles.
+ * @brief Sine, cosine and tangent, for models with angles.
  *
- * In double precision they are computed here, by the same steps as in the crate `carvallo`, so that models give the
- * same bits on every processor, whichever libm is linked: up to 1e5 rad, and beyond by `sin` and `cos` of libm. The
- * result differs from the exact one by less than one unit in the last place. In single precision they are `sinf` and
- * `cosf` of libm.
+ * They are computed here, by the same steps as in the crate `carvallo`, so that models give the same bits on every
+ * processor, whichever libm is linked; in double precision up to 1e5 rad, and beyond by `sin` and `cos` of libm. The
+ * result differs from the exact one by less than one unit in the last place.
+ *
+ * In single precision there is no operation of doubles, and that accuracy up to 1e5 rad (of the tangent 1.2
+ * units). Beyond, they are those of an angle that differs by less than one unit in its last place; and
+ * beyond 2^22 rad, where these units are half a radian and more, those of zero.
  *
  * For sines of your own (a table, an instruction of the processor, a safety library) compile `carvallo_trig.c` with
  * `CARVALLO_OWN_SIN_COS_F64` or `CARVALLO_OWN_SIN_COS_F32` defined, and define the function `carvallo_sin_cos_f64` or
@@ -50,6 +53,9 @@ float carvallo_sin_f32(float angle);
 
 /** The cosine of an angle in rad, in single precision. */
 float carvallo_cos_f32(float angle);
+
+/** The tangent of an angle in rad, in single precision. */
+float carvallo_tan_f32(float angle);
 
 #ifdef __cplusplus
 }

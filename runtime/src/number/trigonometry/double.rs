@@ -95,17 +95,3 @@ fn far(angle: f64) -> (f64, f64) {
     #[cfg(not(feature = "std"))]
     libm::sincos(angle)
 }
-
-/// Sine and cosine of an angle in rad in single precision, those of the platform.
-///
-/// LLVM knows them, and so puts loops over designs into lanes around them. Where it has AVX-512 it would gather the
-/// parameters, which takes three times as long as one design after the other; it does not around a call of what it does
-/// not know.
-#[cfg_attr(target_feature = "avx512f", inline(never))]
-#[cfg_attr(not(target_feature = "avx512f"), inline(always))]
-pub(crate) fn sin_cos_single(angle: f32) -> (f32, f32) {
-    #[cfg(feature = "std")]
-    return angle.sin_cos();
-    #[cfg(not(feature = "std"))]
-    libm::sincosf(angle)
-}
