@@ -11,6 +11,7 @@
 //! ```
 
 mod bodies;
+mod capacity;
 mod design;
 mod failure;
 pub mod input;
@@ -23,6 +24,7 @@ pub mod quantity;
 pub mod speeds;
 
 pub use self::bodies::body;
+pub use self::capacity::{Capacity, of_kind};
 pub use self::design::{Design, Deviation, Given};
 pub use self::failure::{Failure, Place, Problem};
 pub use self::model::{Equations, MODELS, MachineVisitor, Sensitive, Shape, Shipped, Visitor, WHIPPLE};

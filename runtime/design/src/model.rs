@@ -9,7 +9,8 @@ use std::marker::PhantomData;
 use carvallo::simulation::{LinearMotion, Machine};
 use carvallo::{
     Branches, Coefficients, Complex, CoordinateInfo, CriticalDerivative, CriticalSpeed, Eigenvectors, Matrix,
-    MatrixName, Model, ModelInfo, ParameterStability, Sensitivity, SensitivityError, Stability, States, SystemError,
+    MatrixName, Model, ModelInfo, ParameterStability, Sensitivity, SensitivityError, Stability, StateSpace, States,
+    SystemError,
 };
 use carvallo_models::Whipple;
 
@@ -260,6 +261,20 @@ pub trait Equations: Debug {
     /// If there is none, as for a singular mass matrix.
     fn motion(&self, speed: f64, gravity: f64) -> Result<LinearMotion, SystemError>;
 
+    /// The matrices M, C and K at a speed in m/s and a gravitational field strength in N/kg, row by row.
+    ///
+    /// # Errors
+    /// If there are none, as at rest with a C-1.
+    fn system(&self, speed: f64, gravity: f64) -> Result<[Vec<f64>; 3], SystemError>;
+
+    /// The matrices A and B of the state-space form `x' = A x + B f` at a speed in m/s and a gravitational field strength in
+    /// N/kg, row by row. The states x are the positions that are states, then the rates; the inputs f are the forces of all
+    /// coordinates.
+    ///
+    /// # Errors
+    /// If there are none, as for a singular mass matrix.
+    fn state_space(&self, speed: f64, gravity: f64) -> Result<[Vec<f64>; 2], SystemError>;
+
     /// The eigenvectors of all eigenvalues at a speed, given in any order, in the same order.
     ///
     /// # Errors
@@ -330,6 +345,34 @@ impl<const N: usize> Equations for Coefficients<f64, N> {
 
     fn motion(&self, speed: f64, gravity: f64) -> Result<LinearMotion, SystemError> {
         LinearMotion::new(&self.at(speed, gravity)?)
+    }
+
+    fn system(&self, speed: f64, gravity: f64) -> Result<[Vec<f64>; 3], SystemError> {
+        let system = self.at(speed, gravity)?;
+        Ok([&system.m, &system.c, &system.k].map(|matrix| matrix.transpose().as_slice().to_vec()))
+    }
+
+    fn state_space(&self, speed: f64, gravity: f64) -> Result<[Vec<f64>; 2], SystemError> {
+        let StateSpace { stiffness, damping, input, states } = self.at(speed, gravity)?.state_space()?;
+        let positions = (0..N).filter(|&index| states[index] != States::Rate);
+        let rates = (0..N).filter(|&index| states[index] != States::Position);
+        let [mut a, mut b] = [Vec::new(), Vec::new()];
+        let solved = |row: usize, a: &mut Vec<f64>, b: &mut Vec<f64>| {
+            a.extend(positions.clone().map(|column| stiffness[(row, column)]));
+            a.extend(rates.clone().map(|column| damping[(row, column)]));
+            b.extend(input.row(row).iter());
+        };
+        for row in positions.clone() {
+            if states[row] == States::Position {
+                solved(row, &mut a, &mut b);
+                continue;
+            }
+            a.extend(positions.clone().map(|_| 0.0));
+            a.extend(rates.clone().map(|column| if column == row { 1.0 } else { 0.0 }));
+            b.extend([0.0; N]);
+        }
+        rates.clone().for_each(|row| solved(row, &mut a, &mut b));
+        Ok([a, b])
     }
 
     fn eigenvectors(&self, speed: f64, gravity: f64, values: &[Complex<f64>]) -> Result<Vec<Shape>, SystemError> {

@@ -28,7 +28,7 @@ use crate::model::{Shipped, WHIPPLE};
 
 pub use self::names::position;
 pub use self::names::{Expected, Known, known};
-pub use self::shipped::DEFAULT_BICYCLE;
+pub use self::shipped::{DEFAULT_BICYCLE, default_name, names};
 pub use self::value::{evaluated, measured};
 
 /// Where the parameters come from.
@@ -76,23 +76,51 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
             expected.name()
         )));
     };
-    let (label, document) = if let Some(document) = shipped.and_then(|shipped| shipped::find(shipped, name)) {
-        (name, document)
+    let (label, document) = open(shipped, name)?;
+    resolve(document, label, asked, overrides)
+}
+
+/// Reads and judges what ships for a model under a name, or a file for it.
+///
+/// # Errors
+/// Everything that is wrong with the name or the file, or that the file cannot be read.
+pub fn load_for(model: &'static Shipped, name: &str) -> Result<Design, Failure> {
+    let (label, document) = open(Some(model), name)?;
+    resolve(document, label, Some(Kind::Shipped(model)), Vec::new())
+}
+
+/// Judges values for a model, each with its name as files have it.
+///
+/// # Errors
+/// Everything that is wrong with them.
+pub fn given(
+    model: &'static Shipped,
+    label: &str,
+    values: impl IntoIterator<Item = (String, String)>,
+) -> Result<Design, Failure> {
+    let entry = |(name, text): (String, String)| Entry::from_text(&name, Place::Option(label.to_owned()), &text);
+    let document = Document { entries: values.into_iter().map(entry).collect(), ..Document::default() };
+    resolve(document, label, Some(Kind::Shipped(model)), Vec::new())
+}
+
+/// What ships under a name, or what is in a file or the standard input; with what it is called.
+fn open<'a>(shipped: Option<&Shipped>, name: &'a str) -> Result<(&'a str, Document), Failure> {
+    if let Some(document) = shipped.and_then(|shipped| shipped::find(shipped, name)) {
+        Ok((name, document))
     } else if name == "-" {
         let mut bytes = Vec::new();
         let read = std::io::stdin().lock().read_to_end(&mut bytes);
         read.map_err(|error| Failure::Run(format!("cannot read the standard input: {error}")))?;
-        ("<stdin>", parse("<stdin>", bytes)?)
+        Ok(("<stdin>", parse("<stdin>", bytes)?))
     } else if Path::new(name).exists() {
         let bytes = std::fs::read(name).map_err(|error| Failure::Run(format!("cannot read {name}: {error}")))?;
-        (name, parse(name, bytes)?)
+        Ok((name, parse(name, bytes)?))
     } else {
-        return Err(Failure::usage(match shipped {
+        Err(Failure::usage(match shipped {
             Some(shipped) => shipped::unknown(shipped, name),
             None => format!("there is no file {name}"),
-        }));
-    };
-    resolve(document, label, asked, overrides)
+        }))
+    }
 }
 
 /// Reads and judges the contents of a file; the ending of its label tells the format, or else what is in it.

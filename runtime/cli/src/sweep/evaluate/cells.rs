@@ -4,9 +4,10 @@ use std::borrow::Cow;
 use std::slice::IterMut;
 
 use carvallo::{Complex, CriticalKind, Stability, Verdict};
+use carvallo_design::{Capacity, of_kind};
 
 use super::solution::Solution;
-use crate::sweep::table::{Capacity, Column, Layout, of_kind};
+use crate::sweep::table::{Column, Layout};
 
 /// The columns that the next values of a row go to.
 pub struct Cells<'a>(IterMut<'a, Column>);

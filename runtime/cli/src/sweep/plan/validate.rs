@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use carvallo::{MatrixName, ModelInfo};
 use carvallo_design::input::{is_same_file, position};
 use carvallo_design::number::shortest;
-use carvallo_design::{Failure, Place, Problem, Shipped, speeds};
+use carvallo_design::{Capacity, Failure, Place, Problem, Shipped, speeds};
 
 use crate::sweep::generate::{Axis, Random};
 use crate::sweep::options::Options;
-use crate::sweep::table::{Capacity, Format};
+use crate::sweep::table::Format;
 
 /// More speeds than this would make tables that nobody reads.
 const MAX_SPEEDS: usize = 100;

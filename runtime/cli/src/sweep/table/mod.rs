@@ -10,7 +10,7 @@ use carvallo::StableRange;
 
 pub use self::columns::{Column, Heading, Kind};
 pub use self::format::{Format, parquet_message};
-pub use self::layout::{Capacity, Layout, of_kind};
+pub use self::layout::Layout;
 
 /// Some designs, in columns.
 #[derive(Debug)]

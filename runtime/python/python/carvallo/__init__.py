@@ -1,0 +1,49 @@
+"""Stability of bicycles and of other machines: matrices, eigenvalues, critical speeds.
+
+Every model that ships is here under its name, and calling it makes a design::
+
+    >>> import carvallo
+    >>> pista = carvallo.Whipple("pista")
+    >>> pista.eigenvalues(5.0)
+    >>> pista.critical_speeds()
+    >>> heavier = pista.replace(mB=numpy.linspace(60, 120, 1001))
+    >>> heavier.stability().stable_from
+
+``carvallo.models()`` has all of them, ``help(carvallo.Whipple)`` its parameters. Values are in SI units, angles in rad, or texts
+with a unit, as ``"18 deg"``. What is wrong is a ValueError that says so in the words of the command line.
+"""
+
+from typing import TYPE_CHECKING
+
+from ._carvallo import __version__
+from .design import Design, Eigenvectors, StateSpace, System, read
+from .model import Coordinate, Model, Parameter, models
+from .motion import Motion
+from .stability import CriticalSpeed, Range, Stability
+from .tables import stability
+
+globals().update(models())
+
+if TYPE_CHECKING:
+
+    def __getattr__(name: str) -> Model: ...
+
+
+__all__ = [
+    "Coordinate",
+    "CriticalSpeed",
+    "Design",
+    "Eigenvectors",
+    "Model",
+    "Motion",
+    "Parameter",
+    "Range",
+    "Stability",
+    "StateSpace",
+    "System",
+    "__version__",
+    "models",
+    "read",
+    "stability",
+    *models(),
+]

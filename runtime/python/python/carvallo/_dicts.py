@@ -1,0 +1,60 @@
+"""What goes to and fro between this package and its extension module."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from ._carvallo import Kernel
+
+
+class Loaded(TypedDict):
+    """A design that was read; parameters in the order of the model, deviations 0 where there is none."""
+
+    kernel: Kernel
+    name: str
+    kind: str | None
+    source: str | None
+    values: list[float]
+    deviations: list[float]
+    notes: list[str]
+    warnings: list[str]
+
+
+class About(TypedDict):
+    """What is known of a design beside its parameters."""
+
+    name: str
+    kind: str | None
+    source: str | None
+    deviations: list[float]
+
+
+class Asked(TypedDict):
+    """What a motion begins with, what acts on it, and by which equations it goes."""
+
+    speed: float
+    times: list[float]
+    initial: list[str]
+    constant: list[str]
+    varying: list[tuple[str, list[tuple[float, float]]]]
+    linear: bool
+
+
+class Told(TypedDict):
+    """A motion as arrays, by time and quantity."""
+
+    is_linear: bool
+    quantities: list[tuple[str, str, str]]
+    wheels: list[str]
+    t: NDArray[np.float64]
+    positions: NDArray[np.float64]
+    rates: NDArray[np.float64]
+    accelerations: NDArray[np.float64]
+    energy: NDArray[np.float64] | None
+    contact_forces: NDArray[np.float64]
+    end: str | None
+    notes: list[str]

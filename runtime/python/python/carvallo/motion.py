@@ -1,0 +1,113 @@
+"""Motions in time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._dicts import Asked
+
+if TYPE_CHECKING:
+    from .design import Design
+
+Force = Union[float, str, "tuple[ArrayLike, ArrayLike]"]
+"""A constant in SI units, a text with a unit, or times in s with a force at each, linear between them."""
+
+ROWS = 100
+"""Steps of a motion, unless it is said how many."""
+
+
+class Motion(Mapping[str, NDArray[np.float64]]):
+    """A motion in time. It maps names to arrays over :attr:`t`: ``phi`` to the position, ``phi_rate`` to the rate, and
+    ``phi_acceleration`` to the acceleration, in rad, rad/s and rad/s^2, or m, m/s and m/s^2."""
+
+    t: NDArray[np.float64]
+    """The times in s."""
+    is_linear: bool
+    """Whether it is by the linear equations."""
+    units: dict[str, str]
+    """The units of the positions, by their names."""
+    energy: NDArray[np.float64] | None
+    """Kinetic and potential energy in J, of shape (times, 2); None of linear motions."""
+    contact_forces: dict[str, NDArray[np.float64]]
+    """The force of the ground in N on each wheel that touches it, of shape (times, 3), z downward; none of linear motions."""
+    end: str | None
+    """Why it ended before its time, as by a fall; None if it did not. Rows end there."""
+    notes: tuple[str, ...]
+    """What happened on the way: a stop, or a wheel that would lift off."""
+
+    def __init__(self, design: Design, asked: Asked) -> None:
+        self._design, self._designs, self._asked = design, design._one(), asked
+        told = self._designs.simulate(design._about, asked)
+        self.t, self.is_linear, self.energy, self.end = told["t"], told["is_linear"], told["energy"], told["end"]
+        self.notes = tuple(told["notes"])
+        self.units = {name: unit for name, _, unit in told["quantities"]}
+        self.contact_forces = {name: told["contact_forces"][:, place] for place, name in enumerate(told["wheels"])}
+        kinds = (("", told["positions"]), ("_rate", told["rates"]), ("_acceleration", told["accelerations"]))
+        self._columns = {f"{name}{suffix}": rows[:, place] for suffix, rows in kinds for place, name in enumerate(self.units)}
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        return self._columns[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def svg(self) -> str:
+        """The motion against time, with the linear one beside a nonlinear one and the paths of wheels, as SVG."""
+        return self._designs.motion_svg(self._design._about, self._asked)
+
+    def _repr_svg_(self) -> str | None:
+        return self.svg() if self.t[-1] > 0.0 else None
+
+    def __repr__(self) -> str:
+        kind = "linear" if self.is_linear else "nonlinear"
+        return f"<{kind} motion of {self._design.name}: {len(self.t)} rows to {self.t[-1]:g} s{f'; {self.end}' if self.end else ''}>"
+
+
+def simulate(design: Design, v: float, duration: float | None, times: ArrayLike | None, initial: Mapping[str, float | str],
+             forces: Mapping[str, Force], linear: bool) -> Motion:
+    """The motion of one design; what :meth:`Design.simulate` does."""
+    constant, varying = [], []
+    for name, force in forces.items():
+        if isinstance(force, tuple):
+            at, values = (np.asarray(part, dtype=np.float64) for part in force)
+            if at.ndim != 1 or at.shape != values.shape:
+                raise ValueError(f"the force `{name}` has times of shape {at.shape} and values of shape {values.shape}")
+            varying.append((name, list(zip(at.tolist(), values.tolist()))))
+        else:
+            constant.append(f"{name}={_text(force)}")
+    asked: Asked = {
+        "speed": float(v),
+        "times": _times(duration, times),
+        "initial": [f"{name}={_text(value)}" for name, value in initial.items()],
+        "constant": constant,
+        "varying": varying,
+        "linear": linear,
+    }
+    return Motion(design, asked)
+
+
+def _times(duration: float | None, times: ArrayLike | None) -> list[float]:
+    if (duration is None) == (times is None):
+        raise ValueError("expected either `duration` in s or `times` in s")
+    if times is not None:
+        asked: list[float] = np.asarray(times, dtype=np.float64).ravel().tolist()
+        if not asked or asked[0] != 0.0:
+            raise ValueError(f"the first time is {asked[0] if asked else 'missing'}; it must be 0 s, where the motion begins")
+        return asked
+    if not (duration is not None and 0.0 <= duration < np.inf):
+        raise ValueError(f"the duration is {duration} s; it must be >= 0")
+    return np.linspace(0.0, duration, ROWS + 1).tolist() if duration > 0.0 else [0.0]
+
+
+def _text(value: Any) -> str:
+    return value if isinstance(value, str) else repr(float(value))
+
+
+__all__ = ["Motion"]

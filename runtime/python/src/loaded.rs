@@ -1,0 +1,58 @@
+//! Designs by the names of what ships, by files and by values, as the command line reads them.
+
+use carvallo_design::{Design, Failure, Given, input};
+use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::{IntoPyObject, PyErr};
+
+use crate::kernel::Kernel;
+
+/// A design that was read, with what there is to say of it.
+#[derive(IntoPyObject)]
+pub struct Loaded {
+    kernel: Kernel,
+    name: String,
+    kind: Option<String>,
+    source: Option<String>,
+    /// In the order of the model.
+    values: Vec<f64>,
+    /// The standard deviations; 0 where there is none.
+    deviations: Vec<f64>,
+    notes: Vec<String>,
+    warnings: Vec<String>,
+}
+
+impl From<Design> for Loaded {
+    fn from(design: Design) -> Self {
+        let deviation = |given: &Given| given.deviation.as_ref().map_or(0.0, |deviation| deviation.value);
+        Self {
+            kernel: Kernel::new(design.model),
+            values: design.values(),
+            deviations: design.parameters.iter().map(deviation).collect(),
+            name: design.name,
+            kind: design.kind,
+            source: design.source,
+            notes: design.notes,
+            warnings: design.warnings,
+        }
+    }
+}
+
+/// What is wrong with input is a ValueError, and what cannot be read an OSError; there the message of the command line stands.
+pub fn raise(failure: Failure) -> PyErr {
+    match failure {
+        Failure::Input(_) => PyValueError::new_err(failure.to_string()),
+        Failure::Run(message) if message.starts_with("cannot read") => PyOSError::new_err(message),
+        Failure::Run(message) => PyValueError::new_err(message),
+    }
+}
+
+/// Reads a file, which may name its model.
+#[pyfunction]
+pub fn read(path: String) -> PyResult<Loaded> {
+    if !std::path::Path::new(&path).exists() {
+        return Err(raise(Failure::usage(format!("there is no file {path}"))));
+    }
+    let request = input::Request { parameters: Some(path), ..Default::default() };
+    input::load(&request).map(Loaded::from).map_err(raise)
+}

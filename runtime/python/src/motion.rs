@@ -1,0 +1,162 @@
+//! Motions in time of one design.
+
+use carvallo::simulation::Force;
+use carvallo_design::{Design, Failure};
+use carvallo_plot::analysis::simulation::{Given, Linear, Motion, Nonlinear, Row, Solver, read};
+use carvallo_plot::picture::draw_motion;
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods as _};
+use pyo3::prelude::*;
+
+use crate::designs::Designs;
+use crate::loaded::raise;
+use crate::one::About;
+
+/// What a motion begins with, what acts on it, and by which equations it goes.
+#[derive(FromPyObject)]
+pub struct Asked {
+    /// Forward, in m/s.
+    #[pyo3(item)]
+    speed: f64,
+    /// In s, from 0.
+    #[pyo3(item)]
+    times: Vec<f64>,
+    /// `phi=5 deg`.
+    #[pyo3(item)]
+    initial: Vec<String>,
+    /// `delta=2 N m`.
+    #[pyo3(item)]
+    constant: Vec<String>,
+    /// Names with points of time and force.
+    #[pyo3(item)]
+    varying: Vec<(String, Vec<(f64, f64)>)>,
+    #[pyo3(item)]
+    linear: bool,
+}
+
+/// How many rows a picture is drawn from, but one.
+const DRAWN: u32 = 1000;
+
+impl Asked {
+    fn solve<'a>(&self, design: &'a Design, solver: &dyn Solver, times: &[f64]) -> Result<Motion<'a>, Failure> {
+        // A force that varies is zero at first, so that its name is judged as all others.
+        let zero = self.varying.iter().map(|(name, _)| format!("{name}=0"));
+        let forces: Vec<String> = self.constant.iter().cloned().chain(zero).collect();
+        let end = times.last().copied().unwrap_or(0.0);
+        let mut given: Given = read(solver, design, &self.initial, &forces, end).map_err(Failure::Input)?;
+        for (name, points) in &self.varying {
+            let is_called = |names: &[String]| names.iter().any(|own| own.eq_ignore_ascii_case(name.trim()));
+            let force = Force::through(points);
+            let force = force.map_err(|error| Failure::usage(format!("the force `{name}`: {error}")))?;
+            if let Some(channel) = solver.channels().iter().position(|channel| is_called(&channel.names)) {
+                given.forces[channel] = force;
+            }
+        }
+        solver.run(design, &given, self.speed, times, &|_| {})
+    }
+
+    fn linear<'a>(&self, design: &'a Design, times: &[f64]) -> Result<Motion<'a>, Failure> {
+        self.solve(design, &Linear::new(design), times)
+    }
+
+    /// The motion by the nonlinear equations, unless the linear ones were asked for or there are no others.
+    fn motion<'a>(&self, design: &'a Design, times: &[f64]) -> Result<Motion<'a>, Failure> {
+        let mut found = None;
+        if !self.linear {
+            design.with_machine(&mut |machine| found = Some(self.solve(design, &Nonlinear::new(machine), times)));
+        }
+        found.unwrap_or_else(|| self.linear(design, times))
+    }
+
+    fn picture(&self, design: &Design) -> Result<String, Failure> {
+        let motion = self.motion(design, &self.times)?;
+        let end = motion.rows.last().map_or(0.0, |row| row.t);
+        let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();
+        let drawn = self.motion(design, &fine)?;
+        let linear = (!drawn.is_linear).then(|| self.linear(design, &fine)).transpose()?;
+        Ok(draw_motion(&drawn, linear.as_ref()).svg())
+    }
+}
+
+/// A motion as arrays.
+#[derive(IntoPyObject)]
+pub struct Told<'py> {
+    is_linear: bool,
+    quantities: Vec<(&'static str, &'static str, &'static str)>,
+    wheels: Vec<&'static str>,
+    t: Bound<'py, PyArray1<f64>>,
+    /// By time and quantity.
+    positions: Bound<'py, PyArray2<f64>>,
+    rates: Bound<'py, PyArray2<f64>>,
+    accelerations: Bound<'py, PyArray2<f64>>,
+    /// By time: kinetic and potential.
+    energy: Option<Bound<'py, PyArray2<f64>>>,
+    /// By time, wheel and axis.
+    contact_forces: Bound<'py, PyArray3<f64>>,
+    end: Option<String>,
+    notes: Vec<String>,
+}
+
+/// What is left of a motion when the design that it is of has gone.
+struct Rows {
+    is_linear: bool,
+    quantities: Vec<(&'static str, &'static str, &'static str)>,
+    wheels: Vec<&'static str>,
+    rows: Vec<Row>,
+    end: Option<String>,
+    notes: Vec<String>,
+}
+
+impl Rows {
+    fn of(motion: Motion) -> Self {
+        let quantities = motion.quantities.iter().map(|quantity| (quantity.name, quantity.label, quantity.unit));
+        Self {
+            is_linear: motion.is_linear,
+            quantities: quantities.collect(),
+            wheels: motion.wheels,
+            rows: motion.rows,
+            end: motion.end,
+            notes: motion.notes,
+        }
+    }
+
+    fn told<'py>(self, py: Python<'py>) -> PyResult<Told<'py>> {
+        let Self { rows, quantities, wheels, .. } = &self;
+        let (count, width, wheel_count) = (rows.len(), quantities.len(), wheels.len());
+        let by_quantity = |of: fn(&Row) -> &[f64]| {
+            PyArray1::from_vec(py, rows.iter().flat_map(of).copied().collect()).reshape([count, width])
+        };
+        let energy: Option<Vec<[f64; 2]>> = rows.iter().map(|row| row.energy).collect();
+        let energy = energy
+            .filter(|_| count > 0)
+            .map(|energy| PyArray1::from_vec(py, energy.into_iter().flatten().collect()).reshape([count, 2]));
+        let forces: Vec<f64> = rows.iter().flat_map(|row| row.contact_forces.iter().flatten()).copied().collect();
+        Ok(Told {
+            t: PyArray1::from_vec(py, rows.iter().map(|row| row.t).collect()),
+            positions: by_quantity(|row| &row.positions)?,
+            rates: by_quantity(|row| &row.rates)?,
+            accelerations: by_quantity(|row| &row.accelerations)?,
+            energy: energy.transpose()?,
+            contact_forces: PyArray1::from_vec(py, forces).reshape([count, wheel_count, 3])?,
+            is_linear: self.is_linear,
+            quantities: self.quantities,
+            wheels: self.wheels,
+            end: self.end,
+            notes: self.notes,
+        })
+    }
+}
+
+#[pymethods]
+impl Designs {
+    /// The motion of one design.
+    fn simulate<'py>(&self, py: Python<'py>, about: About, asked: Asked) -> PyResult<Told<'py>> {
+        let design = self.described(py, about)?;
+        py.detach(|| asked.motion(&design.build()?, &asked.times).map(Rows::of)).map_err(raise)?.told(py)
+    }
+
+    /// The picture of a motion, as SVG.
+    fn motion_svg(&self, py: Python<'_>, about: About, asked: Asked) -> PyResult<String> {
+        let design = self.described(py, about)?;
+        py.detach(|| asked.picture(&design.build()?)).map_err(raise)
+    }
+}

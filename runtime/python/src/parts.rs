@@ -1,0 +1,77 @@
+//! Much work in parts: by several threads, without Python's lock, and until Ctrl-C.
+
+use std::ops::Range;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// Between two looks at whether the user pressed Ctrl-C.
+const PATIENCE: Duration = Duration::from_millis(50);
+
+/// Less than this is done at once: other threads would begin when it is over.
+const AT_ONCE: usize = 256;
+
+/// How many threads to use: as many as there are cores, unless it is said.
+///
+/// # Errors
+/// If it is said to be none.
+pub fn threads(asked: Option<usize>) -> PyResult<usize> {
+    match asked {
+        Some(0) => Err(PyValueError::new_err("`threads` is 0; it must be >= 1")),
+        Some(threads) => Ok(threads),
+        None => Ok(thread::available_parallelism().map_or(1, |cores| cores.get())),
+    }
+}
+
+/// Does `work` for the numbers from 0 to `count`, in parts of up to `size`, and gives what it gives for each part, in their
+/// order. Whatever the number of threads, the results are the same.
+///
+/// # Errors
+/// The first that the work has, as a ValueError; or what a handler of a signal raises, as KeyboardInterrupt.
+pub fn in_parts<T: Send + Sync>(
+    py: Python<'_>,
+    count: usize,
+    size: usize,
+    threads: usize,
+    work: impl Fn(Range<usize>) -> Result<T, String> + Sync,
+) -> PyResult<Vec<T>> {
+    let size = size.max(1);
+    if count <= size && count <= AT_ONCE {
+        return Ok(vec![work(0..count).map_err(PyValueError::new_err)?]);
+    }
+    let parts = count.div_ceil(size);
+    let results: Vec<OnceLock<Result<T, String>>> = (0..parts).map(|_| OnceLock::new()).collect();
+    let (next, stop) = (AtomicUsize::new(0), AtomicBool::new(false));
+    // Parts are taken in their order: before one that fails all others are done, and the first failure is the same always.
+    let do_next = || {
+        let part = next.fetch_add(1, Ordering::Relaxed);
+        if part >= parts || stop.load(Ordering::Relaxed) {
+            return false;
+        }
+        let result = work(part * size..count.min((part + 1) * size));
+        stop.fetch_or(result.is_err(), Ordering::Relaxed);
+        results[part].set(result).is_ok()
+    };
+    py.detach(|| {
+        thread::scope(|scope| {
+            for _ in 1..threads.min(parts) {
+                scope.spawn(|| while do_next() {});
+            }
+            let mut seen = Instant::now();
+            while do_next() {
+                if seen.elapsed() > PATIENCE {
+                    let signals = Python::attach(|py| py.check_signals());
+                    stop.fetch_or(signals.is_err(), Ordering::Relaxed);
+                    signals?;
+                    seen = Instant::now();
+                }
+            }
+            Ok::<(), PyErr>(())
+        })
+    })?;
+    results.into_iter().filter_map(OnceLock::into_inner).collect::<Result<_, _>>().map_err(PyValueError::new_err)
+}

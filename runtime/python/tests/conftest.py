@@ -1,0 +1,7 @@
+import carvallo
+import pytest
+
+
+@pytest.fixture
+def benchmark():
+    return carvallo.Whipple("benchmark")

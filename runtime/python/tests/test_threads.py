@@ -1,0 +1,49 @@
+"""Long computations let others run, and end on Ctrl-C."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import carvallo
+import numpy as np
+import pytest
+
+LONG = """
+import carvallo, numpy as np
+designs = carvallo.Motorcycle().replace(g=np.linspace(9, 10, 300_000))
+print("begun", flush=True)
+designs.stability(threads={threads})
+print("done", flush=True)
+"""
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_ends_it(threads):
+    environment = os.environ | {"PYTHONPATH": str(Path(carvallo.__file__).parents[1])}
+    program = subprocess.Popen([sys.executable, "-c", LONG.format(threads=threads)], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True, env=environment)
+    assert program.stdout.readline() == "begun\n"
+    time.sleep(0.5)
+    begun = time.monotonic()
+    program.send_signal(signal.SIGINT)
+    try:
+        out, errors = program.communicate(timeout=60)
+    finally:
+        program.kill()
+    assert "done" not in out and "KeyboardInterrupt" in errors and time.monotonic() - begun < 20
+
+
+def test_others_run_meanwhile():
+    designs = carvallo.Whipple("benchmark").replace(mB=np.linspace(60.0, 120.0, 200_000))
+    turns, is_done = 0, threading.Event()
+    worker = threading.Thread(target=lambda: (designs.eigenvalues(np.linspace(1, 10, 20), threads=1), is_done.set()))
+    worker.start()
+    while not is_done.is_set():
+        turns += 1
+        time.sleep(0.001)
+    worker.join()
+    assert turns > 10
