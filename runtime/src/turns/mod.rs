@@ -97,7 +97,7 @@ pub enum TurnsError {
 impl fmt::Display for TurnsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoTurns => f.write_str("the machine does not run on wheels that are free to turn"),
+            Self::NoTurns => f.write_str("it is no machine on wheels with one free speed beside what leans and steers, and only of these turns are found"),
             Self::Speed { speed } => write!(f, "the speed is {speed} m/s; it must be finite and > 0"),
             Self::NoBalance { speed } => {
                 write!(f, "at {speed} m/s no lean and steer are in balance; turns begin at a capsize speed")

@@ -89,7 +89,7 @@ impl Asked<'_> {
             let end = motion.rows.last().map_or(end, |row| row.t);
             let fine: Vec<f64> = (0..=DRAWN).map(|row| end * f64::from(row) / f64::from(DRAWN)).collect();
             let drawn = solved(solver, design, &given, speed, &fine)?;
-            let linear = (!drawn.is_linear).then(|| beside(&drawn, options, speed, &fine)).transpose()?;
+            let linear = if drawn.is_linear { None } else { beside(&drawn, options, speed, &fine)? };
             picture.write(&picture::draw_motion(&drawn, linear.as_ref()))?;
         }
         Ok(())
@@ -110,12 +110,23 @@ fn solved<'a>(
     Ok(motion)
 }
 
-/// The linear motion that is drawn beside a nonlinear one.
-fn beside<'a>(motion: &Motion<'a>, options: &Options, speed: f64, times: &[f64]) -> Result<Motion<'a>, Failure> {
+/// The linear motion that is drawn beside a nonlinear one, if it knows all that is given.
+fn beside<'a>(
+    motion: &Motion<'a>,
+    options: &Options,
+    speed: f64,
+    times: &[f64],
+) -> Result<Option<Motion<'a>>, Failure> {
     let linear = Linear::new(motion.design);
-    let given = read(&linear, motion.design, &options.initial, &options.force, times[times.len() - 1])
-        .map_err(Failure::Input)?;
-    linear.run(motion.design, &given, speed, times, &|_| {})
+    match read(&linear, motion.design, &options.initial, &options.force, times[times.len() - 1]) {
+        Ok(given) => linear.run(motion.design, &given, speed, times, &|_| {}).map(Some),
+        Err(problems) => {
+            let unknown: Vec<String> = problems.into_iter().map(|problem| problem.place.to_string()).collect();
+            let text = format!("the picture has no linear motion, which knows no {}", unknown.join(", "));
+            note(WARNING, "note", &text);
+            Ok(None)
+        }
+    }
 }
 
 fn tell(motion: &Motion, options: &Options) -> Result<(), Failure> {

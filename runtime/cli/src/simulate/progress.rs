@@ -48,7 +48,7 @@ impl Progress {
             let style = ProgressStyle::with_template("{wide_bar} {msg}, {eta} left");
             style.map_or(bar.clone(), |style| bar.with_style(style))
         });
-        bar.set_message(format!("{time:.3} s of {} s", self.duration));
+        bar.set_message(format!("{time:.3} s of {:.3} s", self.duration));
         bar.set_position((PARTS * time / self.duration) as u64);
     }
 
@@ -59,7 +59,7 @@ impl Progress {
         let left = left.map_or("more than a century".to_owned(), |left| format!("about {}", HumanDuration(left)));
         let elapsed = HumanDuration(elapsed);
         let text = format!(
-            "{time:.3} s of {} s after {elapsed}, {left} left; nothing is kept if it is stopped",
+            "{time:.3} s of {:.3} s after {elapsed}, {left} left; nothing is kept if it is stopped",
             self.duration
         );
         note(Style::new(), "progress", &text);

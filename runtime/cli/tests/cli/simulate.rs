@@ -178,6 +178,8 @@ fn force_files_are_read_with_care() {
         ("0,1\n1,2,3\n5,1\n", "force.csv:2: the line has 3 fields; expected a time in s and a force"),
         ("0,1\n1,x\n5,1\n", "force.csv:2: `x` must be a finite number: `x` is not known"),
         ("t,T\n", "force.csv: there is no line with a time and a force"),
+        ("time (days),force (N m)\n0,1\n5,1\n", "force.csv:1: `days` is no unit for it; it is in s"),
+        ("time,force [kg]\n0,1\n5,1\n", "force.csv:1: `kg` is no unit for it; it is in N m"),
         ("1,0\n5,1\n", "force.csv: the first time is 1 s; it must begin at 0 s, where the motion does"),
         ("0,0\n3,1\n", "force.csv: the last time is 3 s; it must reach 5 s, where the motion ends"),
     ] {
@@ -409,4 +411,41 @@ fn what_rolls_has_a_speed() {
     let note = "note: nothing in the model WheeledPendulum depends on the speed: --speed is ignored; what moves forward is x, \
                 whose rate is --initial x_rate=…\n";
     assert_eq!(simulate(&directory, &[&roll[..], &["--linear"]].concat()).stderr, note);
+}
+
+/// One torque as programs of all kinds write it: with other separators, decimal commas, quotes, and units of the columns.
+#[test]
+fn force_files_are_read_in_many_forms() {
+    let directory = Directory::of_this_test();
+    let ride = |text: &str| {
+        directory.write("force.csv", text);
+        let given = ["--speed", "5", "--force", "delta=force.csv", "--duration", "1", "--format", "csv"];
+        let run = simulate(&directory, &given);
+        assert_eq!(run.stderr, "", "{text}");
+        run.stdout
+    };
+    let plain = ride("0,0\n0.5,0.25\n1,0\n");
+    for text in [
+        "Zeit;Moment\n0;0\n0,5;0,25\n1;0\n",
+        "0\t0\n0,5\t0,25\n1\t0\n",
+        "0 0\n0.5 0.25\n1 0\n",
+        "0,0,\n0.5,0.25,\n1,0,\n",
+        "\"t\",\"T\"\n\"0\",\"0\"\n\"0.5\",\"0.25\"\n\"1\",\"0\"\n",
+        "time (ms),torque (Nm)\r\n0,0\r\n500,0.25\r\n1000,0\r\n",
+        "Time [min], torque\n0, 0\n0.5 s, 0.25 N m\n1 s, 0\n",
+    ] {
+        assert_eq!(ride(text), plain, "{text}");
+    }
+}
+
+/// What only nonlinear equations know, as the torque of a motor, is drawn without the linear motion.
+#[test]
+fn pictures_do_without_linear_motions_that_there_are_not() {
+    let directory = Directory::of_this_test();
+    let ride = ["--model", "WheeledPendulum", "--force", "TL=0.01", "--duration", "0.2", "--plot", "ride.svg"];
+    let run = simulate(&directory, &ride);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stderr.contains("note: the picture has no linear motion, which knows no --force TL=0.01\n"));
+    let svg = std::fs::read_to_string(directory.0.join("ride.svg")).expect("a picture");
+    assert!(!svg.contains("the same by the linear equations"));
 }

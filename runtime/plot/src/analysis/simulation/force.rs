@@ -79,6 +79,7 @@ fn read(path: &str, unit: &str, duration: f64) -> Result<Force, Vec<Problem>> {
     let of_file = |message: String| vec![Problem { place: Place::File(path.to_owned()), message }];
     let text = std::fs::read_to_string(path).map_err(|error| of_file(format!("cannot be read: {error}")))?;
     let mut points: Vec<(f64, f64)> = Vec::new();
+    let mut units = [None, None];
     let (mut lines, mut problems) = (Vec::new(), Vec::new());
     for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let line_number = index + 1;
@@ -86,13 +87,16 @@ fn read(path: &str, unit: &str, duration: f64) -> Result<Force, Vec<Problem>> {
         if line.is_empty() || line.starts_with('#') {
             continue;
         }
-        match point(line, unit) {
+        match point(line, unit, &units) {
             Ok(point) => {
                 points.push(point);
                 lines.push(line_number);
             }
             // The names of the columns.
-            Err(_) if points.is_empty() && problems.is_empty() && is_header(line) => {}
+            Err(_) if points.is_empty() && problems.is_empty() && is_header(line) => match header_units(line, unit) {
+                Ok(found) => units = found,
+                Err(message) => problems.push(Problem { place: Place::Line(path.to_owned(), line_number), message }),
+            },
             Err(message) => {
                 problems.push(Problem { place: Place::Line(path.to_owned(), line_number), message });
             }
@@ -128,15 +132,50 @@ fn read(path: &str, unit: &str, duration: f64) -> Result<Force, Vec<Problem>> {
     Ok(force)
 }
 
-/// A line with a time and a force, separated by a comma, a semicolon, a tab or spaces.
-fn point(line: &str, unit: &str) -> Result<(f64, f64), String> {
-    let separator = [',', ';', '\t'].into_iter().find(|separator| line.contains(*separator));
-    let fields: Vec<&str> = match separator {
-        Some(separator) => line.split(separator).map(str::trim).collect(),
-        None => line.split_whitespace().collect(),
+/// The fields of a line, separated by semicolons, tabs, commas or spaces, out of their quotes. Behind the last one there may be
+/// another separator; where it is no comma, numbers may have one in the place of the point.
+fn fields(line: &str) -> Vec<String> {
+    let separator = [';', '\t', ','].into_iter().find(|separator| line.contains(*separator));
+    let unquoted = |field: &str| field.trim().trim_matches('"').trim().to_owned();
+    let mut fields: Vec<String> = match separator {
+        Some(separator) => line.split(separator).map(unquoted).collect(),
+        None => line.split_whitespace().map(unquoted).collect(),
     };
-    match fields[..] {
-        [time, force] if !time.is_empty() && !force.is_empty() => Ok((number(time, "s")?, number(force, unit)?)),
+    if fields.len() > 2 && fields.last().is_some_and(String::is_empty) {
+        fields.pop();
+    }
+    if separator != Some(',') {
+        fields.iter_mut().for_each(|field| *field = field.replacen(',', ".", 1));
+    }
+    fields
+}
+
+/// The units that the names of the columns end with, in parentheses or brackets. Pure numbers have none.
+fn header_units(line: &str, unit: &str) -> Result<[Option<String>; 2], String> {
+    let mut units = [None, None];
+    for ((found, field), unit) in units.iter_mut().zip(fields(line)).zip(["s", unit]) {
+        let inner = [('(', ')'), ('[', ']')].into_iter().find_map(|(open, close)| {
+            field.strip_suffix(close)?.rsplit_once(open).map(|(_, inner)| inner.trim().to_owned())
+        });
+        let Some(inner) = inner.filter(|inner| !inner.is_empty() && unit != "1") else { continue };
+        number(&format!("1 {inner}"), unit)
+            .map_err(|_| format!("`{inner}` is no unit for it; it is in {}", carvallo_design::number::unit(unit)))?;
+        *found = Some(inner);
+    }
+    Ok(units)
+}
+
+/// A line with a time and a force, in the units of the columns where they have none of their own.
+fn point(line: &str, unit: &str, units: &[Option<String>; 2]) -> Result<(f64, f64), String> {
+    let fields = fields(line);
+    let value = |index: usize, unit: &str| match &units[index] {
+        Some(of_column) if fields[index].parse::<f64>().is_ok() => {
+            number(&format!("{} {of_column}", fields[index]), unit)
+        }
+        _ => number(&fields[index], unit),
+    };
+    match &fields[..] {
+        [time, force] if !time.is_empty() && !force.is_empty() => Ok((value(0, "s")?, value(1, unit)?)),
         [_, _] => Err("there is a gap; expected a time in s and a force".to_owned()),
         _ => {
             let fields = fields.len();
@@ -148,8 +187,7 @@ fn point(line: &str, unit: &str) -> Result<(f64, f64), String> {
 
 /// Whether no field of a line begins as a number does.
 fn is_header(line: &str) -> bool {
-    line.split([',', ';', '\t'])
-        .all(|field| field.trim().starts_with(|first: char| first.is_alphabetic() || first == '"'))
+    fields(line).iter().all(|field| field.starts_with(char::is_alphabetic))
 }
 
 fn number(text: &str, unit: &str) -> Result<f64, String> {

@@ -204,9 +204,13 @@ fn told<'a>(design: &'a Design, info: &MotionInfo, ride: Ride, mut notes: Vec<St
         _ => None,
     };
     let stops: Vec<f64> = ride.events.iter().filter(|(_, name)| name == STOP).map(|(stop, _)| *stop).collect();
-    notes.extend(stops.iter().take(MOST_STOPS).map(|stop| format!("at {} s it stops, and turns back", time(*stop))));
+    // By their times.
+    let mut happened: Vec<(f64, String)> = Vec::new();
+    let stop = |stop: &f64| (*stop, format!("at {} s it stops, and turns back", time(*stop)));
+    happened.extend(stops.iter().take(MOST_STOPS).map(stop));
     if let Some(last) = stops.get(MOST_STOPS..).and_then(<[f64]>::last) {
-        notes.push(format!("it stops {} times more, the last time at {} s", stops.len() - MOST_STOPS, time(*last)));
+        let more = stops.len() - MOST_STOPS;
+        happened.push((*last, format!("it stops {more} times more, the last time at {} s", time(*last))));
     }
     for (place, wheel) in info.wheels.iter().enumerate() {
         // z is downward: what would hold the wheel down.
@@ -216,9 +220,12 @@ fn told<'a>(design: &'a Design, info: &MotionInfo, ride: Ride, mut notes: Vec<St
         let pulled = rows.find(|row| row.contact_forces.get(place).is_some_and(|force| force[2] > HOLDS));
         if let Some(row) = pulled {
             let (name, at) = (wheel.label, time(row.time));
-            notes.push(format!("at {at} s the ground would have to hold the {name} down: a real one would lift off"));
+            let lifts = format!("at {at} s the ground would have to hold the {name} down: a real one would lift off");
+            happened.push((row.time, lifts));
         }
     }
+    happened.sort_by(|a, b| a.0.total_cmp(&b.0));
+    notes.extend(happened.into_iter().map(|(_, note)| note));
     let rows = ride.rows.into_iter().map(|row| Row {
         t: row.time,
         positions: arranged(&row.positions),
