@@ -133,12 +133,20 @@ impl AlongAnalysis {
         let found = equations.and_then(|equations| {
             equations.eigenvalues(self.speed.unwrap_or(0.0), gravity).map_err(|error| error.to_string())
         });
-        let eigenvalues = found.map_err(|error| {
-            let (title, name) = (self.design.title(), self.parameter.name);
-            Failure::Run(format!("{title} at {name} = {}: {error}", shortest(value)))
-        })?;
+        let eigenvalues = found.map_err(|error| self.failed(value, &error))?;
         let verdict = self.stability.verdict(value).unwrap_or(Verdict::Marginal);
         Ok(AtValue { value, verdict, eigenvalues })
+    }
+
+    /// That there is nothing at a value.
+    pub(super) fn failed(&self, value: f64, error: &str) -> Failure {
+        let (title, name) = (self.design.title(), self.parameter.name);
+        Failure::Run(format!("{title} at {name} = {}: {error}", shortest(value)))
+    }
+
+    /// Where the parameter is among those of the model.
+    pub(super) fn position(&self) -> usize {
+        self.position
     }
 }
 

@@ -1,29 +1,29 @@
 //! What is computed for a design, once, for every way of showing it.
 
 pub mod along;
+mod followed;
 pub mod reach;
 pub mod sensitivity;
 pub mod simulation;
 pub mod strands;
+pub mod traced;
 pub mod turns;
 
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use carvallo::{
-    Branches, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, ModelInfo, Modes, Stability, StableRange,
-    SystemError, Verdict,
+    Branches, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, ModelInfo, Stability, StableRange, SystemError,
+    Verdict,
 };
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure, Shape};
 
+use self::followed::Followed;
 use self::reach::reach;
 
 /// Sizes beyond which a parameter makes the others vanish in rounding, or leaves the range of doubles.
 const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
-
-/// Where there is no motion at rest, eigenvalues are followed from this part of the speeds on.
-const NEAR_REST: f64 = 1.0 / 256.0;
 
 /// Real parts that differ by less than this, relative to the largest eigenvalue, differ by rounding.
 pub const ROUNDING: f64 = 1e-12;
@@ -70,19 +70,9 @@ pub struct Analysis {
     pub reach: f64,
 }
 
-/// How eigenvalues are told apart.
-enum Followed {
-    /// By the names that all modes of a bicycle have.
-    Bicycle(Box<Modes>),
-    /// By where they come from.
-    Any(Branches),
-    /// Nothing depends on the speed.
-    Not,
-}
-
 /// What there is at one speed.
 pub struct Row<V> {
-    /// In m/s.
+    /// In m/s; along another parameter its value.
     pub speed: f64,
     /// The eigenvalues.
     pub values: V,
@@ -134,17 +124,7 @@ impl Analysis {
         let stability = design.equations.stability(gravity).map_err(fail)?;
         let info = design.info();
         let reach = reach(&stability, leans_and_steers(info));
-        let followed = match design.equations.of_two() {
-            Some(two) if is_bicycle(info) => Followed::Bicycle(Box::new(Modes::new(two, gravity).map_err(fail)?)),
-            _ if !design.model.depends_on_speed() => Followed::Not,
-            _ => {
-                // Near rest what is divided by the speed leaves every bound.
-                let from = if design.equations.without_rest().is_some() { NEAR_REST * reach } else { 0.0 };
-                let critical = &stability.critical_speeds;
-                let branches = design.equations.branches(gravity, critical, [from, reach], leans_and_steers(info));
-                Followed::Any(branches.map_err(fail)?)
-            }
-        };
+        let followed = Followed::new(design.model, &*design.equations, gravity, &stability, reach).map_err(fail)?;
         Ok(Self { design, stability, followed, reach })
     }
 

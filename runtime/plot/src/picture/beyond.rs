@@ -11,9 +11,10 @@ const SIZE: f32 = 13.0;
 /// The height of a line of the note.
 pub const ROW: f32 = 19.0;
 
-/// The lines of the note; none if the axes show every curve. Of several graphs each says which it is for.
-pub fn note(series: &[Series], y: (f64, f64), graph: Option<&str>, width: f32) -> Vec<String> {
-    let mut parts: Vec<String> = series.iter().flat_map(|series| beyond(series, y)).collect();
+/// The lines of the note; none if the axes show every curve. The unit, behind a space, is that of the horizontal axis; of several
+/// graphs each says which it is for.
+pub fn note(series: &[Series], y: (f64, f64), unit: &str, graph: Option<&str>, width: f32) -> Vec<String> {
+    let mut parts: Vec<String> = series.iter().flat_map(|series| beyond(series, y, unit)).collect();
     let Some(first) = parts.first_mut() else { return parts };
     let graph = graph.map(|graph| format!(" of {graph}")).unwrap_or_default();
     *first = format!("Beyond the axes{graph}: {first}");
@@ -32,7 +33,7 @@ pub fn note(series: &[Series], y: (f64, f64), graph: Option<&str>, width: f32) -
 }
 
 /// How far a series goes on above and below the axes.
-fn beyond(series: &Series, (low, high): (f64, f64)) -> Vec<String> {
+fn beyond(series: &Series, (low, high): (f64, f64), unit: &str) -> Vec<String> {
     let points = || series.curves.iter().flatten().copied();
     let by_value = |a: &(f64, f64), b: &(f64, f64)| a.1.total_cmp(&b.1);
     let (Some(least), Some(most)) = (points().min_by(by_value), points().max_by(by_value)) else { return Vec::new() };
@@ -42,8 +43,7 @@ fn beyond(series: &Series, (low, high): (f64, f64)) -> Vec<String> {
     }
     let ends = [(least, least.1 < low), (most, most.1 > high)];
     let left = ends.into_iter().filter(|(_, is_beyond)| *is_beyond);
-    left.map(|((speed, value), _)| format!("{name} to {} at {} m/s", three_digits(value), three_digits(speed)))
-        .collect()
+    left.map(|((at, value), _)| format!("{name} to {} at {}{unit}", three_digits(value), three_digits(at))).collect()
 }
 
 fn three_digits(value: f64) -> String {

@@ -1,4 +1,4 @@
-//! Critical speeds in a graph: a line for each, and its value above the frame.
+//! Critical speeds, or values of a parameter, in a graph: a line for each, and its value above the frame.
 
 use carvallo::{CriticalKind, Mode};
 use carvallo_design::number::fixed;
@@ -8,16 +8,22 @@ use super::colors::color;
 use super::font;
 use super::labels::{Labels, THIN};
 use super::scene::{Anchor, Color, Paint, Scene, dashed};
-use crate::analysis::{self, Analysis};
 
 const SIZE: f32 = 13.0;
 /// The height of a row of values.
 const ROW: f32 = 19.0;
 const WHITE: Color = Color(0xff, 0xff, 0xff);
 
-/// A critical speed with its text, and the row above the frame that has room for it.
+/// What is critical: where, what happens there, and what that is called.
+pub struct Event {
+    pub at: f64,
+    pub kind: CriticalKind,
+    pub name: &'static str,
+}
+
+/// A critical speed or value with its text, and the row above the frame that has room for it.
 pub struct Critical {
-    speed: f64,
+    at: f64,
     text: String,
     color: Color,
     /// The middle of the text on the page.
@@ -26,32 +32,30 @@ pub struct Critical {
     row: u8,
 }
 
-/// The critical speeds that the axes show; only their horizontal extent matters here.
-pub fn critical(analysis: &Analysis, axes: &Axes) -> Vec<Critical> {
+/// Those that the axes show; only their horizontal extent matters here.
+pub fn critical(events: &[Event], axes: &Axes) -> Vec<Critical> {
     let mut placed: Vec<Critical> = Vec::new();
-    for critical in analysis.critical_speeds() {
-        let speed = critical.speed;
-        if !(axes.x.0..=axes.x.1).contains(&speed) {
+    for &Event { at, kind, name } in events {
+        if !(axes.x.0..=axes.x.1).contains(&at) {
             continue;
         }
-        let name = analysis::name(critical, analysis.design.info()).replace('_', " ");
-        let color = match critical.kind {
+        let color = match kind {
             CriticalKind::Weave if name == "wobble" => color(Mode::Wobble),
             CriticalKind::Weave => color(Mode::Weave),
             CriticalKind::Capsize => color(Mode::Capsize),
             CriticalKind::DoubleRoot => INK.lighter(0.3),
         };
-        let text = format!("{name} {}", fixed(speed, 4));
+        let text = format!("{} {}", name.replace('_', " "), fixed(at, 4)).replace('-', "−");
         let width = font::width(&text, SIZE);
         // Nothing stands out of the frame.
         let [left, _, right, _] = axes.area;
-        let x = axes.place(speed, 0.0).0.clamp(left + width / 2.0, right - width / 2.0);
+        let x = axes.place(at, 0.0).0.clamp(left + width / 2.0, right - width / 2.0);
         let has_room = |row: &u8| {
             let mut others = placed.iter().filter(|other| other.row == *row);
             others.all(|other| (other.x - x).abs() > (other.width + width) / 2.0 + 10.0)
         };
         let row = (0..8).find(has_room).unwrap_or(8);
-        placed.push(Critical { speed, text, color, x, width, row });
+        placed.push(Critical { at, text, color, x, width, row });
     }
     placed
 }
@@ -65,8 +69,8 @@ pub fn height(critical: &[Critical]) -> f32 {
 /// Keeps labels off the lines, where there is room.
 pub fn avoid(critical: &[Critical], axes: &Axes, labels: &mut Labels) {
     let [_, top, _, bottom] = axes.area;
-    for Critical { speed, .. } in critical {
-        let (x, _) = axes.place(*speed, 0.0);
+    for Critical { at, .. } in critical {
+        let (x, _) = axes.place(*at, 0.0);
         labels.avoid_line(&[(x, top), (x, bottom)], THIN);
     }
 }
@@ -74,8 +78,8 @@ pub fn avoid(critical: &[Critical], axes: &Axes, labels: &mut Labels) {
 /// The lines, which make way for the labels that had no room beside them; in the first graph they begin at the values.
 pub fn draw_lines(critical: &[Critical], axes: &Axes, labels: &Labels, is_first: bool, scene: &mut Scene) {
     let [_, top, _, bottom] = axes.area;
-    for Critical { speed, color, row, .. } in critical {
-        let (x, _) = axes.place(*speed, 0.0);
+    for Critical { at, color, row, .. } in critical {
+        let (x, _) = axes.place(*at, 0.0);
         let mut from = if is_first { base(top, *row) + 4.0 } else { top };
         for (to, next) in labels.crossed_at(x).into_iter().chain([(bottom, bottom)]) {
             scene.polyline(&[(x, from), (x, to)], dashed(1.2, [2.0, 3.0]), color.lighter(0.2));

@@ -2,7 +2,7 @@
 
 use carvallo::{Complex, Mode};
 
-use crate::analysis::{Analysis, ModeRow};
+use crate::analysis::ModeRow;
 
 /// Speeds of the curves, enough for lines that look smooth.
 const SAMPLES: u32 = 250;
@@ -10,12 +10,12 @@ const SAMPLES: u32 = 250;
 /// Speeds and values.
 pub type Curve = Vec<(f64, f64)>;
 
-/// Evenly spaced speeds, and close ones around critical speeds and where eigenvalues meet: there curves turn sharply.
-pub fn samples(analysis: &Analysis, low: f64, high: f64) -> Vec<f64> {
+/// Evenly spaced speeds, or values of a parameter, and close ones around those at which curves turn sharply: critical ones, and
+/// where eigenvalues meet.
+pub fn samples((low, high): (f64, f64), turns: impl Iterator<Item = f64>) -> Vec<f64> {
     let step = (high - low) / f64::from(SAMPLES);
-    let mut speeds: Vec<f64> = (0..=SAMPLES).map(|index| low + f64::from(index) * step).collect();
-    let critical = analysis.critical_speeds().iter().map(|critical| critical.speed);
-    for turn in critical.chain(analysis.meetings()) {
+    let mut speeds: Vec<f64> = (0..SAMPLES).map(|index| low + f64::from(index) * step).chain([high]).collect();
+    for turn in turns {
         let around = (0..7).map(|power| step / 4_f64.powi(power)).flat_map(|shift| [-shift, shift]);
         speeds.extend(around.chain([0.0]).map(|shift| turn + shift));
     }

@@ -1,17 +1,14 @@
-//! Eigenvalues against speed, as figure 4 of Meijaard et al. (2007) shows them.
-
-use carvallo_design::Failure;
+//! Graphs of eigenvalues against the speed, or a parameter.
 
 use super::axes::{self, Axes, INK};
 use super::beyond;
-use super::critical;
-use super::curves::{Curve, clip, samples};
+use super::critical::{self, Event};
+use super::curves::{Curve, clip};
 use super::font;
 use super::labels::{LINE, Labels};
-use super::panels::{Panel, panels};
+use super::panels::Panel;
 use super::scene::{Anchor, Color, Paint, Scene, line};
 use super::series::Series;
-use crate::analysis::{Analysis, Rows};
 
 const WIDTH: f32 = 960.0;
 const HEIGHT: f32 = 640.0;
@@ -28,35 +25,34 @@ const STABLE: Color = Color(0xdd, 0xf1, 0xde);
 const STABLE_TEXT: Color = Color(0x2e, 0x7d, 0x32);
 const WHITE: Color = Color(0xff, 0xff, 0xff);
 
-/// What the axes show.
-#[derive(Clone, Copy, Debug)]
-pub struct Limits {
-    /// The speeds in m/s, the second above the first.
+/// Graphs of eigenvalues against something.
+pub struct Shown<'a> {
+    pub title: String,
+    /// What the horizontal axis shows, what stands below it, and its unit behind a space.
     pub x: (f64, f64),
-    /// The eigenvalues in 1/s, the second above the first; `None` for those that show something of every curve.
-    pub y: Option<(f64, f64)>,
+    pub across: String,
+    pub unit: &'a str,
+    pub panels: Vec<Panel>,
+    pub critical: Vec<Event>,
+    /// From where to where the motion is stable.
+    pub stable: Vec<(f64, f64)>,
 }
 
-/// The eigenvalues between two speeds.
-///
-/// # Errors
-/// If they cannot be computed at one of the speeds.
-pub fn draw_eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Failure> {
-    let (low, high) = limits.x;
-    let rows = analysis.rows(&samples(analysis, low, high))?;
-    let speed = if matches!(rows, Rows::Modes(_)) { "forward speed" } else { "speed" };
-    let panels = panels(&rows, limits.y);
-    let title = format!("Eigenvalues of {} against {speed}", analysis.design.title());
+/// One graph below the other.
+pub fn draw(Shown { title, x: (low, high), across, unit, panels, critical: events, stable: ranges }: &Shown) -> Scene {
+    let (low, high) = (*low, *high);
     let left = panels.iter().map(|panel| axes::margin(panel.y)).fold(0.0, f32::max);
-    let notes: Vec<String> =
-        panels.iter().flat_map(|Panel { series, y, name, .. }| beyond::note(series, *y, *name, RIGHT - left)).collect();
+    let notes: Vec<String> = panels
+        .iter()
+        .flat_map(|Panel { series, y, name, .. }| beyond::note(series, *y, unit, *name, RIGHT - left))
+        .collect();
     let page = if panels.len() > 1 { HEIGHT_OF_SEVERAL } else { HEIGHT };
     let bottom = page - BELOW;
     let height = page + beyond::ROW * notes.len() as f32;
     let mut scene = Scene::new(title.clone(), WIDTH, height);
-    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.text(((left + RIGHT) / 2.0, 32.0), Anchor::Middle, 18.0, INK, title);
     let critical =
-        critical::critical(analysis, &Axes { x: (low, high), y: (0.0, 1.0), area: [left, 0.0, RIGHT, bottom] });
+        critical::critical(events, &Axes { x: (low, high), y: (0.0, 1.0), area: [left, 0.0, RIGHT, bottom] });
     let top = 56.0 + critical::height(&critical);
 
     let room = bottom - top - GAP * (panels.len() - 1) as f32;
@@ -67,7 +63,7 @@ pub fn draw_eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Fa
         let to = if is_last { bottom } else { from + share * room };
         let axes = Axes { x: (low, high), y: *y, area: [left, from, RIGHT, to] };
         let mut labels = Labels::new(axes.area);
-        let stable = stable_ranges(analysis, &axes);
+        let stable = stable_ranges(ranges, &axes);
         for &(left, right) in &stable {
             scene.rectangle([left, from, right, to], Paint::Fill, STABLE);
         }
@@ -89,19 +85,17 @@ pub fn draw_eigenvalues(analysis: &Analysis, limits: Limits) -> Result<Scene, Fa
         if is_first {
             critical::write_values(&critical, top, &mut scene);
         }
-        let across = format!("{speed} v (m/s)");
         axes.draw_frame(&mut scene, is_last.then_some(across.as_str()), label);
         from = to + GAP;
     }
     beyond::write(&notes, left, page - 4.0, &mut scene);
     write_legend(&without_room, left, &mut scene);
-    Ok(scene)
+    scene
 }
 
 /// Where the stable ranges begin and end on the page.
-fn stable_ranges(analysis: &Analysis, axes: &Axes) -> Vec<(f32, f32)> {
-    let ranges = analysis.stable_ranges().iter();
-    let visible = ranges.map(|range| (range.from.max(axes.x.0), range.to.unwrap_or(axes.x.1).min(axes.x.1)));
+fn stable_ranges(ranges: &[(f64, f64)], axes: &Axes) -> Vec<(f32, f32)> {
+    let visible = ranges.iter().map(|(from, to)| (from.max(axes.x.0), to.min(axes.x.1)));
     visible.filter(|(from, to)| from < to).map(|(from, to)| (axes.place(from, 0.0).0, axes.place(to, 0.0).0)).collect()
 }
 

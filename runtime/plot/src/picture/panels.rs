@@ -1,5 +1,7 @@
 //! The graphs of a picture, one below the other: what each shows, and how far its axis goes.
 
+use carvallo::Mode;
+
 use super::curves::{Curve, extent, extent_of_all, quantile};
 use super::series::{Series, modes, strands};
 use crate::analysis::{Eigenvalues, ModeRow, Row, Rows};
@@ -40,7 +42,8 @@ fn of_modes(rows: &[ModeRow], y: Option<(f64, f64)>) -> Panel {
 fn of_branches(rows: &[Row<Eigenvalues>], y: Option<(f64, f64)>) -> Vec<Panel> {
     let named: Vec<String> = crate::analysis::strands::strands(rows)
         .into_iter()
-        .filter(|strand| !strand.modes.is_empty())
+        // Castering dies away fast, and never decides.
+        .filter(|strand| strand.modes.iter().any(|mode| *mode != Mode::Castering))
         .map(|strand| strand.title)
         .collect();
     let [real, imaginary] = strands(rows);

@@ -1,8 +1,9 @@
 use carvallo_design::input::{self, Request};
 use carvallo_design::{Design, MODELS};
 
-use super::{Limits, Scene, draw_eigenvalues, draw_side_view, draw_tornado, font};
+use super::{Limits, Scene, draw_along, draw_eigenvalues, draw_side_view, draw_tornado, font};
 use crate::analysis::Analysis;
+use crate::analysis::along::AlongAnalysis;
 use crate::analysis::sensitivity::Changes;
 
 /// What ships for a model, or the first of it.
@@ -45,4 +46,22 @@ fn the_font_has_the_characters_of_every_picture() {
     for parameter in MODELS.iter().flat_map(|model| model.info.parameters) {
         assert!(font::has(parameter.symbol) && font::has(&carvallo_design::number::unit(parameter.unit)));
     }
+}
+
+/// The axes show what is near zero, and tell of the rest; critical values have their signs.
+#[test]
+fn modes_along_a_parameter_are_named() {
+    let draw = |along: &str, speed: f64| {
+        let analysis = AlongAnalysis::new(design("Whipple", None), &along.parse().unwrap(), Some(speed)).unwrap();
+        draw_along(&analysis, None).unwrap()
+    };
+    let of_mass = draw("mB=60:120", 5.0);
+    assert_eq!(of_mass.title, "Eigenvalues of benchmark against mB at 5 m/s");
+    let count = |scene: &Scene, wanted: &str| texts(scene).filter(|text| *text == wanted).count();
+    assert_eq!(["weave", "capsize", "mB (kg)", "mode 1"].map(|text| count(&of_mass, text)), [2, 1, 1, 0]);
+    assert!(
+        texts(&of_mass).any(|text| text.starts_with("Beyond the axes of real parts: all of castering, −14.9 to −13"))
+    );
+    let of_trail = draw("c=-0.05:0.2", 3.0);
+    assert_eq!(["capsize −0.0025", "weave 0.0025"].map(|text| count(&of_trail, text)), [1, 1]);
 }

@@ -83,6 +83,35 @@ impl Branches {
         Self::of(Box::new(eigenvalues), critical_speeds, [from, to], is_bicycle)
     }
 
+    /// Follows eigenvalues that depend on anything else as those of a system depend on the speed, such as on a parameter: over a
+    /// range of what they are a function of, from zero or above, as speeds are.
+    ///
+    /// The critical ones have their places in the range for speeds, and names come from them as from critical speeds.
+    ///
+    /// ```
+    /// use carvallo::{Branches, Complex};
+    ///
+    /// // An oscillator, s^2 + 2 d s + 1 with the damping d for the parameter, which goes on without oscillating from d = 1 on.
+    /// let eigenvalues = |d: f64| {
+    ///     let root = Complex::new(d * d - 1.0, 0.0).sqrt();
+    ///     Ok(vec![-d - root, -d + root])
+    /// };
+    /// let branches = Branches::follow(eigenvalues, &[], [0.0, 3.0], false)?;
+    /// assert!((branches.meetings()[0].speed - 1.0).abs() < 1e-5);
+    /// # Ok::<(), carvallo::SystemError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If an end of the range is negative or not finite, or if the function has an error somewhere in it.
+    pub fn follow(
+        eigenvalues: impl Fn(f64) -> Result<Vec<Complex<f64>>, SystemError> + Send + Sync + 'static,
+        critical: &[CriticalSpeed],
+        range: [f64; 2],
+        is_bicycle: bool,
+    ) -> Result<Self, SystemError> {
+        Self::of(Box::new(eigenvalues), critical, range, is_bicycle)
+    }
+
     fn of(
         eigenvalues: Box<Eigenvalues>,
         critical_speeds: &[CriticalSpeed],
