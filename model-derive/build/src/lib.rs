@@ -34,11 +34,30 @@ impl std::error::Error for Error {}
 /// # Errors
 /// All mistakes of all models; a pattern that is none, or that meets no file; and what cannot be read or written.
 pub fn compile(models: &str) -> Result<(), Error> {
+    let (paths, folder) = begin(models)?;
+    compile_to(&paths, &folder)
+}
+
+/// Compiles the same files to C99, which is C++ as well: of `models/pendulum.rs`, `pendulum.h` and `pendulum.c`, beside the
+/// files that all models share, in the folder `c` of `OUT_DIR`.
+///
+/// It gives the paths of all files that end with `.c`, for what compiles them, such as the crate `cc`; the headers are in their
+/// folder.
+///
+/// # Errors
+/// Those of [`compile`]; and two models in files of one name.
+pub fn compile_c(models: &str) -> Result<Vec<PathBuf>, Error> {
+    let (paths, folder) = begin(models)?;
+    compile_c_to(&paths, &folder.join("c"))
+}
+
+/// The files that a pattern meets, at which cargo is told to look, and the folder to write to.
+fn begin(models: &str) -> Result<(Vec<PathBuf>, PathBuf), Error> {
     let folder = std::env::var_os("OUT_DIR").ok_or_else(|| Error("no OUT_DIR: expected a build script".into()))?;
     let paths = find(models)?;
     // Before anything can go wrong: what is mended is to be compiled again.
     watched(&paths).iter().for_each(|path| println!("cargo::rerun-if-changed={}", path.display()));
-    compile_to(&paths, Path::new(&folder))
+    Ok((paths, folder.into()))
 }
 
 /// The files that a pattern meets, in their order.
@@ -64,8 +83,25 @@ fn watched(paths: &[PathBuf]) -> Vec<PathBuf> {
 
 fn compile_to(paths: &[PathBuf], folder: &Path) -> Result<(), Error> {
     let text = with_answers(Kept::of_this_build(), || files::include(paths)).map_err(Error)?;
-    let path = folder.join("models.rs");
-    std::fs::write(&path, text).map_err(|error| Error(format!("error: {}: {error}", path.display())))
+    write(&folder.join("models.rs"), &text)
+}
+
+fn compile_c_to(paths: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let texts = with_answers(Kept::of_this_build(), || files::include_c(paths)).map_err(Error)?;
+    std::fs::create_dir_all(folder).map_err(|error| Error(format!("error: {}: {error}", folder.display())))?;
+    let mut sources = Vec::new();
+    for (name, text) in texts {
+        let path = folder.join(name);
+        write(&path, &text)?;
+        if path.extension().is_some_and(|extension| extension == "c") {
+            sources.push(path);
+        }
+    }
+    Ok(sources)
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Error> {
+    std::fs::write(path, text).map_err(|error| Error(format!("error: {}: {error}", path.display())))
 }
 
 #[cfg(test)]
@@ -109,6 +145,25 @@ mod tests {
         );
         assert!(text.contains("pub(super) struct Rod<T = f64> {"), "{text}");
         assert!(text.ends_with("}\n#[allow(unused_imports)]\npub use rod::*;\n"), "{text}");
+    }
+
+    #[test]
+    fn the_same_files_are_c_as_well() {
+        let folder = Folder::new("c", ROD);
+        let paths = find(&format!("{}/models/*.rs", folder.0.display())).expect("a model");
+        let sources = compile_c_to(&paths, &folder.0.join("c")).expect("the model is right");
+        let names: Vec<_> = sources.iter().map(|path| path.file_name().expect("a name")).collect();
+        assert_eq!(names, ["carvallo_system.c", "carvallo_trig.c", "rod.c"]);
+        let header = fs::read_to_string(folder.0.join("c/rod.h")).expect("it was written");
+        assert!(header.contains("\n * To write it anew: cargo build\n"), "{header}");
+        assert!(
+            header.contains("void rod_f64_matrices(const rod_f64_t *p, rod_f64_matrices_t *matrices);"),
+            "{header}"
+        );
+
+        let error = compile_c_to(&[paths[0].clone(), "other/rod.rs".into()], &folder.0).expect_err("they clash");
+        let shown = format!("error: {} and other/rod.rs have one name in C", paths[0].display());
+        assert!(error.to_string().starts_with(&shown), "{error}");
     }
 
     #[test]

@@ -7,7 +7,7 @@ mod paths;
 mod source;
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -107,6 +107,23 @@ pub fn expand(models: &Path, written: &Path, language: Language, check: bool) ->
     let folder =
         Folder { path: written, shown: &shown_written, command: &command, files, extensions, is_all_generated: false };
     folder.run(check)
+}
+
+/// The files of C that a build script writes, by their names: those of the models in these files, and what all of them share.
+///
+/// # Errors
+/// Every mistake of all of them; and two files of one name, which have one name in C.
+pub fn include_c(paths: &[PathBuf]) -> Result<BTreeMap<String, String>, String> {
+    let sources: Vec<Source> = paths.iter().map(|path| Source { path: path.clone(), shown: show(path) }).collect();
+    for (position, source) in sources.iter().enumerate() {
+        let has_its_name = |other: &&Source| other.path.file_stem() == source.path.file_stem();
+        if let Some(other) = sources[..position].iter().find(has_its_name) {
+            let (first, second) = (&other.shown, &source.shown);
+            return Err(format!("error: {first} and {second} have one name in C: expected files of different names"));
+        }
+    }
+    let command = "cargo build";
+    Ok(write_c(&source::compile_all(&sources, command)?, command))
 }
 
 /// Where a crate of one's own has its sources, if it says nothing else.
