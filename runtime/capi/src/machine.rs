@@ -1,6 +1,5 @@
 //! A machine: a model that ships, or given matrices, and values of its parameters.
 
-use std::collections::HashMap;
 use std::ffi::CString;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
@@ -175,14 +174,21 @@ fn check_entries(info: &ModelInfo, values: &[f64]) -> Result<(), Failure> {
 /// The form of given matrices: which there are, and which states the coordinates have.
 type Form = (Vec<MatrixName>, Vec<States>);
 
-/// Models of matrices stay as long as the program runs; so there is one for each form, and not for each machine.
+/// Models of matrices stay as long as the program runs; so there is one for each form, and not for each machine. They are few, and
+/// in a list valgrind finds them all.
+static OF_MATRICES: Mutex<Vec<(Form, &'static Shipped)>> = Mutex::new(Vec::new());
+
 fn model_of_matrices(names: Vec<MatrixName>, states: Vec<States>) -> &'static Shipped {
-    static KNOWN: LazyLock<Mutex<HashMap<Form, &'static Shipped>>> = LazyLock::new(Mutex::default);
-    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    known.entry((names.clone(), states.clone())).or_insert_with(|| {
-        let coordinate =
-            |(index, states): (usize, States)| matrices::Coordinate { name: format!("q{}", index + 1), states };
-        let coordinates = states.into_iter().enumerate().map(coordinate).collect();
-        matrices::model(&matrices::Form { matrices: names, coordinates })
-    })
+    let mut known = OF_MATRICES.lock().unwrap_or_else(PoisonError::into_inner);
+    let form = (names, states);
+    if let Some((_, model)) = known.iter().find(|(known, _)| *known == form) {
+        return model;
+    }
+    let coordinates = form.1.iter().enumerate();
+    let coordinates =
+        coordinates.map(|(index, &states)| matrices::Coordinate { name: format!("q{}", index + 1), states });
+    let coordinates = coordinates.collect();
+    let model = matrices::model(&matrices::Form { matrices: form.0.clone(), coordinates });
+    known.push((form, model));
+    model
 }
