@@ -23,6 +23,8 @@
 
 #include "double_pendulum.h"
 
+#include "carvallo_trig.h"
+
 #include <float.h>
 
 const char *double_pendulum_set_name(double_pendulum_set_t set)
@@ -314,6 +316,186 @@ void double_pendulum_f64_with_respect_to(const double_pendulum_f64_derivatives_t
     }
 }
 
+void double_pendulum_f64_motion(const double_pendulum_f64_t *p,
+    double_pendulum_f64_motion_t *motion)
+{
+    const double t4 = p->m1 * p->a1;
+    const double t7 = p->I1 + (p->a1 * t4);
+    const double t10 = p->l1 - p->l1 - p->a2;
+    const double t11 = p->m2 * t10;
+    const double t14 = p->I2 + (t10 * t11);
+    const double t16 = p->l1 * p->m2;
+    const double t17 = p->l1 * t16;
+    motion->constants[0] = p->l1;
+    motion->constants[1] = p->m2;
+    motion->constants[2] = t4;
+    motion->constants[3] = t7;
+    motion->constants[4] = t11;
+    motion->constants[5] = t14;
+    motion->constants[6] = p->g;
+    motion->constants[7] = t16;
+    motion->constants[8] = t17;
+}
+
+static void double_pendulum_f64_compute_rates(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    double rates[DOUBLE_PENDULUM_POSITIONS])
+{
+    (void)motion;
+    (void)positions;
+    rates[0] = speeds[0];
+    rates[1] = speeds[1];
+}
+
+carvallo_motion_error_t double_pendulum_f64_motion_rates(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    double rates[DOUBLE_PENDULUM_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, DOUBLE_PENDULUM_SPEEDS)) {
+        double_pendulum_f64_compute_rates(motion, positions, speeds, rates);
+        error = (carvallo_are_finite_f64(rates, DOUBLE_PENDULUM_POSITIONS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f64_compute_derivatives(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES], double rates[DOUBLE_PENDULUM_POSITIONS],
+    double speed_rates[DOUBLE_PENDULUM_SPEEDS])
+{
+    double sin_theta1 = 0.0;
+    double cos_theta1 = 0.0;
+    carvallo_sin_cos_f64(positions[0], &sin_theta1, &cos_theta1);
+    const double t7 = sin_theta1 * motion->constants[6];
+    double sin_theta2 = 0.0;
+    double cos_theta2 = 0.0;
+    carvallo_sin_cos_f64(positions[1], &sin_theta2, &cos_theta2);
+    const double t19 = (speeds[0] * speeds[0] * motion->constants[0]) - (motion->constants[6] *
+        cos_theta1);
+    const double t21 = (sin_theta2 * t19) - (t7 * cos_theta2);
+    const double t22 = motion->constants[4] * t21;
+    const double t30 = speeds[0] + speeds[1];
+    const double t35 = (cos_theta2 * t21 * motion->constants[1]) - (sin_theta2 *
+        ((motion->constants[1] * ((cos_theta2 * t19) + (t7 * sin_theta2))) - (motion->constants[4] *
+        t30 * t30)));
+    const double t39 = forces[0] + (motion->constants[2] * t7) + t22 - (motion->constants[0] * t35);
+    const double t42 = motion->constants[4] * cos_theta2 * motion->constants[0];
+    const double t45 = motion->constants[5] - t42;
+    const double t48 = motion->constants[3] + motion->constants[8] + t45 - t42;
+    const double t49 = 1.0 / t48;
+    const double t51 = t45 * t49;
+    const double t59 = (t22 + forces[1] - (t39 * t51)) / (motion->constants[5] - (t48 * t51 * t51));
+    const double t61 = (t39 * t49) - (t51 * t59);
+    rates[0] = speeds[0];
+    rates[1] = speeds[1];
+    speed_rates[0] = t61;
+    speed_rates[1] = t59;
+}
+
+carvallo_motion_error_t double_pendulum_f64_motion_derivatives(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES], double rates[DOUBLE_PENDULUM_POSITIONS],
+    double speed_rates[DOUBLE_PENDULUM_SPEEDS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, DOUBLE_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        DOUBLE_PENDULUM_FORCES)) {
+        double_pendulum_f64_compute_derivatives(motion, positions, speeds, forces, rates,
+            speed_rates);
+        error = (carvallo_are_finite_f64(rates, DOUBLE_PENDULUM_POSITIONS) &&
+            carvallo_are_finite_f64(speed_rates, DOUBLE_PENDULUM_SPEEDS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f64_compute_accelerations(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES], double accelerations[DOUBLE_PENDULUM_POSITIONS])
+{
+    double sin_theta1 = 0.0;
+    double cos_theta1 = 0.0;
+    carvallo_sin_cos_f64(positions[0], &sin_theta1, &cos_theta1);
+    const double t5 = sin_theta1 * motion->constants[6];
+    double sin_theta2 = 0.0;
+    double cos_theta2 = 0.0;
+    carvallo_sin_cos_f64(positions[1], &sin_theta2, &cos_theta2);
+    const double t18 = (motion->constants[0] * speeds[0] * speeds[0]) - (motion->constants[6] *
+        cos_theta1);
+    const double t20 = (sin_theta2 * t18) - (t5 * cos_theta2);
+    const double t21 = motion->constants[4] * t20;
+    const double t30 = speeds[0] + speeds[1];
+    const double t35 = (cos_theta2 * t20 * motion->constants[1]) - (sin_theta2 *
+        ((motion->constants[1] * ((cos_theta2 * t18) + (t5 * sin_theta2))) - (motion->constants[4] *
+        t30 * t30)));
+    const double t39 = forces[0] + (motion->constants[2] * t5) + t21 - (motion->constants[0] * t35);
+    const double t42 = motion->constants[4] * cos_theta2 * motion->constants[0];
+    const double t45 = motion->constants[5] - t42;
+    const double t48 = motion->constants[3] + motion->constants[8] + t45 - t42;
+    const double t49 = 1.0 / t48;
+    const double t51 = t45 * t49;
+    const double t59 = (t21 + forces[1] - (t39 * t51)) / (motion->constants[5] - (t48 * t51 * t51));
+    const double t61 = (t39 * t49) - (t51 * t59);
+    accelerations[0] = t61;
+    accelerations[1] = t59;
+}
+
+carvallo_motion_error_t double_pendulum_f64_motion_accelerations(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES], double accelerations[DOUBLE_PENDULUM_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, DOUBLE_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        DOUBLE_PENDULUM_FORCES)) {
+        double_pendulum_f64_compute_accelerations(motion, positions, speeds, forces, accelerations);
+        error = (carvallo_are_finite_f64(accelerations, DOUBLE_PENDULUM_POSITIONS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f64_compute_energy(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    double energy[2])
+{
+    double sin_theta2 = 0.0;
+    double cos_theta2 = 0.0;
+    carvallo_sin_cos_f64(positions[1], &sin_theta2, &cos_theta2);
+    const double t6 = cos_theta2 * motion->constants[4];
+    const double t7 = motion->constants[0] * t6;
+    const double t10 = motion->constants[5] - t7;
+    const double t18 = speeds[0] * ((speeds[0] * (motion->constants[3] + motion->constants[8] +
+        t10 - t7)) + (t10 * speeds[1]));
+    const double t25 = (t18 + (speeds[1] * ((speeds[0] * t10) + (motion->constants[5] *
+        speeds[1])))) * 0.5;
+    double sin_theta1 = 0.0;
+    double cos_theta1 = 0.0;
+    carvallo_sin_cos_f64(positions[0], &sin_theta1, &cos_theta1);
+    const double t40 = -(motion->constants[6] * ((cos_theta1 * (t6 - motion->constants[2] -
+        motion->constants[7])) - (motion->constants[4] * sin_theta1 * sin_theta2)));
+    energy[0] = t25;
+    energy[1] = t40;
+}
+
+carvallo_motion_error_t double_pendulum_f64_motion_energy(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    double energy[2])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, DOUBLE_PENDULUM_SPEEDS)) {
+        double_pendulum_f64_compute_energy(motion, positions, speeds, energy);
+        error = (carvallo_are_finite_f64(energy, 2U)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
 const double_pendulum_f32_t double_pendulum_f32_sets[DOUBLE_PENDULUM_SETS] = {
     { /* rods */
         .l1 = 1.0F,
@@ -543,4 +725,184 @@ void double_pendulum_f32_with_respect_to(const double_pendulum_f32_derivatives_t
             }
         }
     }
+}
+
+void double_pendulum_f32_motion(const double_pendulum_f32_t *p,
+    double_pendulum_f32_motion_t *motion)
+{
+    const float t4 = p->m1 * p->a1;
+    const float t7 = p->I1 + (p->a1 * t4);
+    const float t10 = p->l1 - p->l1 - p->a2;
+    const float t11 = p->m2 * t10;
+    const float t14 = p->I2 + (t10 * t11);
+    const float t16 = p->l1 * p->m2;
+    const float t17 = p->l1 * t16;
+    motion->constants[0] = p->l1;
+    motion->constants[1] = p->m2;
+    motion->constants[2] = t4;
+    motion->constants[3] = t7;
+    motion->constants[4] = t11;
+    motion->constants[5] = t14;
+    motion->constants[6] = p->g;
+    motion->constants[7] = t16;
+    motion->constants[8] = t17;
+}
+
+static void double_pendulum_f32_compute_rates(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    float rates[DOUBLE_PENDULUM_POSITIONS])
+{
+    (void)motion;
+    (void)positions;
+    rates[0] = speeds[0];
+    rates[1] = speeds[1];
+}
+
+carvallo_motion_error_t double_pendulum_f32_motion_rates(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    float rates[DOUBLE_PENDULUM_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, DOUBLE_PENDULUM_SPEEDS)) {
+        double_pendulum_f32_compute_rates(motion, positions, speeds, rates);
+        error = (carvallo_are_finite_f32(rates, DOUBLE_PENDULUM_POSITIONS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f32_compute_derivatives(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES], float rates[DOUBLE_PENDULUM_POSITIONS],
+    float speed_rates[DOUBLE_PENDULUM_SPEEDS])
+{
+    float sin_theta1 = 0.0F;
+    float cos_theta1 = 0.0F;
+    carvallo_sin_cos_f32(positions[0], &sin_theta1, &cos_theta1);
+    const float t7 = sin_theta1 * motion->constants[6];
+    float sin_theta2 = 0.0F;
+    float cos_theta2 = 0.0F;
+    carvallo_sin_cos_f32(positions[1], &sin_theta2, &cos_theta2);
+    const float t19 = (speeds[0] * speeds[0] * motion->constants[0]) - (motion->constants[6] *
+        cos_theta1);
+    const float t21 = (sin_theta2 * t19) - (t7 * cos_theta2);
+    const float t22 = motion->constants[4] * t21;
+    const float t30 = speeds[0] + speeds[1];
+    const float t35 = (cos_theta2 * t21 * motion->constants[1]) - (sin_theta2 *
+        ((motion->constants[1] * ((cos_theta2 * t19) + (t7 * sin_theta2))) - (motion->constants[4] *
+        t30 * t30)));
+    const float t39 = forces[0] + (motion->constants[2] * t7) + t22 - (motion->constants[0] * t35);
+    const float t42 = motion->constants[4] * cos_theta2 * motion->constants[0];
+    const float t45 = motion->constants[5] - t42;
+    const float t48 = motion->constants[3] + motion->constants[8] + t45 - t42;
+    const float t49 = 1.0F / t48;
+    const float t51 = t45 * t49;
+    const float t59 = (t22 + forces[1] - (t39 * t51)) / (motion->constants[5] - (t48 * t51 * t51));
+    const float t61 = (t39 * t49) - (t51 * t59);
+    rates[0] = speeds[0];
+    rates[1] = speeds[1];
+    speed_rates[0] = t61;
+    speed_rates[1] = t59;
+}
+
+carvallo_motion_error_t double_pendulum_f32_motion_derivatives(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES], float rates[DOUBLE_PENDULUM_POSITIONS],
+    float speed_rates[DOUBLE_PENDULUM_SPEEDS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, DOUBLE_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        DOUBLE_PENDULUM_FORCES)) {
+        double_pendulum_f32_compute_derivatives(motion, positions, speeds, forces, rates,
+            speed_rates);
+        error = (carvallo_are_finite_f32(rates, DOUBLE_PENDULUM_POSITIONS) &&
+            carvallo_are_finite_f32(speed_rates, DOUBLE_PENDULUM_SPEEDS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f32_compute_accelerations(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES], float accelerations[DOUBLE_PENDULUM_POSITIONS])
+{
+    float sin_theta1 = 0.0F;
+    float cos_theta1 = 0.0F;
+    carvallo_sin_cos_f32(positions[0], &sin_theta1, &cos_theta1);
+    const float t5 = sin_theta1 * motion->constants[6];
+    float sin_theta2 = 0.0F;
+    float cos_theta2 = 0.0F;
+    carvallo_sin_cos_f32(positions[1], &sin_theta2, &cos_theta2);
+    const float t18 = (motion->constants[0] * speeds[0] * speeds[0]) - (motion->constants[6] *
+        cos_theta1);
+    const float t20 = (sin_theta2 * t18) - (t5 * cos_theta2);
+    const float t21 = motion->constants[4] * t20;
+    const float t30 = speeds[0] + speeds[1];
+    const float t35 = (cos_theta2 * t20 * motion->constants[1]) - (sin_theta2 *
+        ((motion->constants[1] * ((cos_theta2 * t18) + (t5 * sin_theta2))) - (motion->constants[4] *
+        t30 * t30)));
+    const float t39 = forces[0] + (motion->constants[2] * t5) + t21 - (motion->constants[0] * t35);
+    const float t42 = motion->constants[4] * cos_theta2 * motion->constants[0];
+    const float t45 = motion->constants[5] - t42;
+    const float t48 = motion->constants[3] + motion->constants[8] + t45 - t42;
+    const float t49 = 1.0F / t48;
+    const float t51 = t45 * t49;
+    const float t59 = (t21 + forces[1] - (t39 * t51)) / (motion->constants[5] - (t48 * t51 * t51));
+    const float t61 = (t39 * t49) - (t51 * t59);
+    accelerations[0] = t61;
+    accelerations[1] = t59;
+}
+
+carvallo_motion_error_t double_pendulum_f32_motion_accelerations(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES], float accelerations[DOUBLE_PENDULUM_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, DOUBLE_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        DOUBLE_PENDULUM_FORCES)) {
+        double_pendulum_f32_compute_accelerations(motion, positions, speeds, forces, accelerations);
+        error = (carvallo_are_finite_f32(accelerations, DOUBLE_PENDULUM_POSITIONS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void double_pendulum_f32_compute_energy(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    float energy[2])
+{
+    float sin_theta2 = 0.0F;
+    float cos_theta2 = 0.0F;
+    carvallo_sin_cos_f32(positions[1], &sin_theta2, &cos_theta2);
+    const float t6 = cos_theta2 * motion->constants[4];
+    const float t7 = motion->constants[0] * t6;
+    const float t10 = motion->constants[5] - t7;
+    const float t18 = speeds[0] * ((speeds[0] * (motion->constants[3] + motion->constants[8] + t10 -
+        t7)) + (t10 * speeds[1]));
+    const float t25 = (t18 + (speeds[1] * ((speeds[0] * t10) + (motion->constants[5] *
+        speeds[1])))) * 0.5F;
+    float sin_theta1 = 0.0F;
+    float cos_theta1 = 0.0F;
+    carvallo_sin_cos_f32(positions[0], &sin_theta1, &cos_theta1);
+    const float t40 = -(motion->constants[6] * ((cos_theta1 * (t6 - motion->constants[2] -
+        motion->constants[7])) - (motion->constants[4] * sin_theta1 * sin_theta2)));
+    energy[0] = t25;
+    energy[1] = t40;
+}
+
+carvallo_motion_error_t double_pendulum_f32_motion_energy(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    float energy[2])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, DOUBLE_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, DOUBLE_PENDULUM_SPEEDS)) {
+        double_pendulum_f32_compute_energy(motion, positions, speeds, energy);
+        error = (carvallo_are_finite_f32(energy, 2U)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
 }

@@ -32,6 +32,7 @@
 #ifndef CARVALLO_MODEL_DOUBLE_PENDULUM_H
 #define CARVALLO_MODEL_DOUBLE_PENDULUM_H
 
+#include "carvallo_motion.h"
 #include "carvallo_system.h"
 
 #ifdef __cplusplus
@@ -89,6 +90,39 @@ const char *double_pendulum_validity_text(double_pendulum_validity_t validity);
 
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t double_pendulum_partials[DOUBLE_PENDULUM_PARTIALS];
+
+/** The number of positions of the nonlinear equations of motion. */
+#define DOUBLE_PENDULUM_POSITIONS 2U
+
+/** A position of a joint: its place among the positions. */
+typedef enum {
+    /** lower link, in rad */
+    DOUBLE_PENDULUM_POSITION_theta1 = 0,
+    /** upper link, in rad */
+    DOUBLE_PENDULUM_POSITION_theta2 = 1
+} double_pendulum_position_t;
+
+/** The number of speeds of the nonlinear equations of motion. */
+#define DOUBLE_PENDULUM_SPEEDS 2U
+
+/** A rate that rolling leaves free: its place among the speeds. */
+typedef enum {
+    /** The rate of `theta1`, in rad/s */
+    DOUBLE_PENDULUM_SPEED_theta1 = 0,
+    /** The rate of `theta2`, in rad/s */
+    DOUBLE_PENDULUM_SPEED_theta2 = 1
+} double_pendulum_speed_t;
+
+/** The number of forces of the nonlinear equations of motion. */
+#define DOUBLE_PENDULUM_FORCES 2U
+
+/** A force or torque that may be applied: its place among the forces. */
+typedef enum {
+    /** torque at the lower hinge, in N*m */
+    DOUBLE_PENDULUM_FORCE_T1 = 0,
+    /** torque between the links, in N*m */
+    DOUBLE_PENDULUM_FORCE_T2 = 1
+} double_pendulum_force_t;
 
 /* ------------------------------------------------------------ double */
 
@@ -261,6 +295,89 @@ void double_pendulum_f64_derivatives(const double_pendulum_f64_t *p,
 void double_pendulum_f64_with_respect_to(const double_pendulum_f64_derivatives_t *derivatives,
     size_t parameter, double_pendulum_f64_matrices_t *matrices);
 
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    double constants[9U];
+} double_pendulum_f64_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 4 additions and 6 multiplications: 10 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void double_pendulum_f64_motion(const double_pendulum_f64_t *p,
+    double_pendulum_f64_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * no operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t double_pendulum_f64_motion_rates(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    double rates[DOUBLE_PENDULUM_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 17 additions, 25 multiplications, 2 divisions and 4 trigonometric functions: 48 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t double_pendulum_f64_motion_derivatives(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES], double rates[DOUBLE_PENDULUM_POSITIONS],
+    double speed_rates[DOUBLE_PENDULUM_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 17 additions, 25 multiplications, 2 divisions and 4 trigonometric functions: 48 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t double_pendulum_f64_motion_accelerations(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    const double forces[DOUBLE_PENDULUM_FORCES], double accelerations[DOUBLE_PENDULUM_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 10 additions, 13 multiplications, 1 negation and 4 trigonometric functions: 28 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t double_pendulum_f64_motion_energy(const double_pendulum_f64_motion_t *motion,
+    const double positions[DOUBLE_PENDULUM_POSITIONS], const double speeds[DOUBLE_PENDULUM_SPEEDS],
+    double energy[2]);
+
 /* ------------------------------------------------------------ float */
 
 /** The parameters of `DoublePendulum`. */
@@ -431,6 +548,89 @@ void double_pendulum_f32_derivatives(const double_pendulum_f32_t *p,
  */
 void double_pendulum_f32_with_respect_to(const double_pendulum_f32_derivatives_t *derivatives,
     size_t parameter, double_pendulum_f32_matrices_t *matrices);
+
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    float constants[9U];
+} double_pendulum_f32_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 4 additions and 6 multiplications: 10 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void double_pendulum_f32_motion(const double_pendulum_f32_t *p,
+    double_pendulum_f32_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * no operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t double_pendulum_f32_motion_rates(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    float rates[DOUBLE_PENDULUM_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 17 additions, 25 multiplications, 2 divisions and 4 trigonometric functions: 48 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t double_pendulum_f32_motion_derivatives(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES], float rates[DOUBLE_PENDULUM_POSITIONS],
+    float speed_rates[DOUBLE_PENDULUM_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 17 additions, 25 multiplications, 2 divisions and 4 trigonometric functions: 48 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t double_pendulum_f32_motion_accelerations(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    const float forces[DOUBLE_PENDULUM_FORCES], float accelerations[DOUBLE_PENDULUM_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 10 additions, 13 multiplications, 1 negation and 4 trigonometric functions: 28 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t double_pendulum_f32_motion_energy(const double_pendulum_f32_motion_t *motion,
+    const float positions[DOUBLE_PENDULUM_POSITIONS], const float speeds[DOUBLE_PENDULUM_SPEEDS],
+    float energy[2]);
 
 #ifdef __cplusplus
 }

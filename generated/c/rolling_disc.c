@@ -21,6 +21,8 @@
 
 #include "rolling_disc.h"
 
+#include "carvallo_trig.h"
+
 #include <float.h>
 
 const char *rolling_disc_set_name(rolling_disc_set_t set)
@@ -296,6 +298,273 @@ void rolling_disc_f64_with_respect_to(const rolling_disc_f64_derivatives_t *deri
     }
 }
 
+void rolling_disc_f64_motion(const rolling_disc_f64_t *p, rolling_disc_f64_motion_t *motion)
+{
+    const double t5 = p->r * p->m;
+    const double t6 = p->r * t5;
+    const double t7 = p->It + t6;
+    const double t8 = p->Ia + t6;
+    motion->constants[0] = p->r;
+    motion->constants[1] = p->It;
+    motion->constants[2] = p->Ia;
+    motion->constants[3] = p->m;
+    motion->constants[4] = p->g;
+    motion->constants[5] = t5;
+    motion->constants[6] = t6;
+    motion->constants[7] = t7;
+    motion->constants[8] = t8;
+}
+
+static void rolling_disc_f64_compute_rates(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double rates[ROLLING_DISC_POSITIONS])
+{
+    const double t2 = motion->constants[0] * speeds[2];
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    const double t10 = -(t2 * cos_psi);
+    const double t11 = -(t2 * sin_psi);
+    rates[0] = t10;
+    rates[1] = t11;
+    rates[2] = speeds[0];
+    rates[3] = speeds[1];
+    rates[4] = speeds[2];
+}
+
+carvallo_motion_error_t rolling_disc_f64_motion_rates(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double rates[ROLLING_DISC_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f64_compute_rates(motion, positions, speeds, rates);
+        error = (carvallo_are_finite_f64(rates, ROLLING_DISC_POSITIONS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f64_compute_derivatives(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double rates[ROLLING_DISC_POSITIONS], double speed_rates[ROLLING_DISC_SPEEDS])
+{
+    const double t2 = motion->constants[0] * speeds[2];
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t13 = speeds[0] * cos_phi;
+    const double t15 = speeds[1] * motion->constants[1];
+    const double t17 = t13 * motion->constants[1];
+    const double t20 = speeds[1] * t13;
+    const double t23 = motion->constants[0] * t13;
+    const double t27 = motion->constants[0] * motion->constants[3];
+    const double t29 = (motion->constants[2] * t20) + (((motion->constants[0] * t20) + (speeds[1] *
+        t23)) * t27);
+    const double t33 = speeds[0] * sin_phi;
+    const double t34 = t15 * t33;
+    const double t36 = motion->constants[2] * (speeds[2] + t33);
+    const double t41 = (sin_phi * ((t13 * t15) + t29 - (speeds[1] * t17))) + (cos_phi *
+        ((speeds[1] * t36) - t34 - t34));
+    const double t43 = sin_phi * motion->constants[6];
+    const double t47 = sin_phi * motion->constants[2];
+    const double t50 = (sin_phi * t43) + (cos_phi * cos_phi * motion->constants[1]) + (sin_phi *
+        t47);
+    const double t51 = 1.0 / t50;
+    const double t54 = t51 * (t43 + t47);
+    const double t61 = ((t41 * t54) - t29) / (motion->constants[8] - (t50 * t54 * t54));
+    const double t76 = ((t17 * t33) - (t13 * t36) - (t27 * ((speeds[2] * t23) + (t23 * t33) +
+        (sin_phi * motion->constants[4])))) / motion->constants[7];
+    const double t77 = -(t2 * cos_psi);
+    const double t78 = -(t2 * sin_psi);
+    const double t79 = -((t41 * t51) + (t54 * t61));
+    const double t80 = -t76;
+    rates[0] = t77;
+    rates[1] = t78;
+    rates[2] = speeds[0];
+    rates[3] = speeds[1];
+    rates[4] = speeds[2];
+    speed_rates[0] = t79;
+    speed_rates[1] = t80;
+    speed_rates[2] = t61;
+}
+
+carvallo_motion_error_t rolling_disc_f64_motion_derivatives(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double rates[ROLLING_DISC_POSITIONS], double speed_rates[ROLLING_DISC_SPEEDS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f64_compute_derivatives(motion, positions, speeds, rates, speed_rates);
+        error = (carvallo_are_finite_f64(rates, ROLLING_DISC_POSITIONS) &&
+            carvallo_are_finite_f64(speed_rates, ROLLING_DISC_SPEEDS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f64_compute_accelerations(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double accelerations[ROLLING_DISC_POSITIONS])
+{
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t7 = speeds[0] * cos_phi;
+    const double t9 = t7 * speeds[1];
+    const double t12 = motion->constants[0] * t7;
+    const double t16 = motion->constants[0] * motion->constants[3];
+    const double t18 = (motion->constants[2] * t9) + (((motion->constants[0] * t9) + (speeds[1] *
+        t12)) * t16);
+    const double t21 = motion->constants[1] * speeds[1];
+    const double t23 = t7 * motion->constants[1];
+    const double t28 = sin_phi * speeds[0];
+    const double t29 = t21 * t28;
+    const double t32 = motion->constants[2] * (t28 + speeds[2]);
+    const double t37 = (sin_phi * ((t7 * t21) + t18 - (speeds[1] * t23))) + (cos_phi * ((speeds[1] *
+        t32) - t29 - t29));
+    const double t39 = sin_phi * motion->constants[6];
+    const double t40 = sin_phi * motion->constants[2];
+    const double t47 = (sin_phi * t39) + (cos_phi * cos_phi * motion->constants[1]) + (sin_phi *
+        t40);
+    const double t48 = 1.0 / t47;
+    const double t49 = (t39 + t40) * t48;
+    const double t56 = ((t37 * t49) - t18) / (motion->constants[8] - (t47 * t49 * t49));
+    const double t57 = motion->constants[0] * t56;
+    const double t61 = motion->constants[0] * speeds[0] * speeds[2];
+    const double t63 = (sin_psi * t61) - (cos_psi * t57);
+    const double t82 = ((t23 * t28) - (t7 * t32) - (t16 * ((t12 * speeds[2]) + (t12 * t28) +
+        (sin_phi * motion->constants[4])))) / motion->constants[7];
+    const double t83 = -((t57 * sin_psi) + (cos_psi * t61));
+    const double t84 = -((t37 * t48) + (t49 * t56));
+    const double t85 = -t82;
+    accelerations[0] = t63;
+    accelerations[1] = t83;
+    accelerations[2] = t84;
+    accelerations[3] = t85;
+    accelerations[4] = t56;
+}
+
+carvallo_motion_error_t rolling_disc_f64_motion_accelerations(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double accelerations[ROLLING_DISC_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f64_compute_accelerations(motion, positions, speeds, accelerations);
+        error = (carvallo_are_finite_f64(accelerations, ROLLING_DISC_POSITIONS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f64_compute_energy(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double energy[2])
+{
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t4 = sin_phi * motion->constants[6];
+    const double t11 = sin_phi * motion->constants[2];
+    const double t17 = t4 + t11;
+    const double t19 = (speeds[0] * ((sin_phi * t4) + (motion->constants[1] * cos_phi * cos_phi) +
+        (sin_phi * t11))) + (speeds[2] * t17);
+    const double t33 = ((speeds[0] * t19) + (speeds[1] * speeds[1] * motion->constants[7]) +
+        (speeds[2] * ((speeds[0] * t17) + (speeds[2] * motion->constants[8])))) * 0.5;
+    const double t37 = cos_phi * motion->constants[4] * motion->constants[5];
+    energy[0] = t33;
+    energy[1] = t37;
+}
+
+carvallo_motion_error_t rolling_disc_f64_motion_energy(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double energy[2])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f64_compute_energy(motion, positions, speeds, energy);
+        error = (carvallo_are_finite_f64(energy, 2U)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f64_compute_contact_forces(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double contact_forces[3U * ROLLING_DISC_WHEELS])
+{
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t6 = speeds[0] * cos_phi;
+    const double t9 = motion->constants[0] * speeds[1];
+    const double t10 = t6 * t9;
+    const double t11 = t6 * speeds[1];
+    const double t16 = motion->constants[3] * motion->constants[0];
+    const double t18 = (t11 * motion->constants[2]) + ((t10 + (motion->constants[0] * t11)) * t16);
+    const double t21 = speeds[1] * motion->constants[1];
+    const double t23 = t6 * motion->constants[1];
+    const double t28 = speeds[0] * sin_phi;
+    const double t29 = t21 * t28;
+    const double t31 = t28 + speeds[2];
+    const double t32 = motion->constants[2] * t31;
+    const double t37 = (sin_phi * ((t6 * t21) + t18 - (speeds[1] * t23))) + (cos_phi * ((speeds[1] *
+        t32) - t29 - t29));
+    const double t39 = sin_phi * motion->constants[6];
+    const double t40 = sin_phi * motion->constants[2];
+    const double t47 = (sin_phi * t39) + (cos_phi * cos_phi * motion->constants[1]) + (sin_phi *
+        t40);
+    const double t48 = 1.0 / t47;
+    const double t49 = (t39 + t40) * t48;
+    const double t56 = ((t37 * t49) - t18) / (motion->constants[8] - (t47 * t49 * t49));
+    const double t64 = t10 + (motion->constants[0] * (t11 + t56 - (sin_phi * ((t37 * t48) + (t49 *
+        t56)))));
+    const double t65 = motion->constants[3] * t64;
+    const double t68 = motion->constants[0] * t28;
+    const double t72 = (t6 * t68) + (sin_phi * motion->constants[4]);
+    const double t73 = t6 * speeds[2];
+    const double t83 = t73 + (((t23 * t28) - (t6 * t32) - (t16 * ((motion->constants[0] * t73) +
+        t72))) / motion->constants[7]);
+    const double t86 = motion->constants[3] * (t72 + (motion->constants[0] * t83));
+    const double t93 = motion->constants[3] * ((speeds[1] * t9) + (t31 * t68) - (cos_phi *
+        motion->constants[4]));
+    const double t95 = (cos_phi * t86) + (sin_phi * t93);
+    const double t97 = (sin_psi * t95) - (cos_psi * t65);
+    const double t103 = (cos_phi * t93) - (sin_phi * t86);
+    const double t104 = -((t65 * sin_psi) + (cos_psi * t95));
+    contact_forces[0] = t97;
+    contact_forces[1] = t104;
+    contact_forces[2] = t103;
+}
+
+carvallo_motion_error_t rolling_disc_f64_motion_contact_forces(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double contact_forces[3U * ROLLING_DISC_WHEELS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f64_compute_contact_forces(motion, positions, speeds, contact_forces);
+        error = (carvallo_are_finite_f64(contact_forces, 3U * ROLLING_DISC_WHEELS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
 const rolling_disc_f32_t rolling_disc_f32_sets[ROLLING_DISC_SETS] = {
     { /* uniform */
         .r = 0.3F,
@@ -529,4 +798,271 @@ void rolling_disc_f32_with_respect_to(const rolling_disc_f32_derivatives_t *deri
             }
         }
     }
+}
+
+void rolling_disc_f32_motion(const rolling_disc_f32_t *p, rolling_disc_f32_motion_t *motion)
+{
+    const float t5 = p->r * p->m;
+    const float t6 = p->r * t5;
+    const float t7 = p->It + t6;
+    const float t8 = p->Ia + t6;
+    motion->constants[0] = p->r;
+    motion->constants[1] = p->It;
+    motion->constants[2] = p->Ia;
+    motion->constants[3] = p->m;
+    motion->constants[4] = p->g;
+    motion->constants[5] = t5;
+    motion->constants[6] = t6;
+    motion->constants[7] = t7;
+    motion->constants[8] = t8;
+}
+
+static void rolling_disc_f32_compute_rates(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float rates[ROLLING_DISC_POSITIONS])
+{
+    const float t2 = motion->constants[0] * speeds[2];
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    const float t10 = -(t2 * cos_psi);
+    const float t11 = -(t2 * sin_psi);
+    rates[0] = t10;
+    rates[1] = t11;
+    rates[2] = speeds[0];
+    rates[3] = speeds[1];
+    rates[4] = speeds[2];
+}
+
+carvallo_motion_error_t rolling_disc_f32_motion_rates(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float rates[ROLLING_DISC_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f32_compute_rates(motion, positions, speeds, rates);
+        error = (carvallo_are_finite_f32(rates, ROLLING_DISC_POSITIONS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f32_compute_derivatives(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float rates[ROLLING_DISC_POSITIONS], float speed_rates[ROLLING_DISC_SPEEDS])
+{
+    const float t2 = motion->constants[0] * speeds[2];
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t13 = speeds[0] * cos_phi;
+    const float t15 = speeds[1] * motion->constants[1];
+    const float t17 = t13 * motion->constants[1];
+    const float t20 = speeds[1] * t13;
+    const float t23 = motion->constants[0] * t13;
+    const float t27 = motion->constants[0] * motion->constants[3];
+    const float t29 = (motion->constants[2] * t20) + (((motion->constants[0] * t20) + (speeds[1] *
+        t23)) * t27);
+    const float t33 = speeds[0] * sin_phi;
+    const float t34 = t15 * t33;
+    const float t36 = motion->constants[2] * (speeds[2] + t33);
+    const float t41 = (sin_phi * ((t13 * t15) + t29 - (speeds[1] * t17))) + (cos_phi * ((speeds[1] *
+        t36) - t34 - t34));
+    const float t43 = sin_phi * motion->constants[6];
+    const float t47 = sin_phi * motion->constants[2];
+    const float t50 = (sin_phi * t43) + (cos_phi * cos_phi * motion->constants[1]) + (sin_phi *
+        t47);
+    const float t51 = 1.0F / t50;
+    const float t54 = t51 * (t43 + t47);
+    const float t61 = ((t41 * t54) - t29) / (motion->constants[8] - (t50 * t54 * t54));
+    const float t76 = ((t17 * t33) - (t13 * t36) - (t27 * ((speeds[2] * t23) + (t23 * t33) +
+        (sin_phi * motion->constants[4])))) / motion->constants[7];
+    const float t77 = -(t2 * cos_psi);
+    const float t78 = -(t2 * sin_psi);
+    const float t79 = -((t41 * t51) + (t54 * t61));
+    const float t80 = -t76;
+    rates[0] = t77;
+    rates[1] = t78;
+    rates[2] = speeds[0];
+    rates[3] = speeds[1];
+    rates[4] = speeds[2];
+    speed_rates[0] = t79;
+    speed_rates[1] = t80;
+    speed_rates[2] = t61;
+}
+
+carvallo_motion_error_t rolling_disc_f32_motion_derivatives(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float rates[ROLLING_DISC_POSITIONS], float speed_rates[ROLLING_DISC_SPEEDS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f32_compute_derivatives(motion, positions, speeds, rates, speed_rates);
+        error = (carvallo_are_finite_f32(rates, ROLLING_DISC_POSITIONS) &&
+            carvallo_are_finite_f32(speed_rates, ROLLING_DISC_SPEEDS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f32_compute_accelerations(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float accelerations[ROLLING_DISC_POSITIONS])
+{
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t7 = speeds[0] * cos_phi;
+    const float t9 = t7 * speeds[1];
+    const float t12 = motion->constants[0] * t7;
+    const float t16 = motion->constants[0] * motion->constants[3];
+    const float t18 = (motion->constants[2] * t9) + (((motion->constants[0] * t9) + (speeds[1] *
+        t12)) * t16);
+    const float t21 = motion->constants[1] * speeds[1];
+    const float t23 = t7 * motion->constants[1];
+    const float t28 = sin_phi * speeds[0];
+    const float t29 = t21 * t28;
+    const float t32 = motion->constants[2] * (t28 + speeds[2]);
+    const float t37 = (sin_phi * ((t7 * t21) + t18 - (speeds[1] * t23))) + (cos_phi * ((speeds[1] *
+        t32) - t29 - t29));
+    const float t39 = sin_phi * motion->constants[6];
+    const float t40 = sin_phi * motion->constants[2];
+    const float t47 = (sin_phi * t39) + (cos_phi * cos_phi * motion->constants[1]) + (sin_phi *
+        t40);
+    const float t48 = 1.0F / t47;
+    const float t49 = (t39 + t40) * t48;
+    const float t56 = ((t37 * t49) - t18) / (motion->constants[8] - (t47 * t49 * t49));
+    const float t57 = motion->constants[0] * t56;
+    const float t61 = motion->constants[0] * speeds[0] * speeds[2];
+    const float t63 = (sin_psi * t61) - (cos_psi * t57);
+    const float t82 = ((t23 * t28) - (t7 * t32) - (t16 * ((t12 * speeds[2]) + (t12 * t28) +
+        (sin_phi * motion->constants[4])))) / motion->constants[7];
+    const float t83 = -((t57 * sin_psi) + (cos_psi * t61));
+    const float t84 = -((t37 * t48) + (t49 * t56));
+    const float t85 = -t82;
+    accelerations[0] = t63;
+    accelerations[1] = t83;
+    accelerations[2] = t84;
+    accelerations[3] = t85;
+    accelerations[4] = t56;
+}
+
+carvallo_motion_error_t rolling_disc_f32_motion_accelerations(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float accelerations[ROLLING_DISC_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f32_compute_accelerations(motion, positions, speeds, accelerations);
+        error = (carvallo_are_finite_f32(accelerations, ROLLING_DISC_POSITIONS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f32_compute_energy(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float energy[2])
+{
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t4 = sin_phi * motion->constants[6];
+    const float t11 = sin_phi * motion->constants[2];
+    const float t17 = t4 + t11;
+    const float t19 = (speeds[0] * ((sin_phi * t4) + (motion->constants[1] * cos_phi * cos_phi) +
+        (sin_phi * t11))) + (speeds[2] * t17);
+    const float t33 = ((speeds[0] * t19) + (speeds[1] * speeds[1] * motion->constants[7]) +
+        (speeds[2] * ((speeds[0] * t17) + (speeds[2] * motion->constants[8])))) * 0.5F;
+    const float t37 = cos_phi * motion->constants[4] * motion->constants[5];
+    energy[0] = t33;
+    energy[1] = t37;
+}
+
+carvallo_motion_error_t rolling_disc_f32_motion_energy(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float energy[2])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f32_compute_energy(motion, positions, speeds, energy);
+        error = (carvallo_are_finite_f32(energy, 2U)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void rolling_disc_f32_compute_contact_forces(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float contact_forces[3U * ROLLING_DISC_WHEELS])
+{
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t6 = speeds[0] * cos_phi;
+    const float t9 = motion->constants[0] * speeds[1];
+    const float t10 = t6 * t9;
+    const float t11 = t6 * speeds[1];
+    const float t16 = motion->constants[3] * motion->constants[0];
+    const float t18 = (t11 * motion->constants[2]) + ((t10 + (motion->constants[0] * t11)) * t16);
+    const float t21 = speeds[1] * motion->constants[1];
+    const float t23 = t6 * motion->constants[1];
+    const float t28 = speeds[0] * sin_phi;
+    const float t29 = t21 * t28;
+    const float t31 = t28 + speeds[2];
+    const float t32 = motion->constants[2] * t31;
+    const float t37 = (sin_phi * ((t6 * t21) + t18 - (speeds[1] * t23))) + (cos_phi * ((speeds[1] *
+        t32) - t29 - t29));
+    const float t39 = sin_phi * motion->constants[6];
+    const float t40 = sin_phi * motion->constants[2];
+    const float t47 = (sin_phi * t39) + (cos_phi * cos_phi * motion->constants[1]) + (sin_phi *
+        t40);
+    const float t48 = 1.0F / t47;
+    const float t49 = (t39 + t40) * t48;
+    const float t56 = ((t37 * t49) - t18) / (motion->constants[8] - (t47 * t49 * t49));
+    const float t64 = t10 + (motion->constants[0] * (t11 + t56 - (sin_phi * ((t37 * t48) + (t49 *
+        t56)))));
+    const float t65 = motion->constants[3] * t64;
+    const float t68 = motion->constants[0] * t28;
+    const float t72 = (t6 * t68) + (sin_phi * motion->constants[4]);
+    const float t73 = t6 * speeds[2];
+    const float t83 = t73 + (((t23 * t28) - (t6 * t32) - (t16 * ((motion->constants[0] * t73) +
+        t72))) / motion->constants[7]);
+    const float t86 = motion->constants[3] * (t72 + (motion->constants[0] * t83));
+    const float t93 = motion->constants[3] * ((speeds[1] * t9) + (t31 * t68) - (cos_phi *
+        motion->constants[4]));
+    const float t95 = (cos_phi * t86) + (sin_phi * t93);
+    const float t97 = (sin_psi * t95) - (cos_psi * t65);
+    const float t103 = (cos_phi * t93) - (sin_phi * t86);
+    const float t104 = -((t65 * sin_psi) + (cos_psi * t95));
+    contact_forces[0] = t97;
+    contact_forces[1] = t104;
+    contact_forces[2] = t103;
+}
+
+carvallo_motion_error_t rolling_disc_f32_motion_contact_forces(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float contact_forces[3U * ROLLING_DISC_WHEELS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, ROLLING_DISC_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, ROLLING_DISC_SPEEDS)) {
+        rolling_disc_f32_compute_contact_forces(motion, positions, speeds, contact_forces);
+        error = (carvallo_are_finite_f32(contact_forces, 3U * ROLLING_DISC_WHEELS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
 }

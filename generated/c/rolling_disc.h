@@ -32,6 +32,7 @@
 #ifndef CARVALLO_MODEL_ROLLING_DISC_H
 #define CARVALLO_MODEL_ROLLING_DISC_H
 
+#include "carvallo_motion.h"
 #include "carvallo_system.h"
 
 #ifdef __cplusplus
@@ -89,6 +90,45 @@ const char *rolling_disc_validity_text(rolling_disc_validity_t validity);
 
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t rolling_disc_partials[ROLLING_DISC_PARTIALS];
+
+/** The number of positions of the nonlinear equations of motion. */
+#define ROLLING_DISC_POSITIONS 5U
+
+/** A position of a joint: its place among the positions. */
+typedef enum {
+    /** x of the contact point of the disc, in m */
+    ROLLING_DISC_POSITION_x = 0,
+    /** y of the contact point of the disc, in m */
+    ROLLING_DISC_POSITION_y = 1,
+    /** yaw, in rad */
+    ROLLING_DISC_POSITION_psi = 2,
+    /** lean, in rad */
+    ROLLING_DISC_POSITION_phi = 3,
+    /** angle of the disc, in rad */
+    ROLLING_DISC_POSITION_thetaD = 4
+} rolling_disc_position_t;
+
+/** The number of speeds of the nonlinear equations of motion. */
+#define ROLLING_DISC_SPEEDS 3U
+
+/** A rate that rolling leaves free: its place among the speeds. */
+typedef enum {
+    /** The rate of `psi`, in rad/s */
+    ROLLING_DISC_SPEED_psi = 0,
+    /** The rate of `phi`, in rad/s */
+    ROLLING_DISC_SPEED_phi = 1,
+    /** The rate of `thetaD`, in rad/s */
+    ROLLING_DISC_SPEED_thetaD = 2
+} rolling_disc_speed_t;
+
+/** The number of wheels of the nonlinear equations of motion. */
+#define ROLLING_DISC_WHEELS 1U
+
+/** A wheel: its place among the contact forces. */
+typedef enum {
+    /** disc */
+    ROLLING_DISC_WHEEL_D = 0
+} rolling_disc_wheel_t;
 
 /* ------------------------------------------------------------ double */
 
@@ -257,6 +297,101 @@ void rolling_disc_f64_derivatives(const rolling_disc_f64_t *p,
 void rolling_disc_f64_with_respect_to(const rolling_disc_f64_derivatives_t *derivatives,
     size_t parameter, rolling_disc_f64_matrices_t *matrices);
 
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    double constants[9U];
+} rolling_disc_f64_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 2 additions and 2 multiplications: 4 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void rolling_disc_f64_motion(const rolling_disc_f64_t *p, rolling_disc_f64_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 3 multiplications, 2 negations and 2 trigonometric functions: 7 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f64_motion_rates(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double rates[ROLLING_DISC_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 18 additions, 39 multiplications, 3 divisions, 4 negations and 4 trigonometric functions: 68 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f64_motion_derivatives(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double rates[ROLLING_DISC_POSITIONS], double speed_rates[ROLLING_DISC_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 20 additions, 43 multiplications, 3 divisions, 3 negations and 4 trigonometric functions: 73 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f64_motion_accelerations(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double accelerations[ROLLING_DISC_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 7 additions, 17 multiplications and 2 trigonometric functions: 26 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f64_motion_energy(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double energy[2]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 29 additions, 55 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 92 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f64_motion_contact_forces(const rolling_disc_f64_motion_t *motion,
+    const double positions[ROLLING_DISC_POSITIONS], const double speeds[ROLLING_DISC_SPEEDS],
+    double contact_forces[3U * ROLLING_DISC_WHEELS]);
+
 /* ------------------------------------------------------------ float */
 
 /** The parameters of `RollingDisc`. */
@@ -423,6 +558,101 @@ void rolling_disc_f32_derivatives(const rolling_disc_f32_t *p,
  */
 void rolling_disc_f32_with_respect_to(const rolling_disc_f32_derivatives_t *derivatives,
     size_t parameter, rolling_disc_f32_matrices_t *matrices);
+
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    float constants[9U];
+} rolling_disc_f32_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 2 additions and 2 multiplications: 4 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void rolling_disc_f32_motion(const rolling_disc_f32_t *p, rolling_disc_f32_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 3 multiplications, 2 negations and 2 trigonometric functions: 7 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f32_motion_rates(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float rates[ROLLING_DISC_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 18 additions, 39 multiplications, 3 divisions, 4 negations and 4 trigonometric functions: 68 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f32_motion_derivatives(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float rates[ROLLING_DISC_POSITIONS], float speed_rates[ROLLING_DISC_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 20 additions, 43 multiplications, 3 divisions, 3 negations and 4 trigonometric functions: 73 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f32_motion_accelerations(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float accelerations[ROLLING_DISC_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 7 additions, 17 multiplications and 2 trigonometric functions: 26 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f32_motion_energy(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float energy[2]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 29 additions, 55 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 92 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t rolling_disc_f32_motion_contact_forces(const rolling_disc_f32_motion_t *motion,
+    const float positions[ROLLING_DISC_POSITIONS], const float speeds[ROLLING_DISC_SPEEDS],
+    float contact_forces[3U * ROLLING_DISC_WHEELS]);
 
 #ifdef __cplusplus
 }

@@ -28,7 +28,10 @@
 
 #include "wheeled_pendulum.h"
 
+#include "carvallo_trig.h"
+
 #include <float.h>
+#include <math.h>
 
 const char *wheeled_pendulum_set_name(wheeled_pendulum_set_t set)
 {
@@ -431,6 +434,629 @@ void wheeled_pendulum_f64_with_respect_to(const wheeled_pendulum_f64_derivatives
     }
 }
 
+void wheeled_pendulum_f64_motion(const wheeled_pendulum_f64_t *p,
+    wheeled_pendulum_f64_motion_t *motion)
+{
+    const double t3 = p->b + p->b;
+    const double t4 = p->r / p->r;
+    const double t8 = p->r - p->r - p->l;
+    const double t9 = p->m * t8;
+    const double t11 = t8 * t9;
+    const double t12 = p->Iyy + t11;
+    const double t13 = p->b * p->m;
+    const double t14 = t8 * t13;
+    const double t17 = p->m + p->mW + p->mW;
+    const double t18 = t3 * p->mW;
+    const double t19 = t13 + t18;
+    const double t25 = p->Ir + p->Ir + (t3 * t18) + (p->b * t13);
+    const double t26 = t11 + t25;
+    const double t28 = t25 + p->Izz;
+    const double t30 = t28 - t26;
+    const double t31 = p->r * t17;
+    const double t32 = p->r * t31;
+    const double t33 = p->r * t19;
+    const double t37 = p->Ia + t32 + (p->Ia * t4 * t4);
+    motion->constants[0] = p->r;
+    motion->constants[1] = p->Ia;
+    motion->constants[2] = t3;
+    motion->constants[3] = t4;
+    motion->constants[4] = t9;
+    motion->constants[5] = t12;
+    motion->constants[6] = t14;
+    motion->constants[7] = t17;
+    motion->constants[8] = t19;
+    motion->constants[9] = t26;
+    motion->constants[10] = t28;
+    motion->constants[11] = p->g;
+    motion->constants[12] = t30;
+    motion->constants[13] = t31;
+    motion->constants[14] = t32;
+    motion->constants[15] = t33;
+    motion->constants[16] = t37;
+}
+
+static void wheeled_pendulum_f64_compute_rates(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], double rates[WHEELED_PENDULUM_POSITIONS])
+{
+    const double t4 = motion->constants[0] * (speeds[1] + speeds[2]);
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t14 = motion->constants[0] * sin_phi;
+    const double t20 = (t14 + (cos_phi * motion->constants[2]) - t14) / motion->constants[0];
+    const double t27 = (speeds[0] * t20) + (speeds[1] * sin_phi * t20) + (speeds[2] *
+        motion->constants[3]);
+    const double t28 = -(t4 * cos_psi);
+    const double t29 = -(t4 * sin_psi);
+    rates[0] = t28;
+    rates[1] = t29;
+    rates[2] = speeds[0];
+    rates[3] = 0.0;
+    rates[4] = speeds[1];
+    rates[5] = speeds[2];
+    rates[6] = t27;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f64_motion_rates(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], double rates[WHEELED_PENDULUM_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, WHEELED_PENDULUM_SPEEDS)) {
+        wheeled_pendulum_f64_compute_rates(motion, positions, speeds, rates);
+        error = (carvallo_are_finite_f64(rates, WHEELED_PENDULUM_POSITIONS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f64_compute_derivatives(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double rates[WHEELED_PENDULUM_POSITIONS], double speed_rates[WHEELED_PENDULUM_SPEEDS])
+{
+    const double t3 = speeds[1] + speeds[2];
+    const double t4 = motion->constants[0] * t3;
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t14 = motion->constants[0] * sin_phi;
+    const double t19 = t14 + (cos_phi * motion->constants[2]) - t14;
+    const double t20 = 1.0 / motion->constants[0];
+    const double t21 = t19 * t20;
+    const double t23 = sin_phi * t21;
+    const double t28 = (speeds[0] * t21) + (speeds[1] * t23) + (speeds[2] * motion->constants[3]);
+    double sin_theta = 0.0;
+    double cos_theta = 0.0;
+    carvallo_sin_cos_f64(positions[4], &sin_theta, &cos_theta);
+    const double t32 = speeds[0] * sin_phi;
+    const double t34 = motion->constants[0] * t32;
+    const double t35 = (t3 + t32) * t34;
+    const double t38 = t35 - (cos_phi * motion->constants[11]);
+    const double t39 = sin_theta * t38;
+    const double t42 = speeds[0] * cos_phi;
+    const double t43 = sin_theta * t42;
+    const double t44 = speeds[1] * t43;
+    const double t45 = t3 * t42;
+    const double t47 = t34 * t42;
+    const double t49 = t42 * cos_theta;
+    const double t50 = motion->constants[2] * t49;
+    const double t52 = motion->constants[2] * t43;
+    const double t54 = speeds[1] + t28;
+    const double t60 = t47 + (motion->constants[0] * t42 * t54) - (motion->constants[0] * t45) -
+        t47 - (t49 * t50);
+    const double t64 = speeds[1] + t32;
+    const double t66 = speeds[1] * t49;
+    const double t69 = (t35 * cos_theta) + (t50 * t64) - (motion->constants[2] * t66);
+    const double t75 = (motion->constants[2] * t44) - (sin_theta * t35) - (t52 * t64);
+    const double t83 = ((sin_phi * (t60 - (t43 * t52))) + (cos_phi * ((cos_theta * t69) -
+        (sin_theta * t75) - (t34 * (t32 + t54))))) / t19;
+    const double t85 = t44 + (sin_theta * t83);
+    const double t92 = t20 * motion->constants[1] * ((sin_theta * t69) + (cos_theta * t75));
+    const double t94 = t43 * motion->constants[9];
+    const double t99 = (t49 * motion->constants[10]) - (motion->constants[6] * t64);
+    const double t102 = t38 * cos_theta;
+    const double t106 = t66 + (cos_theta * t83);
+    const double t108 = motion->constants[4] * t43;
+    const double t127 = (sin_theta * ((motion->constants[7] * t102) - (motion->constants[8] *
+        t106) - (t43 * t108) - (t64 * ((motion->constants[4] * t64) - (t49 *
+        motion->constants[8]))))) + (cos_theta * ((t85 * motion->constants[8]) - (t39 *
+        motion->constants[7]) - (t43 * t64 * motion->constants[8]) - (t49 * t108)));
+    const double t128 = motion->constants[0] * t127;
+    const double t133 = (motion->constants[6] * t85) + (t43 * t99) - (motion->constants[4] * t39) -
+        t92 - (t49 * t94) - t128;
+    const double t146 = (t64 * motion->constants[5]) + (motion->constants[1] * (speeds[2] + t64)) +
+        (motion->constants[1] * (t28 + t64)) - (motion->constants[6] * t49);
+    const double t164 = (t102 * motion->constants[8]) + (motion->constants[4] * (t47 + (sin_phi *
+        motion->constants[11]) + (motion->constants[0] * (t45 + t83)))) + (t64 * t99);
+    const double t168 = (cos_theta * ((t39 * motion->constants[8]) + (t64 * t94) - (t85 *
+        motion->constants[10]) - (t43 * t146))) - (sin_theta * (t164 - (motion->constants[9] *
+        t106) - (t49 * t146)));
+    const double t171 = t92 + forces[1];
+    const double t174 = (t21 * t171) - (sin_phi * t133) - (cos_phi * t168);
+    const double t175 = motion->constants[4] * cos_theta;
+    const double t176 = motion->constants[0] * t175;
+    const double t180 = motion->constants[5] + motion->constants[14] - t176 - t176;
+    const double t184 = motion->constants[15] - (motion->constants[6] * cos_theta);
+    const double t186 = (sin_phi * t180) + (cos_phi * t184);
+    const double t195 = cos_phi * ((sin_phi * t184) + (cos_phi * (motion->constants[10] -
+        (sin_theta * sin_theta * motion->constants[12]))));
+    const double t196 = sin_phi * motion->constants[1];
+    const double t198 = sin_phi + t21;
+    const double t199 = motion->constants[1] * t198;
+    const double t203 = (sin_phi * t186) + t195 + (sin_phi * t196) + (t198 * t199);
+    const double t204 = 1.0 / t203;
+    const double t207 = t23 + 1.0;
+    const double t211 = t204 * (t186 + t196 + (t199 * t207));
+    const double t212 = motion->constants[1] * t207;
+    const double t214 = t203 * t211;
+    const double t218 = motion->constants[1] + t180 + (t207 * t212) - (t211 * t214);
+    const double t219 = 1.0 / t218;
+    const double t223 = (t23 * t171) - t133 - (t174 * t211);
+    const double t227 = motion->constants[0] * (t175 - motion->constants[13]);
+    const double t235 = t204 * (t196 + (cos_phi * motion->constants[15]) + (motion->constants[3] *
+        t199) - (sin_phi * t227));
+    const double t240 = t219 * (motion->constants[1] + (motion->constants[3] * t212) - t227 -
+        (t214 * t235));
+    const double t256 = (t128 + forces[0] + (motion->constants[3] * t171) - (t174 * t235) - (t223 *
+        t240)) / (motion->constants[16] - (t203 * t235 * t235) - (t218 * t240 * t240));
+    const double t258 = (t219 * t223) - (t240 * t256);
+    const double t262 = (t174 * t204) - (t211 * t258) - (t235 * t256);
+    const double t263 = -(t4 * cos_psi);
+    const double t264 = -(t4 * sin_psi);
+    rates[0] = t263;
+    rates[1] = t264;
+    rates[2] = speeds[0];
+    rates[3] = 0.0;
+    rates[4] = speeds[1];
+    rates[5] = speeds[2];
+    rates[6] = t28;
+    speed_rates[0] = t262;
+    speed_rates[1] = t258;
+    speed_rates[2] = t256;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f64_motion_derivatives(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double rates[WHEELED_PENDULUM_POSITIONS], double speed_rates[WHEELED_PENDULUM_SPEEDS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        wheeled_pendulum_f64_compute_derivatives(motion, positions, speeds, forces, rates,
+            speed_rates);
+        error = (carvallo_are_finite_f64(rates, WHEELED_PENDULUM_POSITIONS) &&
+            carvallo_are_finite_f64(speed_rates, WHEELED_PENDULUM_SPEEDS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f64_compute_accelerations(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double accelerations[WHEELED_PENDULUM_POSITIONS])
+{
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    double sin_theta = 0.0;
+    double cos_theta = 0.0;
+    carvallo_sin_cos_f64(positions[4], &sin_theta, &cos_theta);
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t11 = speeds[0] * sin_phi;
+    const double t14 = speeds[1] + speeds[2];
+    const double t16 = motion->constants[0] * t11;
+    const double t17 = (t11 + t14) * t16;
+    const double t21 = t17 - (cos_phi * motion->constants[11]);
+    const double t22 = cos_theta * t21;
+    const double t25 = speeds[0] * cos_phi;
+    const double t26 = cos_theta * t25;
+    const double t27 = speeds[1] * t26;
+    const double t28 = t14 * t25;
+    const double t30 = t16 * t25;
+    const double t32 = t26 * motion->constants[2];
+    const double t34 = sin_theta * t25;
+    const double t35 = motion->constants[2] * t34;
+    const double t37 = motion->constants[0] * sin_phi;
+    const double t40 = t37 + (cos_phi * motion->constants[2]) - t37;
+    const double t41 = 1.0 / motion->constants[0];
+    const double t42 = t40 * t41;
+    const double t44 = sin_phi * t42;
+    const double t49 = (speeds[0] * t42) + (speeds[1] * t44) + (speeds[2] * motion->constants[3]);
+    const double t50 = speeds[1] + t49;
+    const double t56 = t30 + (motion->constants[0] * t25 * t50) - (motion->constants[0] * t28) -
+        t30 - (t26 * t32);
+    const double t60 = t11 + speeds[1];
+    const double t64 = (cos_theta * t17) + (t32 * t60) - (t27 * motion->constants[2]);
+    const double t68 = speeds[1] * t34;
+    const double t71 = (motion->constants[2] * t68) - (sin_theta * t17) - (t35 * t60);
+    const double t79 = ((sin_phi * (t56 - (t34 * t35))) + (cos_phi * ((cos_theta * t64) -
+        (sin_theta * t71) - (t16 * (t11 + t50))))) / t40;
+    const double t81 = t27 + (cos_theta * t79);
+    const double t84 = t34 * motion->constants[4];
+    const double t94 = sin_theta * t21;
+    const double t97 = t68 + (sin_theta * t79);
+    const double t106 = (sin_theta * ((motion->constants[7] * t22) - (motion->constants[8] * t81) -
+        (t34 * t84) - (t60 * ((t60 * motion->constants[4]) - (motion->constants[8] * t26))))) +
+        (cos_theta * ((motion->constants[8] * t97) - (motion->constants[7] * t94) -
+        (motion->constants[8] * t34 * t60) - (t26 * t84)));
+    const double t107 = motion->constants[0] * t106;
+    const double t113 = t41 * ((sin_theta * t64) + (cos_theta * t71));
+    const double t114 = motion->constants[1] * t113;
+    const double t115 = forces[1] + t114;
+    const double t121 = t34 * motion->constants[9];
+    const double t126 = (t26 * motion->constants[10]) - (t60 * motion->constants[6]);
+    const double t132 = (t97 * motion->constants[6]) + (t34 * t126) - t107 - t114 -
+        (motion->constants[4] * t94) - (t26 * t121);
+    const double t145 = (t60 * motion->constants[5]) + (motion->constants[1] * (speeds[2] + t60)) +
+        (motion->constants[1] * (t49 + t60)) - (t26 * motion->constants[6]);
+    const double t163 = (t22 * motion->constants[8]) + (motion->constants[4] * (t30 + (sin_phi *
+        motion->constants[11]) + (motion->constants[0] * (t28 + t79)))) + (t60 * t126);
+    const double t167 = (cos_theta * ((motion->constants[8] * t94) + (t60 * t121) - (t97 *
+        motion->constants[10]) - (t34 * t145))) - (sin_theta * (t163 - (t81 *
+        motion->constants[9]) - (t26 * t145)));
+    const double t171 = (t42 * t115) - (sin_phi * t132) - (cos_phi * t167);
+    const double t172 = sin_phi * motion->constants[1];
+    const double t173 = cos_theta * motion->constants[4];
+    const double t176 = motion->constants[0] * (t173 - motion->constants[13]);
+    const double t180 = sin_phi + t42;
+    const double t181 = motion->constants[1] * t180;
+    const double t186 = motion->constants[0] * t173;
+    const double t190 = motion->constants[5] + motion->constants[14] - t186 - t186;
+    const double t193 = motion->constants[15] - (cos_theta * motion->constants[6]);
+    const double t195 = (sin_phi * t190) + (cos_phi * t193);
+    const double t204 = cos_phi * ((sin_phi * t193) + (cos_phi * (motion->constants[10] -
+        (sin_theta * sin_theta * motion->constants[12]))));
+    const double t209 = (sin_phi * t195) + t204 + (sin_phi * t172) + (t180 * t181);
+    const double t210 = 1.0 / t209;
+    const double t211 = (t172 + (cos_phi * motion->constants[15]) + (motion->constants[3] * t181) -
+        (sin_phi * t176)) * t210;
+    const double t214 = t44 + 1.0;
+    const double t215 = motion->constants[1] * t214;
+    const double t220 = t210 * (t172 + t195 + (t181 * t214));
+    const double t221 = t209 * t220;
+    const double t230 = motion->constants[1] + t190 + (t214 * t215) - (t220 * t221);
+    const double t231 = 1.0 / t230;
+    const double t232 = (motion->constants[1] + (motion->constants[3] * t215) - t176 - (t211 *
+        t221)) * t231;
+    const double t236 = (t44 * t115) - t132 - (t171 * t220);
+    const double t249 = (forces[0] + t107 + (motion->constants[3] * t115) - (t171 * t211) - (t232 *
+        t236)) / (motion->constants[16] - (t209 * t211 * t211) - (t230 * t232 * t232));
+    const double t252 = (t231 * t236) - (t232 * t249);
+    const double t254 = motion->constants[0] * (t249 + t252);
+    const double t258 = motion->constants[0] * speeds[0] * t14;
+    const double t260 = (sin_psi * t258) - (cos_psi * t254);
+    const double t268 = (t171 * t210) - (t220 * t252) - (t211 * t249);
+    const double t274 = (t42 * t268) + (t44 * t252) + (motion->constants[3] * t249) - t113;
+    const double t275 = -((t254 * sin_psi) + (cos_psi * t258));
+    const double t276 = -t79;
+    accelerations[0] = t260;
+    accelerations[1] = t275;
+    accelerations[2] = t268;
+    accelerations[3] = t276;
+    accelerations[4] = t252;
+    accelerations[5] = t249;
+    accelerations[6] = t274;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f64_motion_accelerations(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double accelerations[WHEELED_PENDULUM_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        wheeled_pendulum_f64_compute_accelerations(motion, positions, speeds, forces,
+            accelerations);
+        error = (carvallo_are_finite_f64(accelerations, WHEELED_PENDULUM_POSITIONS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f64_compute_energy(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], double energy[2])
+{
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    double sin_theta = 0.0;
+    double cos_theta = 0.0;
+    carvallo_sin_cos_f64(positions[4], &sin_theta, &cos_theta);
+    const double t8 = cos_theta * motion->constants[4];
+    const double t9 = motion->constants[0] * t8;
+    const double t13 = motion->constants[5] + motion->constants[14] - t9 - t9;
+    const double t19 = motion->constants[15] - (cos_theta * motion->constants[6]);
+    const double t21 = (sin_phi * t13) + (cos_phi * t19);
+    const double t32 = cos_phi * ((sin_phi * t19) + (cos_phi * (motion->constants[10] - (sin_theta *
+        sin_theta * motion->constants[12]))));
+    const double t34 = sin_phi * motion->constants[1];
+    const double t36 = sin_phi * motion->constants[0];
+    const double t41 = (t36 + (cos_phi * motion->constants[2]) - t36) / motion->constants[0];
+    const double t42 = sin_phi + t41;
+    const double t43 = motion->constants[1] * t42;
+    const double t52 = 1.0 + (sin_phi * t41);
+    const double t55 = t21 + t34 + (t43 * t52);
+    const double t59 = t8 - motion->constants[13];
+    const double t60 = motion->constants[0] * t59;
+    const double t67 = t34 + (cos_phi * motion->constants[15]) + (t43 * motion->constants[3]) -
+        (sin_phi * t60);
+    const double t69 = (speeds[0] * ((sin_phi * t21) + t32 + (sin_phi * t34) + (t42 * t43))) +
+        (speeds[1] * t55);
+    const double t73 = motion->constants[1] * t52;
+    const double t80 = motion->constants[1] + (motion->constants[3] * t73) - t60;
+    const double t84 = speeds[1] * ((speeds[0] * t55) + (speeds[1] * (t13 + motion->constants[1] +
+        (t52 * t73))) + (speeds[2] * t80));
+    const double t95 = ((speeds[0] * (t69 + (speeds[2] * t67))) + t84 + (speeds[2] * ((speeds[0] *
+        t67) + (speeds[1] * t80) + (speeds[2] * motion->constants[16])))) * 0.5;
+    const double t102 = -(motion->constants[11] * ((sin_phi * motion->constants[8]) + (cos_phi *
+        t59)));
+    energy[0] = t95;
+    energy[1] = t102;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f64_motion_energy(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], double energy[2])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, WHEELED_PENDULUM_SPEEDS)) {
+        wheeled_pendulum_f64_compute_energy(motion, positions, speeds, energy);
+        error = (carvallo_are_finite_f64(energy, 2U)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+/* How far the lowest points of the wheels behind the first are below the ground, and the steps of Newton's method. */
+static void wheeled_pendulum_f64_compute_closure(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS], double below[1U], double steps[1U])
+{
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t3 = motion->constants[0] * cos_phi;
+    const double t8 = t3 + (sin_phi * motion->constants[2]) - t3;
+    const double t9 = motion->constants[0] * sin_phi;
+    const double t14 = -(t8 / (t9 + (cos_phi * motion->constants[2]) - t9));
+    below[0] = t8;
+    steps[0] = t14;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f64_motion_close(const wheeled_pendulum_f64_motion_t *motion,
+    double positions[WHEELED_PENDULUM_POSITIONS])
+{
+    /* The positions that the heights of the wheels determine. */
+    static const size_t DEPENDENT[1U] = {3U};
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, WHEELED_PENDULUM_POSITIONS)) {
+        double found[WHEELED_PENDULUM_POSITIONS];
+        double below[1U];
+        double steps[1U];
+        double shortest = 1e30;
+        bool is_closed = false;
+        bool goes_on = true;
+        for (size_t i = 0U; i < WHEELED_PENDULUM_POSITIONS; i++) {
+            found[i] = positions[i];
+        }
+        /* With steps of the greatest length they lead around the whole circle; near a solution a handful is enough. */
+        for (size_t count = 0U; goes_on && (count < 60U); count++) {
+            wheeled_pendulum_f64_compute_closure(motion, found, below, steps);
+            if (carvallo_are_finite_f64(steps, 1U)) {
+                double longest = 0.0;
+                double size = 1.0;
+                for (size_t i = 0U; i < 1U; i++) {
+                    longest = (fabs(steps[i]) > longest) ? fabs(steps[i]) : longest;
+                }
+                /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
+                const double share = (longest > 0.25) ? (0.25 / longest) : 1.0;
+                for (size_t i = 0U; i < 1U; i++) {
+                    found[DEPENDENT[i]] += steps[i] * share;
+                }
+                for (size_t i = 0U; i < 1U; i++) {
+                    const double value = fabs(found[DEPENDENT[i]]);
+                    size = (value > size) ? value : size;
+                }
+                /* Near the solution steps shrink to rounding, and then no further. */
+                is_closed = (longest <= (4.0 * DBL_EPSILON * size)) || ((longest < 1e-5) &&
+                    (longest >= shortest));
+                goes_on = !is_closed;
+                shortest = longest;
+            } else {
+                goes_on = false;
+            }
+        }
+        if (is_closed) {
+            error = CARVALLO_MOTION_OK;
+            for (size_t i = 0U; i < 1U; i++) {
+                positions[DEPENDENT[i]] = found[DEPENDENT[i]];
+            }
+        } else {
+            double most = 0.0;
+            bool is_finite = false;
+            wheeled_pendulum_f64_compute_closure(motion, found, below, steps);
+            is_finite = carvallo_is_finite_f64(below[0]);
+            for (size_t i = 0U; i < 1U; i++) {
+                if (carvallo_is_finite_f64(below[i]) && (fabs(below[i]) > most)) {
+                    most = fabs(below[i]);
+                    is_finite = true;
+                }
+            }
+            error = is_finite ? CARVALLO_MOTION_NOT_CLOSED : CARVALLO_MOTION_SINGULAR;
+        }
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f64_compute_contact_forces(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double contact_forces[3U * WHEELED_PENDULUM_WHEELS])
+{
+    double sin_psi = 0.0;
+    double cos_psi = 0.0;
+    carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
+    double sin_theta = 0.0;
+    double cos_theta = 0.0;
+    carvallo_sin_cos_f64(positions[4], &sin_theta, &cos_theta);
+    double sin_phi = 0.0;
+    double cos_phi = 0.0;
+    carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
+    const double t7 = speeds[0] * cos_phi;
+    const double t8 = sin_theta * t7;
+    const double t10 = t8 * motion->constants[4];
+    const double t14 = speeds[0] * sin_phi;
+    const double t15 = speeds[1] + t14;
+    const double t18 = t7 * cos_theta;
+    const double t21 = (motion->constants[4] * t15) - (t18 * motion->constants[8]);
+    const double t23 = (t8 * t10) + (t15 * t21);
+    const double t26 = speeds[1] + speeds[2];
+    const double t29 = t14 * motion->constants[0];
+    const double t30 = (t14 + t26) * t29;
+    const double t33 = t30 - (cos_phi * motion->constants[11]);
+    const double t34 = cos_theta * t33;
+    const double t37 = speeds[1] * t18;
+    const double t38 = t7 * t26;
+    const double t40 = t7 * t29;
+    const double t42 = t18 * motion->constants[2];
+    const double t44 = t8 * motion->constants[2];
+    const double t46 = sin_phi * motion->constants[0];
+    const double t49 = t46 + (cos_phi * motion->constants[2]) - t46;
+    const double t50 = 1.0 / motion->constants[0];
+    const double t51 = t49 * t50;
+    const double t53 = sin_phi * t51;
+    const double t58 = (speeds[0] * t51) + (speeds[1] * t53) + (speeds[2] * motion->constants[3]);
+    const double t59 = speeds[1] + t58;
+    const double t65 = t40 + (t7 * motion->constants[0] * t59) - (motion->constants[0] * t38) -
+        t40 - (t18 * t42);
+    const double t72 = (cos_theta * t30) + (t15 * t42) - (t37 * motion->constants[2]);
+    const double t76 = t8 * speeds[1];
+    const double t79 = (motion->constants[2] * t76) - (sin_theta * t30) - (t15 * t44);
+    const double t87 = 1.0 / t49;
+    const double t88 = ((sin_phi * (t65 - (t8 * t44))) + (cos_phi * ((cos_theta * t72) -
+        (sin_theta * t79) - (t29 * (t14 + t59))))) * t87;
+    const double t90 = t37 + (cos_theta * t88);
+    const double t95 = sin_theta * t33;
+    const double t98 = t76 + (sin_theta * t88);
+    const double t100 = t8 * motion->constants[8];
+    const double t103 = (t15 * t100) + (t10 * t18);
+    const double t108 = motion->constants[0] * ((sin_theta * ((motion->constants[7] * t34) - t23 -
+        (motion->constants[8] * t90))) + (cos_theta * ((motion->constants[8] * t98) -
+        (motion->constants[7] * t95) - t103)));
+    const double t114 = t50 * ((sin_theta * t72) + (cos_theta * t79));
+    const double t115 = motion->constants[1] * t114;
+    const double t116 = forces[1] + t115;
+    const double t122 = t8 * motion->constants[9];
+    const double t127 = (t18 * motion->constants[10]) - (t15 * motion->constants[6]);
+    const double t133 = (t98 * motion->constants[6]) + (t8 * t127) - t108 - t115 -
+        (motion->constants[4] * t95) - (t18 * t122);
+    const double t146 = (t15 * motion->constants[5]) + (motion->constants[1] * (t15 + speeds[2])) +
+        (motion->constants[1] * (t15 + t58)) - (t18 * motion->constants[6]);
+    const double t149 = (t15 * t122) - (t8 * t146);
+    const double t159 = t40 + (sin_phi * motion->constants[11]) + (motion->constants[0] * (t38 +
+        t88));
+    const double t164 = (motion->constants[4] * t159) + (t15 * t127) - (t18 * t146);
+    const double t169 = cos_phi * ((cos_theta * ((motion->constants[8] * t95) + t149 - (t98 *
+        motion->constants[10]))) - (sin_theta * ((motion->constants[8] * t34) + t164 - (t90 *
+        motion->constants[9]))));
+    const double t172 = (t51 * t116) - (sin_phi * t133) - t169;
+    const double t173 = sin_phi * motion->constants[1];
+    const double t174 = motion->constants[4] * cos_theta;
+    const double t177 = motion->constants[0] * (t174 - motion->constants[13]);
+    const double t181 = sin_phi + t51;
+    const double t182 = motion->constants[1] * t181;
+    const double t187 = motion->constants[0] * t174;
+    const double t191 = motion->constants[5] + motion->constants[14] - t187 - t187;
+    const double t194 = motion->constants[15] - (cos_theta * motion->constants[6]);
+    const double t196 = (sin_phi * t191) + (cos_phi * t194);
+    const double t205 = cos_phi * ((sin_phi * t194) + (cos_phi * (motion->constants[10] -
+        (sin_theta * sin_theta * motion->constants[12]))));
+    const double t210 = (sin_phi * t196) + t205 + (sin_phi * t173) + (t181 * t182);
+    const double t211 = 1.0 / t210;
+    const double t212 = (t173 + (cos_phi * motion->constants[15]) + (motion->constants[3] * t182) -
+        (sin_phi * t177)) * t211;
+    const double t215 = t53 + 1.0;
+    const double t216 = motion->constants[1] * t215;
+    const double t221 = t211 * (t173 + t196 + (t182 * t215));
+    const double t222 = t210 * t221;
+    const double t231 = motion->constants[1] + t191 + (t215 * t216) - (t221 * t222);
+    const double t232 = 1.0 / t231;
+    const double t233 = (motion->constants[1] + (motion->constants[3] * t216) - t177 - (t212 *
+        t222)) * t232;
+    const double t237 = (t53 * t116) - t133 - (t172 * t221);
+    const double t250 = (forces[0] + t108 + (motion->constants[3] * t116) - (t172 * t212) - (t233 *
+        t237)) / (motion->constants[16] - (t210 * t212 * t212) - (t231 * t233 * t233));
+    const double t253 = (t232 * t237) - (t233 * t250);
+    const double t258 = (t172 * t211) - (t221 * t253) - (t212 * t250);
+    const double t260 = t253 + (sin_phi * t258);
+    const double t262 = motion->constants[0] * (t250 + t260);
+    const double t264 = t34 - (sin_theta * t262);
+    const double t266 = cos_phi * t258;
+    const double t268 = t90 + (sin_theta * t266);
+    const double t271 = (motion->constants[7] * t264) - t23 - (motion->constants[8] * t268);
+    const double t274 = t95 + (cos_theta * t262);
+    const double t278 = (cos_theta * t266) - t98;
+    const double t282 = (motion->constants[4] * t260) - t103 - (motion->constants[7] * t274) -
+        (motion->constants[8] * t278);
+    const double t291 = motion->constants[1] * (t260 + (t51 * t258) + (t53 * t253) +
+        (motion->constants[3] * t250) - t114);
+    const double t293 = t50 * (t291 - forces[1]);
+    const double t295 = (sin_theta * t271) + (cos_theta * t282) - t293;
+    const double t304 = (t18 * t21) + (motion->constants[4] * t268) - (motion->constants[7] *
+        t159) - (t8 * t100);
+    const double t308 = (cos_theta * t271) - (sin_theta * t282);
+    const double t310 = (cos_phi * t304) - (sin_phi * t308);
+    const double t312 = (cos_psi * t295) - (sin_psi * t310);
+    const double t315 = (t295 * sin_psi) + (cos_psi * t310);
+    const double t329 = (sin_theta * (t149 + (motion->constants[8] * t274) +
+        (motion->constants[10] * t278) - (motion->constants[6] * t260))) + (cos_theta * (t164 +
+        (motion->constants[8] * t264) - (motion->constants[9] * t268)));
+    const double t331 = t87 * (t329 + (motion->constants[0] * t304));
+    const double t335 = (sin_phi * t304) + (cos_phi * t308) - t331;
+    const double t336 = cos_psi * t293;
+    const double t337 = t293 * sin_psi;
+    contact_forces[0] = t312;
+    contact_forces[1] = t315;
+    contact_forces[2] = t335;
+    contact_forces[3] = t336;
+    contact_forces[4] = t337;
+    contact_forces[5] = t331;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f64_motion_contact_forces(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double contact_forces[3U * WHEELED_PENDULUM_WHEELS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f64(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f64(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f64(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        wheeled_pendulum_f64_compute_contact_forces(motion, positions, speeds, forces,
+            contact_forces);
+        error = (carvallo_are_finite_f64(contact_forces, 3U * WHEELED_PENDULUM_WHEELS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
 const wheeled_pendulum_f32_t wheeled_pendulum_f32_sets[WHEELED_PENDULUM_SETS] = {
     { /* robot */
         .m = 0.6F,
@@ -770,4 +1396,623 @@ void wheeled_pendulum_f32_with_respect_to(const wheeled_pendulum_f32_derivatives
             }
         }
     }
+}
+
+void wheeled_pendulum_f32_motion(const wheeled_pendulum_f32_t *p,
+    wheeled_pendulum_f32_motion_t *motion)
+{
+    const float t3 = p->b + p->b;
+    const float t4 = p->r / p->r;
+    const float t8 = p->r - p->r - p->l;
+    const float t9 = p->m * t8;
+    const float t11 = t8 * t9;
+    const float t12 = p->Iyy + t11;
+    const float t13 = p->b * p->m;
+    const float t14 = t8 * t13;
+    const float t17 = p->m + p->mW + p->mW;
+    const float t18 = t3 * p->mW;
+    const float t19 = t13 + t18;
+    const float t25 = p->Ir + p->Ir + (t3 * t18) + (p->b * t13);
+    const float t26 = t11 + t25;
+    const float t28 = t25 + p->Izz;
+    const float t30 = t28 - t26;
+    const float t31 = p->r * t17;
+    const float t32 = p->r * t31;
+    const float t33 = p->r * t19;
+    const float t37 = p->Ia + t32 + (p->Ia * t4 * t4);
+    motion->constants[0] = p->r;
+    motion->constants[1] = p->Ia;
+    motion->constants[2] = t3;
+    motion->constants[3] = t4;
+    motion->constants[4] = t9;
+    motion->constants[5] = t12;
+    motion->constants[6] = t14;
+    motion->constants[7] = t17;
+    motion->constants[8] = t19;
+    motion->constants[9] = t26;
+    motion->constants[10] = t28;
+    motion->constants[11] = p->g;
+    motion->constants[12] = t30;
+    motion->constants[13] = t31;
+    motion->constants[14] = t32;
+    motion->constants[15] = t33;
+    motion->constants[16] = t37;
+}
+
+static void wheeled_pendulum_f32_compute_rates(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    float rates[WHEELED_PENDULUM_POSITIONS])
+{
+    const float t4 = motion->constants[0] * (speeds[1] + speeds[2]);
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t14 = motion->constants[0] * sin_phi;
+    const float t20 = (t14 + (cos_phi * motion->constants[2]) - t14) / motion->constants[0];
+    const float t27 = (speeds[0] * t20) + (speeds[1] * sin_phi * t20) + (speeds[2] *
+        motion->constants[3]);
+    const float t28 = -(t4 * cos_psi);
+    const float t29 = -(t4 * sin_psi);
+    rates[0] = t28;
+    rates[1] = t29;
+    rates[2] = speeds[0];
+    rates[3] = 0.0F;
+    rates[4] = speeds[1];
+    rates[5] = speeds[2];
+    rates[6] = t27;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f32_motion_rates(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    float rates[WHEELED_PENDULUM_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, WHEELED_PENDULUM_SPEEDS)) {
+        wheeled_pendulum_f32_compute_rates(motion, positions, speeds, rates);
+        error = (carvallo_are_finite_f32(rates, WHEELED_PENDULUM_POSITIONS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f32_compute_derivatives(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float rates[WHEELED_PENDULUM_POSITIONS],
+    float speed_rates[WHEELED_PENDULUM_SPEEDS])
+{
+    const float t3 = speeds[1] + speeds[2];
+    const float t4 = motion->constants[0] * t3;
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t14 = motion->constants[0] * sin_phi;
+    const float t19 = t14 + (cos_phi * motion->constants[2]) - t14;
+    const float t20 = 1.0F / motion->constants[0];
+    const float t21 = t19 * t20;
+    const float t23 = sin_phi * t21;
+    const float t28 = (speeds[0] * t21) + (speeds[1] * t23) + (speeds[2] * motion->constants[3]);
+    float sin_theta = 0.0F;
+    float cos_theta = 0.0F;
+    carvallo_sin_cos_f32(positions[4], &sin_theta, &cos_theta);
+    const float t32 = speeds[0] * sin_phi;
+    const float t34 = motion->constants[0] * t32;
+    const float t35 = (t3 + t32) * t34;
+    const float t38 = t35 - (cos_phi * motion->constants[11]);
+    const float t39 = sin_theta * t38;
+    const float t42 = speeds[0] * cos_phi;
+    const float t43 = sin_theta * t42;
+    const float t44 = speeds[1] * t43;
+    const float t45 = t3 * t42;
+    const float t47 = t34 * t42;
+    const float t49 = t42 * cos_theta;
+    const float t50 = motion->constants[2] * t49;
+    const float t52 = motion->constants[2] * t43;
+    const float t54 = speeds[1] + t28;
+    const float t60 = t47 + (motion->constants[0] * t42 * t54) - (motion->constants[0] * t45) -
+        t47 - (t49 * t50);
+    const float t64 = speeds[1] + t32;
+    const float t66 = speeds[1] * t49;
+    const float t69 = (t35 * cos_theta) + (t50 * t64) - (motion->constants[2] * t66);
+    const float t75 = (motion->constants[2] * t44) - (sin_theta * t35) - (t52 * t64);
+    const float t83 = ((sin_phi * (t60 - (t43 * t52))) + (cos_phi * ((cos_theta * t69) -
+        (sin_theta * t75) - (t34 * (t32 + t54))))) / t19;
+    const float t85 = t44 + (sin_theta * t83);
+    const float t92 = t20 * motion->constants[1] * ((sin_theta * t69) + (cos_theta * t75));
+    const float t94 = t43 * motion->constants[9];
+    const float t99 = (t49 * motion->constants[10]) - (motion->constants[6] * t64);
+    const float t102 = t38 * cos_theta;
+    const float t106 = t66 + (cos_theta * t83);
+    const float t108 = motion->constants[4] * t43;
+    const float t127 = (sin_theta * ((motion->constants[7] * t102) - (motion->constants[8] * t106) -
+        (t43 * t108) - (t64 * ((motion->constants[4] * t64) - (t49 * motion->constants[8]))))) +
+        (cos_theta * ((t85 * motion->constants[8]) - (t39 * motion->constants[7]) - (t43 * t64 *
+        motion->constants[8]) - (t49 * t108)));
+    const float t128 = motion->constants[0] * t127;
+    const float t133 = (motion->constants[6] * t85) + (t43 * t99) - (motion->constants[4] * t39) -
+        t92 - (t49 * t94) - t128;
+    const float t146 = (t64 * motion->constants[5]) + (motion->constants[1] * (speeds[2] + t64)) +
+        (motion->constants[1] * (t28 + t64)) - (motion->constants[6] * t49);
+    const float t164 = (t102 * motion->constants[8]) + (motion->constants[4] * (t47 + (sin_phi *
+        motion->constants[11]) + (motion->constants[0] * (t45 + t83)))) + (t64 * t99);
+    const float t168 = (cos_theta * ((t39 * motion->constants[8]) + (t64 * t94) - (t85 *
+        motion->constants[10]) - (t43 * t146))) - (sin_theta * (t164 - (motion->constants[9] *
+        t106) - (t49 * t146)));
+    const float t171 = t92 + forces[1];
+    const float t174 = (t21 * t171) - (sin_phi * t133) - (cos_phi * t168);
+    const float t175 = motion->constants[4] * cos_theta;
+    const float t176 = motion->constants[0] * t175;
+    const float t180 = motion->constants[5] + motion->constants[14] - t176 - t176;
+    const float t184 = motion->constants[15] - (motion->constants[6] * cos_theta);
+    const float t186 = (sin_phi * t180) + (cos_phi * t184);
+    const float t195 = cos_phi * ((sin_phi * t184) + (cos_phi * (motion->constants[10] -
+        (sin_theta * sin_theta * motion->constants[12]))));
+    const float t196 = sin_phi * motion->constants[1];
+    const float t198 = sin_phi + t21;
+    const float t199 = motion->constants[1] * t198;
+    const float t203 = (sin_phi * t186) + t195 + (sin_phi * t196) + (t198 * t199);
+    const float t204 = 1.0F / t203;
+    const float t207 = t23 + 1.0F;
+    const float t211 = t204 * (t186 + t196 + (t199 * t207));
+    const float t212 = motion->constants[1] * t207;
+    const float t214 = t203 * t211;
+    const float t218 = motion->constants[1] + t180 + (t207 * t212) - (t211 * t214);
+    const float t219 = 1.0F / t218;
+    const float t223 = (t23 * t171) - t133 - (t174 * t211);
+    const float t227 = motion->constants[0] * (t175 - motion->constants[13]);
+    const float t235 = t204 * (t196 + (cos_phi * motion->constants[15]) + (motion->constants[3] *
+        t199) - (sin_phi * t227));
+    const float t240 = t219 * (motion->constants[1] + (motion->constants[3] * t212) - t227 - (t214 *
+        t235));
+    const float t256 = (t128 + forces[0] + (motion->constants[3] * t171) - (t174 * t235) - (t223 *
+        t240)) / (motion->constants[16] - (t203 * t235 * t235) - (t218 * t240 * t240));
+    const float t258 = (t219 * t223) - (t240 * t256);
+    const float t262 = (t174 * t204) - (t211 * t258) - (t235 * t256);
+    const float t263 = -(t4 * cos_psi);
+    const float t264 = -(t4 * sin_psi);
+    rates[0] = t263;
+    rates[1] = t264;
+    rates[2] = speeds[0];
+    rates[3] = 0.0F;
+    rates[4] = speeds[1];
+    rates[5] = speeds[2];
+    rates[6] = t28;
+    speed_rates[0] = t262;
+    speed_rates[1] = t258;
+    speed_rates[2] = t256;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f32_motion_derivatives(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float rates[WHEELED_PENDULUM_POSITIONS],
+    float speed_rates[WHEELED_PENDULUM_SPEEDS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        wheeled_pendulum_f32_compute_derivatives(motion, positions, speeds, forces, rates,
+            speed_rates);
+        error = (carvallo_are_finite_f32(rates, WHEELED_PENDULUM_POSITIONS) &&
+            carvallo_are_finite_f32(speed_rates, WHEELED_PENDULUM_SPEEDS)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f32_compute_accelerations(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float accelerations[WHEELED_PENDULUM_POSITIONS])
+{
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    float sin_theta = 0.0F;
+    float cos_theta = 0.0F;
+    carvallo_sin_cos_f32(positions[4], &sin_theta, &cos_theta);
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t11 = speeds[0] * sin_phi;
+    const float t14 = speeds[1] + speeds[2];
+    const float t16 = motion->constants[0] * t11;
+    const float t17 = (t11 + t14) * t16;
+    const float t21 = t17 - (cos_phi * motion->constants[11]);
+    const float t22 = cos_theta * t21;
+    const float t25 = speeds[0] * cos_phi;
+    const float t26 = cos_theta * t25;
+    const float t27 = speeds[1] * t26;
+    const float t28 = t14 * t25;
+    const float t30 = t16 * t25;
+    const float t32 = t26 * motion->constants[2];
+    const float t34 = sin_theta * t25;
+    const float t35 = motion->constants[2] * t34;
+    const float t37 = motion->constants[0] * sin_phi;
+    const float t40 = t37 + (cos_phi * motion->constants[2]) - t37;
+    const float t41 = 1.0F / motion->constants[0];
+    const float t42 = t40 * t41;
+    const float t44 = sin_phi * t42;
+    const float t49 = (speeds[0] * t42) + (speeds[1] * t44) + (speeds[2] * motion->constants[3]);
+    const float t50 = speeds[1] + t49;
+    const float t56 = t30 + (motion->constants[0] * t25 * t50) - (motion->constants[0] * t28) -
+        t30 - (t26 * t32);
+    const float t60 = t11 + speeds[1];
+    const float t64 = (cos_theta * t17) + (t32 * t60) - (t27 * motion->constants[2]);
+    const float t68 = speeds[1] * t34;
+    const float t71 = (motion->constants[2] * t68) - (sin_theta * t17) - (t35 * t60);
+    const float t79 = ((sin_phi * (t56 - (t34 * t35))) + (cos_phi * ((cos_theta * t64) -
+        (sin_theta * t71) - (t16 * (t11 + t50))))) / t40;
+    const float t81 = t27 + (cos_theta * t79);
+    const float t84 = t34 * motion->constants[4];
+    const float t94 = sin_theta * t21;
+    const float t97 = t68 + (sin_theta * t79);
+    const float t106 = (sin_theta * ((motion->constants[7] * t22) - (motion->constants[8] * t81) -
+        (t34 * t84) - (t60 * ((t60 * motion->constants[4]) - (motion->constants[8] * t26))))) +
+        (cos_theta * ((motion->constants[8] * t97) - (motion->constants[7] * t94) -
+        (motion->constants[8] * t34 * t60) - (t26 * t84)));
+    const float t107 = motion->constants[0] * t106;
+    const float t113 = t41 * ((sin_theta * t64) + (cos_theta * t71));
+    const float t114 = motion->constants[1] * t113;
+    const float t115 = forces[1] + t114;
+    const float t121 = t34 * motion->constants[9];
+    const float t126 = (t26 * motion->constants[10]) - (t60 * motion->constants[6]);
+    const float t132 = (t97 * motion->constants[6]) + (t34 * t126) - t107 - t114 -
+        (motion->constants[4] * t94) - (t26 * t121);
+    const float t145 = (t60 * motion->constants[5]) + (motion->constants[1] * (speeds[2] + t60)) +
+        (motion->constants[1] * (t49 + t60)) - (t26 * motion->constants[6]);
+    const float t163 = (t22 * motion->constants[8]) + (motion->constants[4] * (t30 + (sin_phi *
+        motion->constants[11]) + (motion->constants[0] * (t28 + t79)))) + (t60 * t126);
+    const float t167 = (cos_theta * ((motion->constants[8] * t94) + (t60 * t121) - (t97 *
+        motion->constants[10]) - (t34 * t145))) - (sin_theta * (t163 - (t81 *
+        motion->constants[9]) - (t26 * t145)));
+    const float t171 = (t42 * t115) - (sin_phi * t132) - (cos_phi * t167);
+    const float t172 = sin_phi * motion->constants[1];
+    const float t173 = cos_theta * motion->constants[4];
+    const float t176 = motion->constants[0] * (t173 - motion->constants[13]);
+    const float t180 = sin_phi + t42;
+    const float t181 = motion->constants[1] * t180;
+    const float t186 = motion->constants[0] * t173;
+    const float t190 = motion->constants[5] + motion->constants[14] - t186 - t186;
+    const float t193 = motion->constants[15] - (cos_theta * motion->constants[6]);
+    const float t195 = (sin_phi * t190) + (cos_phi * t193);
+    const float t204 = cos_phi * ((sin_phi * t193) + (cos_phi * (motion->constants[10] -
+        (sin_theta * sin_theta * motion->constants[12]))));
+    const float t209 = (sin_phi * t195) + t204 + (sin_phi * t172) + (t180 * t181);
+    const float t210 = 1.0F / t209;
+    const float t211 = (t172 + (cos_phi * motion->constants[15]) + (motion->constants[3] * t181) -
+        (sin_phi * t176)) * t210;
+    const float t214 = t44 + 1.0F;
+    const float t215 = motion->constants[1] * t214;
+    const float t220 = t210 * (t172 + t195 + (t181 * t214));
+    const float t221 = t209 * t220;
+    const float t230 = motion->constants[1] + t190 + (t214 * t215) - (t220 * t221);
+    const float t231 = 1.0F / t230;
+    const float t232 = (motion->constants[1] + (motion->constants[3] * t215) - t176 - (t211 *
+        t221)) * t231;
+    const float t236 = (t44 * t115) - t132 - (t171 * t220);
+    const float t249 = (forces[0] + t107 + (motion->constants[3] * t115) - (t171 * t211) - (t232 *
+        t236)) / (motion->constants[16] - (t209 * t211 * t211) - (t230 * t232 * t232));
+    const float t252 = (t231 * t236) - (t232 * t249);
+    const float t254 = motion->constants[0] * (t249 + t252);
+    const float t258 = motion->constants[0] * speeds[0] * t14;
+    const float t260 = (sin_psi * t258) - (cos_psi * t254);
+    const float t268 = (t171 * t210) - (t220 * t252) - (t211 * t249);
+    const float t274 = (t42 * t268) + (t44 * t252) + (motion->constants[3] * t249) - t113;
+    const float t275 = -((t254 * sin_psi) + (cos_psi * t258));
+    const float t276 = -t79;
+    accelerations[0] = t260;
+    accelerations[1] = t275;
+    accelerations[2] = t268;
+    accelerations[3] = t276;
+    accelerations[4] = t252;
+    accelerations[5] = t249;
+    accelerations[6] = t274;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f32_motion_accelerations(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float accelerations[WHEELED_PENDULUM_POSITIONS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        wheeled_pendulum_f32_compute_accelerations(motion, positions, speeds, forces,
+            accelerations);
+        error = (carvallo_are_finite_f32(accelerations, WHEELED_PENDULUM_POSITIONS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f32_compute_energy(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    float energy[2])
+{
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    float sin_theta = 0.0F;
+    float cos_theta = 0.0F;
+    carvallo_sin_cos_f32(positions[4], &sin_theta, &cos_theta);
+    const float t8 = cos_theta * motion->constants[4];
+    const float t9 = motion->constants[0] * t8;
+    const float t13 = motion->constants[5] + motion->constants[14] - t9 - t9;
+    const float t19 = motion->constants[15] - (cos_theta * motion->constants[6]);
+    const float t21 = (sin_phi * t13) + (cos_phi * t19);
+    const float t32 = cos_phi * ((sin_phi * t19) + (cos_phi * (motion->constants[10] - (sin_theta *
+        sin_theta * motion->constants[12]))));
+    const float t34 = sin_phi * motion->constants[1];
+    const float t36 = sin_phi * motion->constants[0];
+    const float t41 = (t36 + (cos_phi * motion->constants[2]) - t36) / motion->constants[0];
+    const float t42 = sin_phi + t41;
+    const float t43 = motion->constants[1] * t42;
+    const float t52 = 1.0F + (sin_phi * t41);
+    const float t55 = t21 + t34 + (t43 * t52);
+    const float t59 = t8 - motion->constants[13];
+    const float t60 = motion->constants[0] * t59;
+    const float t67 = t34 + (cos_phi * motion->constants[15]) + (t43 * motion->constants[3]) -
+        (sin_phi * t60);
+    const float t69 = (speeds[0] * ((sin_phi * t21) + t32 + (sin_phi * t34) + (t42 * t43))) +
+        (speeds[1] * t55);
+    const float t73 = motion->constants[1] * t52;
+    const float t80 = motion->constants[1] + (motion->constants[3] * t73) - t60;
+    const float t84 = speeds[1] * ((speeds[0] * t55) + (speeds[1] * (t13 + motion->constants[1] +
+        (t52 * t73))) + (speeds[2] * t80));
+    const float t95 = ((speeds[0] * (t69 + (speeds[2] * t67))) + t84 + (speeds[2] * ((speeds[0] *
+        t67) + (speeds[1] * t80) + (speeds[2] * motion->constants[16])))) * 0.5F;
+    const float t102 = -(motion->constants[11] * ((sin_phi * motion->constants[8]) + (cos_phi *
+        t59)));
+    energy[0] = t95;
+    energy[1] = t102;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f32_motion_energy(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    float energy[2])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, WHEELED_PENDULUM_SPEEDS)) {
+        wheeled_pendulum_f32_compute_energy(motion, positions, speeds, energy);
+        error = (carvallo_are_finite_f32(energy, 2U)) ? CARVALLO_MOTION_OK :
+            CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
+}
+
+/* How far the lowest points of the wheels behind the first are below the ground, and the steps of Newton's method. */
+static void wheeled_pendulum_f32_compute_closure(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], float below[1U], float steps[1U])
+{
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t3 = motion->constants[0] * cos_phi;
+    const float t8 = t3 + (sin_phi * motion->constants[2]) - t3;
+    const float t9 = motion->constants[0] * sin_phi;
+    const float t14 = -(t8 / (t9 + (cos_phi * motion->constants[2]) - t9));
+    below[0] = t8;
+    steps[0] = t14;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f32_motion_close(const wheeled_pendulum_f32_motion_t *motion,
+    float positions[WHEELED_PENDULUM_POSITIONS])
+{
+    /* The positions that the heights of the wheels determine. */
+    static const size_t DEPENDENT[1U] = {3U};
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, WHEELED_PENDULUM_POSITIONS)) {
+        float found[WHEELED_PENDULUM_POSITIONS];
+        float below[1U];
+        float steps[1U];
+        float shortest = 1e30F;
+        bool is_closed = false;
+        bool goes_on = true;
+        for (size_t i = 0U; i < WHEELED_PENDULUM_POSITIONS; i++) {
+            found[i] = positions[i];
+        }
+        /* With steps of the greatest length they lead around the whole circle; near a solution a handful is enough. */
+        for (size_t count = 0U; goes_on && (count < 60U); count++) {
+            wheeled_pendulum_f32_compute_closure(motion, found, below, steps);
+            if (carvallo_are_finite_f32(steps, 1U)) {
+                float longest = 0.0F;
+                float size = 1.0F;
+                for (size_t i = 0U; i < 1U; i++) {
+                    longest = (fabsf(steps[i]) > longest) ? fabsf(steps[i]) : longest;
+                }
+                /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
+                const float share = (longest > 0.25F) ? (0.25F / longest) : 1.0F;
+                for (size_t i = 0U; i < 1U; i++) {
+                    found[DEPENDENT[i]] += steps[i] * share;
+                }
+                for (size_t i = 0U; i < 1U; i++) {
+                    const float value = fabsf(found[DEPENDENT[i]]);
+                    size = (value > size) ? value : size;
+                }
+                /* Near the solution steps shrink to rounding, and then no further. */
+                is_closed = (longest <= (4.0F * FLT_EPSILON * size)) || ((longest < 1e-5F) &&
+                    (longest >= shortest));
+                goes_on = !is_closed;
+                shortest = longest;
+            } else {
+                goes_on = false;
+            }
+        }
+        if (is_closed) {
+            error = CARVALLO_MOTION_OK;
+            for (size_t i = 0U; i < 1U; i++) {
+                positions[DEPENDENT[i]] = found[DEPENDENT[i]];
+            }
+        } else {
+            float most = 0.0F;
+            bool is_finite = false;
+            wheeled_pendulum_f32_compute_closure(motion, found, below, steps);
+            is_finite = carvallo_is_finite_f32(below[0]);
+            for (size_t i = 0U; i < 1U; i++) {
+                if (carvallo_is_finite_f32(below[i]) && (fabsf(below[i]) > most)) {
+                    most = fabsf(below[i]);
+                    is_finite = true;
+                }
+            }
+            error = is_finite ? CARVALLO_MOTION_NOT_CLOSED : CARVALLO_MOTION_SINGULAR;
+        }
+    }
+    return error;
+}
+
+static void wheeled_pendulum_f32_compute_contact_forces(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float contact_forces[3U * WHEELED_PENDULUM_WHEELS])
+{
+    float sin_psi = 0.0F;
+    float cos_psi = 0.0F;
+    carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
+    float sin_theta = 0.0F;
+    float cos_theta = 0.0F;
+    carvallo_sin_cos_f32(positions[4], &sin_theta, &cos_theta);
+    float sin_phi = 0.0F;
+    float cos_phi = 0.0F;
+    carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
+    const float t7 = speeds[0] * cos_phi;
+    const float t8 = sin_theta * t7;
+    const float t10 = t8 * motion->constants[4];
+    const float t14 = speeds[0] * sin_phi;
+    const float t15 = speeds[1] + t14;
+    const float t18 = t7 * cos_theta;
+    const float t21 = (motion->constants[4] * t15) - (t18 * motion->constants[8]);
+    const float t23 = (t8 * t10) + (t15 * t21);
+    const float t26 = speeds[1] + speeds[2];
+    const float t29 = t14 * motion->constants[0];
+    const float t30 = (t14 + t26) * t29;
+    const float t33 = t30 - (cos_phi * motion->constants[11]);
+    const float t34 = cos_theta * t33;
+    const float t37 = speeds[1] * t18;
+    const float t38 = t7 * t26;
+    const float t40 = t7 * t29;
+    const float t42 = t18 * motion->constants[2];
+    const float t44 = t8 * motion->constants[2];
+    const float t46 = sin_phi * motion->constants[0];
+    const float t49 = t46 + (cos_phi * motion->constants[2]) - t46;
+    const float t50 = 1.0F / motion->constants[0];
+    const float t51 = t49 * t50;
+    const float t53 = sin_phi * t51;
+    const float t58 = (speeds[0] * t51) + (speeds[1] * t53) + (speeds[2] * motion->constants[3]);
+    const float t59 = speeds[1] + t58;
+    const float t65 = t40 + (t7 * motion->constants[0] * t59) - (motion->constants[0] * t38) - t40 -
+        (t18 * t42);
+    const float t72 = (cos_theta * t30) + (t15 * t42) - (t37 * motion->constants[2]);
+    const float t76 = t8 * speeds[1];
+    const float t79 = (motion->constants[2] * t76) - (sin_theta * t30) - (t15 * t44);
+    const float t87 = 1.0F / t49;
+    const float t88 = ((sin_phi * (t65 - (t8 * t44))) + (cos_phi * ((cos_theta * t72) - (sin_theta *
+        t79) - (t29 * (t14 + t59))))) * t87;
+    const float t90 = t37 + (cos_theta * t88);
+    const float t95 = sin_theta * t33;
+    const float t98 = t76 + (sin_theta * t88);
+    const float t100 = t8 * motion->constants[8];
+    const float t103 = (t15 * t100) + (t10 * t18);
+    const float t108 = motion->constants[0] * ((sin_theta * ((motion->constants[7] * t34) - t23 -
+        (motion->constants[8] * t90))) + (cos_theta * ((motion->constants[8] * t98) -
+        (motion->constants[7] * t95) - t103)));
+    const float t114 = t50 * ((sin_theta * t72) + (cos_theta * t79));
+    const float t115 = motion->constants[1] * t114;
+    const float t116 = forces[1] + t115;
+    const float t122 = t8 * motion->constants[9];
+    const float t127 = (t18 * motion->constants[10]) - (t15 * motion->constants[6]);
+    const float t133 = (t98 * motion->constants[6]) + (t8 * t127) - t108 - t115 -
+        (motion->constants[4] * t95) - (t18 * t122);
+    const float t146 = (t15 * motion->constants[5]) + (motion->constants[1] * (t15 + speeds[2])) +
+        (motion->constants[1] * (t15 + t58)) - (t18 * motion->constants[6]);
+    const float t149 = (t15 * t122) - (t8 * t146);
+    const float t159 = t40 + (sin_phi * motion->constants[11]) + (motion->constants[0] * (t38 +
+        t88));
+    const float t164 = (motion->constants[4] * t159) + (t15 * t127) - (t18 * t146);
+    const float t169 = cos_phi * ((cos_theta * ((motion->constants[8] * t95) + t149 - (t98 *
+        motion->constants[10]))) - (sin_theta * ((motion->constants[8] * t34) + t164 - (t90 *
+        motion->constants[9]))));
+    const float t172 = (t51 * t116) - (sin_phi * t133) - t169;
+    const float t173 = sin_phi * motion->constants[1];
+    const float t174 = motion->constants[4] * cos_theta;
+    const float t177 = motion->constants[0] * (t174 - motion->constants[13]);
+    const float t181 = sin_phi + t51;
+    const float t182 = motion->constants[1] * t181;
+    const float t187 = motion->constants[0] * t174;
+    const float t191 = motion->constants[5] + motion->constants[14] - t187 - t187;
+    const float t194 = motion->constants[15] - (cos_theta * motion->constants[6]);
+    const float t196 = (sin_phi * t191) + (cos_phi * t194);
+    const float t205 = cos_phi * ((sin_phi * t194) + (cos_phi * (motion->constants[10] -
+        (sin_theta * sin_theta * motion->constants[12]))));
+    const float t210 = (sin_phi * t196) + t205 + (sin_phi * t173) + (t181 * t182);
+    const float t211 = 1.0F / t210;
+    const float t212 = (t173 + (cos_phi * motion->constants[15]) + (motion->constants[3] * t182) -
+        (sin_phi * t177)) * t211;
+    const float t215 = t53 + 1.0F;
+    const float t216 = motion->constants[1] * t215;
+    const float t221 = t211 * (t173 + t196 + (t182 * t215));
+    const float t222 = t210 * t221;
+    const float t231 = motion->constants[1] + t191 + (t215 * t216) - (t221 * t222);
+    const float t232 = 1.0F / t231;
+    const float t233 = (motion->constants[1] + (motion->constants[3] * t216) - t177 - (t212 *
+        t222)) * t232;
+    const float t237 = (t53 * t116) - t133 - (t172 * t221);
+    const float t250 = (forces[0] + t108 + (motion->constants[3] * t116) - (t172 * t212) - (t233 *
+        t237)) / (motion->constants[16] - (t210 * t212 * t212) - (t231 * t233 * t233));
+    const float t253 = (t232 * t237) - (t233 * t250);
+    const float t258 = (t172 * t211) - (t221 * t253) - (t212 * t250);
+    const float t260 = t253 + (sin_phi * t258);
+    const float t262 = motion->constants[0] * (t250 + t260);
+    const float t264 = t34 - (sin_theta * t262);
+    const float t266 = cos_phi * t258;
+    const float t268 = t90 + (sin_theta * t266);
+    const float t271 = (motion->constants[7] * t264) - t23 - (motion->constants[8] * t268);
+    const float t274 = t95 + (cos_theta * t262);
+    const float t278 = (cos_theta * t266) - t98;
+    const float t282 = (motion->constants[4] * t260) - t103 - (motion->constants[7] * t274) -
+        (motion->constants[8] * t278);
+    const float t291 = motion->constants[1] * (t260 + (t51 * t258) + (t53 * t253) +
+        (motion->constants[3] * t250) - t114);
+    const float t293 = t50 * (t291 - forces[1]);
+    const float t295 = (sin_theta * t271) + (cos_theta * t282) - t293;
+    const float t304 = (t18 * t21) + (motion->constants[4] * t268) - (motion->constants[7] * t159) -
+        (t8 * t100);
+    const float t308 = (cos_theta * t271) - (sin_theta * t282);
+    const float t310 = (cos_phi * t304) - (sin_phi * t308);
+    const float t312 = (cos_psi * t295) - (sin_psi * t310);
+    const float t315 = (t295 * sin_psi) + (cos_psi * t310);
+    const float t329 = (sin_theta * (t149 + (motion->constants[8] * t274) + (motion->constants[10] *
+        t278) - (motion->constants[6] * t260))) + (cos_theta * (t164 + (motion->constants[8] *
+        t264) - (motion->constants[9] * t268)));
+    const float t331 = t87 * (t329 + (motion->constants[0] * t304));
+    const float t335 = (sin_phi * t304) + (cos_phi * t308) - t331;
+    const float t336 = cos_psi * t293;
+    const float t337 = t293 * sin_psi;
+    contact_forces[0] = t312;
+    contact_forces[1] = t315;
+    contact_forces[2] = t335;
+    contact_forces[3] = t336;
+    contact_forces[4] = t337;
+    contact_forces[5] = t331;
+}
+
+carvallo_motion_error_t wheeled_pendulum_f32_motion_contact_forces(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float contact_forces[3U * WHEELED_PENDULUM_WHEELS])
+{
+    carvallo_motion_error_t error = CARVALLO_MOTION_NOT_FINITE;
+    if (carvallo_are_finite_f32(positions, WHEELED_PENDULUM_POSITIONS) &&
+        carvallo_are_finite_f32(speeds, WHEELED_PENDULUM_SPEEDS) && carvallo_are_finite_f32(forces,
+        WHEELED_PENDULUM_FORCES)) {
+        wheeled_pendulum_f32_compute_contact_forces(motion, positions, speeds, forces,
+            contact_forces);
+        error = (carvallo_are_finite_f32(contact_forces, 3U * WHEELED_PENDULUM_WHEELS)) ?
+            CARVALLO_MOTION_OK : CARVALLO_MOTION_SINGULAR;
+    }
+    return error;
 }

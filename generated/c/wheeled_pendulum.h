@@ -34,6 +34,7 @@
 #ifndef CARVALLO_MODEL_WHEELED_PENDULUM_H
 #define CARVALLO_MODEL_WHEELED_PENDULUM_H
 
+#include "carvallo_motion.h"
 #include "carvallo_system.h"
 
 #ifdef __cplusplus
@@ -101,6 +102,62 @@ const char *wheeled_pendulum_validity_text(wheeled_pendulum_validity_t validity)
 
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t wheeled_pendulum_partials[WHEELED_PENDULUM_PARTIALS];
+
+/** The number of positions of the nonlinear equations of motion. */
+#define WHEELED_PENDULUM_POSITIONS 7U
+
+/** A position of a joint: its place among the positions. */
+typedef enum {
+    /** forward, in m */
+    WHEELED_PENDULUM_POSITION_x = 0,
+    /** y of the contact point of the left wheel, in m */
+    WHEELED_PENDULUM_POSITION_y = 1,
+    /** yaw, in rad */
+    WHEELED_PENDULUM_POSITION_psi = 2,
+    /** lean, by the heights of the wheels, in rad */
+    WHEELED_PENDULUM_POSITION_phi = 3,
+    /** pitch, in rad */
+    WHEELED_PENDULUM_POSITION_theta = 4,
+    /** angle of the left wheel, in rad */
+    WHEELED_PENDULUM_POSITION_thetaL = 5,
+    /** angle of the right wheel, in rad */
+    WHEELED_PENDULUM_POSITION_thetaR = 6
+} wheeled_pendulum_position_t;
+
+/** The number of speeds of the nonlinear equations of motion. */
+#define WHEELED_PENDULUM_SPEEDS 3U
+
+/** A rate that rolling leaves free: its place among the speeds. */
+typedef enum {
+    /** The rate of `psi`, in rad/s */
+    WHEELED_PENDULUM_SPEED_psi = 0,
+    /** The rate of `theta`, in rad/s */
+    WHEELED_PENDULUM_SPEED_theta = 1,
+    /** The rate of `thetaL`, in rad/s */
+    WHEELED_PENDULUM_SPEED_thetaL = 2
+} wheeled_pendulum_speed_t;
+
+/** The number of forces of the nonlinear equations of motion. */
+#define WHEELED_PENDULUM_FORCES 2U
+
+/** A force or torque that may be applied: its place among the forces. */
+typedef enum {
+    /** torque of the left motor, in N*m */
+    WHEELED_PENDULUM_FORCE_TL = 0,
+    /** torque of the right motor, in N*m */
+    WHEELED_PENDULUM_FORCE_TR = 1
+} wheeled_pendulum_force_t;
+
+/** The number of wheels of the nonlinear equations of motion. */
+#define WHEELED_PENDULUM_WHEELS 2U
+
+/** A wheel: its place among the contact forces. */
+typedef enum {
+    /** left wheel */
+    WHEELED_PENDULUM_WHEEL_L = 0,
+    /** right wheel */
+    WHEELED_PENDULUM_WHEEL_R = 1
+} wheeled_pendulum_wheel_t;
 
 /* ------------------------------------------------------------ double */
 
@@ -288,6 +345,119 @@ void wheeled_pendulum_f64_derivatives(const wheeled_pendulum_f64_t *p,
 void wheeled_pendulum_f64_with_respect_to(const wheeled_pendulum_f64_derivatives_t *derivatives,
     size_t parameter, wheeled_pendulum_f64_matrices_t *matrices);
 
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    double constants[17U];
+} wheeled_pendulum_f64_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 15 additions, 12 multiplications and 1 division: 28 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void wheeled_pendulum_f64_motion(const wheeled_pendulum_f64_t *p,
+    wheeled_pendulum_f64_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 5 additions, 9 multiplications, 1 division, 2 negations and 4 trigonometric functions: 21 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f64_motion_rates(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], double rates[WHEELED_PENDULUM_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 93 additions, 132 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 238 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f64_motion_derivatives(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double rates[WHEELED_PENDULUM_POSITIONS], double speed_rates[WHEELED_PENDULUM_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 99 additions, 139 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 251 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f64_motion_accelerations(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double accelerations[WHEELED_PENDULUM_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 33 additions, 42 multiplications, 1 division, 1 negation and 4 trigonometric functions: 81 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f64_motion_energy(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], double energy[2]);
+
+/**
+ * Moves the positions that depend on the others until every wheel touches the ground, by Newton's method with bounded
+ * steps. The search begins at what is given for them, so that it finds the solution that continues a motion.
+ *
+ * @param[in] motion The equations.
+ * @param[in,out] positions The positions; unchanged on an error.
+ * @return Whether no such positions are near, the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f64_motion_close(const wheeled_pendulum_f64_motion_t *motion,
+    double positions[WHEELED_PENDULUM_POSITIONS]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 127 additions, 174 multiplications, 5 divisions and 6 trigonometric functions: 312 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f64_motion_contact_forces(const wheeled_pendulum_f64_motion_t *motion,
+    const double positions[WHEELED_PENDULUM_POSITIONS],
+    const double speeds[WHEELED_PENDULUM_SPEEDS], const double forces[WHEELED_PENDULUM_FORCES],
+    double contact_forces[3U * WHEELED_PENDULUM_WHEELS]);
+
 /* ------------------------------------------------------------ float */
 
 /** The parameters of `WheeledPendulum`. */
@@ -473,6 +643,118 @@ void wheeled_pendulum_f32_derivatives(const wheeled_pendulum_f32_t *p,
  */
 void wheeled_pendulum_f32_with_respect_to(const wheeled_pendulum_f32_derivatives_t *derivatives,
     size_t parameter, wheeled_pendulum_f32_matrices_t *matrices);
+
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    float constants[17U];
+} wheeled_pendulum_f32_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 15 additions, 12 multiplications and 1 division: 28 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void wheeled_pendulum_f32_motion(const wheeled_pendulum_f32_t *p,
+    wheeled_pendulum_f32_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 5 additions, 9 multiplications, 1 division, 2 negations and 4 trigonometric functions: 21 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f32_motion_rates(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    float rates[WHEELED_PENDULUM_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 93 additions, 132 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 238 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f32_motion_derivatives(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float rates[WHEELED_PENDULUM_POSITIONS],
+    float speed_rates[WHEELED_PENDULUM_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 99 additions, 139 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 251 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f32_motion_accelerations(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float accelerations[WHEELED_PENDULUM_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 33 additions, 42 multiplications, 1 division, 1 negation and 4 trigonometric functions: 81 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f32_motion_energy(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    float energy[2]);
+
+/**
+ * Moves the positions that depend on the others until every wheel touches the ground, by Newton's method with bounded
+ * steps. The search begins at what is given for them, so that it finds the solution that continues a motion.
+ *
+ * @param[in] motion The equations.
+ * @param[in,out] positions The positions; unchanged on an error.
+ * @return Whether no such positions are near, the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f32_motion_close(const wheeled_pendulum_f32_motion_t *motion,
+    float positions[WHEELED_PENDULUM_POSITIONS]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 127 additions, 174 multiplications, 5 divisions and 6 trigonometric functions: 312 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t wheeled_pendulum_f32_motion_contact_forces(const wheeled_pendulum_f32_motion_t *motion,
+    const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
+    const float forces[WHEELED_PENDULUM_FORCES], float contact_forces[3U *
+    WHEELED_PENDULUM_WHEELS]);
 
 #ifdef __cplusplus
 }

@@ -34,6 +34,7 @@
 #ifndef CARVALLO_MODEL_WHIPPLE_LEANING_H
 #define CARVALLO_MODEL_WHIPPLE_LEANING_H
 
+#include "carvallo_motion.h"
 #include "carvallo_system.h"
 
 #ifdef __cplusplus
@@ -147,6 +148,70 @@ const char *whipple_leaning_validity_text(whipple_leaning_validity_t validity);
 
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t whipple_leaning_partials[WHIPPLE_LEANING_PARTIALS];
+
+/** The number of positions of the nonlinear equations of motion. */
+#define WHIPPLE_LEANING_POSITIONS 9U
+
+/** A position of a joint: its place among the positions. */
+typedef enum {
+    /** x of the contact point of the rear wheel, in m */
+    WHIPPLE_LEANING_POSITION_x = 0,
+    /** y of the contact point of the rear wheel, in m */
+    WHIPPLE_LEANING_POSITION_y = 1,
+    /** yaw, in rad */
+    WHIPPLE_LEANING_POSITION_psi = 2,
+    /** lean, in rad */
+    WHIPPLE_LEANING_POSITION_phi = 3,
+    /** pitch, by the heights of the wheels, in rad */
+    WHIPPLE_LEANING_POSITION_pitch = 4,
+    /** steer, in rad */
+    WHIPPLE_LEANING_POSITION_delta = 5,
+    /** upper body, in rad */
+    WHIPPLE_LEANING_POSITION_theta = 6,
+    /** angle of the rear wheel, in rad */
+    WHIPPLE_LEANING_POSITION_thetaR = 7,
+    /** angle of the front wheel, in rad */
+    WHIPPLE_LEANING_POSITION_thetaF = 8
+} whipple_leaning_position_t;
+
+/** The number of speeds of the nonlinear equations of motion. */
+#define WHIPPLE_LEANING_SPEEDS 4U
+
+/** A rate that rolling leaves free: its place among the speeds. */
+typedef enum {
+    /** The rate of `phi`, in rad/s */
+    WHIPPLE_LEANING_SPEED_phi = 0,
+    /** The rate of `delta`, in rad/s */
+    WHIPPLE_LEANING_SPEED_delta = 1,
+    /** The rate of `theta`, in rad/s */
+    WHIPPLE_LEANING_SPEED_theta = 2,
+    /** The rate of `thetaR`, in rad/s */
+    WHIPPLE_LEANING_SPEED_thetaR = 3
+} whipple_leaning_speed_t;
+
+/** The number of forces of the nonlinear equations of motion. */
+#define WHIPPLE_LEANING_FORCES 3U
+
+/** A force or torque that may be applied: its place among the forces. */
+typedef enum {
+    /** lean torque, in N*m */
+    WHIPPLE_LEANING_FORCE_Tphi = 0,
+    /** steer torque, in N*m */
+    WHIPPLE_LEANING_FORCE_Tdelta = 1,
+    /** hip torque, in N*m */
+    WHIPPLE_LEANING_FORCE_Ttheta = 2
+} whipple_leaning_force_t;
+
+/** The number of wheels of the nonlinear equations of motion. */
+#define WHIPPLE_LEANING_WHEELS 2U
+
+/** A wheel: its place among the contact forces. */
+typedef enum {
+    /** rear wheel */
+    WHIPPLE_LEANING_WHEEL_R = 0,
+    /** front wheel */
+    WHIPPLE_LEANING_WHEEL_F = 1
+} whipple_leaning_wheel_t;
 
 /* ------------------------------------------------------------ double */
 
@@ -406,6 +471,118 @@ void whipple_leaning_f64_derivatives(const whipple_leaning_f64_t *p,
 void whipple_leaning_f64_with_respect_to(const whipple_leaning_f64_derivatives_t *derivatives,
     size_t parameter, whipple_leaning_f64_matrices_t *matrices);
 
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    double constants[59U];
+} whipple_leaning_f64_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 74 additions, 103 multiplications and 2 trigonometric functions: 179 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void whipple_leaning_f64_motion(const whipple_leaning_f64_t *p,
+    whipple_leaning_f64_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 42 additions, 93 multiplications, 4 divisions, 3 negations, 1 square root and 8 trigonometric functions: 151 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f64_motion_rates(const whipple_leaning_f64_motion_t *motion,
+    const double positions[WHIPPLE_LEANING_POSITIONS], const double speeds[WHIPPLE_LEANING_SPEEDS],
+    double rates[WHIPPLE_LEANING_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 485 additions, 654 multiplications, 8 divisions, 3 negations, 1 square root and 10 trigonometric functions: 1161 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f64_motion_derivatives(const whipple_leaning_f64_motion_t *motion,
+    const double positions[WHIPPLE_LEANING_POSITIONS], const double speeds[WHIPPLE_LEANING_SPEEDS],
+    const double forces[WHIPPLE_LEANING_FORCES], double rates[WHIPPLE_LEANING_POSITIONS],
+    double speed_rates[WHIPPLE_LEANING_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 496 additions, 666 multiplications, 8 divisions, 2 negations, 1 square root and 10 trigonometric functions: 1183 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f64_motion_accelerations(const whipple_leaning_f64_motion_t *motion,
+    const double positions[WHIPPLE_LEANING_POSITIONS], const double speeds[WHIPPLE_LEANING_SPEEDS],
+    const double forces[WHIPPLE_LEANING_FORCES], double accelerations[WHIPPLE_LEANING_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 215 additions, 289 multiplications, 4 divisions, 1 square root and 8 trigonometric functions: 517 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f64_motion_energy(const whipple_leaning_f64_motion_t *motion,
+    const double positions[WHIPPLE_LEANING_POSITIONS], const double speeds[WHIPPLE_LEANING_SPEEDS],
+    double energy[2]);
+
+/**
+ * Moves the positions that depend on the others until every wheel touches the ground, by Newton's method with bounded
+ * steps. The search begins at what is given for them, so that it finds the solution that continues a motion.
+ *
+ * @param[in] motion The equations.
+ * @param[in,out] positions The positions; unchanged on an error.
+ * @return Whether no such positions are near, the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f64_motion_close(const whipple_leaning_f64_motion_t *motion,
+    double positions[WHIPPLE_LEANING_POSITIONS]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 650 additions, 821 multiplications, 8 divisions, 1 negation, 1 square root and 10 trigonometric functions: 1491 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f64_motion_contact_forces(const whipple_leaning_f64_motion_t *motion,
+    const double positions[WHIPPLE_LEANING_POSITIONS], const double speeds[WHIPPLE_LEANING_SPEEDS],
+    const double forces[WHIPPLE_LEANING_FORCES], double contact_forces[3U *
+    WHIPPLE_LEANING_WHEELS]);
+
 /* ------------------------------------------------------------ float */
 
 /** The parameters of `WhippleLeaning`. */
@@ -663,6 +840,117 @@ void whipple_leaning_f32_derivatives(const whipple_leaning_f32_t *p,
  */
 void whipple_leaning_f32_with_respect_to(const whipple_leaning_f32_derivatives_t *derivatives,
     size_t parameter, whipple_leaning_f32_matrices_t *matrices);
+
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    float constants[59U];
+} whipple_leaning_f32_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 74 additions, 103 multiplications and 2 trigonometric functions: 179 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void whipple_leaning_f32_motion(const whipple_leaning_f32_t *p,
+    whipple_leaning_f32_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 42 additions, 93 multiplications, 4 divisions, 3 negations, 1 square root and 8 trigonometric functions: 151 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f32_motion_rates(const whipple_leaning_f32_motion_t *motion,
+    const float positions[WHIPPLE_LEANING_POSITIONS], const float speeds[WHIPPLE_LEANING_SPEEDS],
+    float rates[WHIPPLE_LEANING_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 485 additions, 654 multiplications, 8 divisions, 3 negations, 1 square root and 10 trigonometric functions: 1161 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f32_motion_derivatives(const whipple_leaning_f32_motion_t *motion,
+    const float positions[WHIPPLE_LEANING_POSITIONS], const float speeds[WHIPPLE_LEANING_SPEEDS],
+    const float forces[WHIPPLE_LEANING_FORCES], float rates[WHIPPLE_LEANING_POSITIONS],
+    float speed_rates[WHIPPLE_LEANING_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 496 additions, 666 multiplications, 8 divisions, 2 negations, 1 square root and 10 trigonometric functions: 1183 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f32_motion_accelerations(const whipple_leaning_f32_motion_t *motion,
+    const float positions[WHIPPLE_LEANING_POSITIONS], const float speeds[WHIPPLE_LEANING_SPEEDS],
+    const float forces[WHIPPLE_LEANING_FORCES], float accelerations[WHIPPLE_LEANING_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 215 additions, 289 multiplications, 4 divisions, 1 square root and 8 trigonometric functions: 517 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f32_motion_energy(const whipple_leaning_f32_motion_t *motion,
+    const float positions[WHIPPLE_LEANING_POSITIONS], const float speeds[WHIPPLE_LEANING_SPEEDS],
+    float energy[2]);
+
+/**
+ * Moves the positions that depend on the others until every wheel touches the ground, by Newton's method with bounded
+ * steps. The search begins at what is given for them, so that it finds the solution that continues a motion.
+ *
+ * @param[in] motion The equations.
+ * @param[in,out] positions The positions; unchanged on an error.
+ * @return Whether no such positions are near, the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f32_motion_close(const whipple_leaning_f32_motion_t *motion,
+    float positions[WHIPPLE_LEANING_POSITIONS]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 650 additions, 821 multiplications, 8 divisions, 1 negation, 1 square root and 10 trigonometric functions: 1491 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_leaning_f32_motion_contact_forces(const whipple_leaning_f32_motion_t *motion,
+    const float positions[WHIPPLE_LEANING_POSITIONS], const float speeds[WHIPPLE_LEANING_SPEEDS],
+    const float forces[WHIPPLE_LEANING_FORCES], float contact_forces[3U * WHIPPLE_LEANING_WHEELS]);
 
 #ifdef __cplusplus
 }

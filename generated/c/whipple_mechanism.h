@@ -36,6 +36,7 @@
 #ifndef CARVALLO_MODEL_WHIPPLE_MECHANISM_H
 #define CARVALLO_MODEL_WHIPPLE_MECHANISM_H
 
+#include "carvallo_motion.h"
 #include "carvallo_system.h"
 
 #ifdef __cplusplus
@@ -141,6 +142,64 @@ const char *whipple_mechanism_validity_text(whipple_mechanism_validity_t validit
 
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t whipple_mechanism_partials[WHIPPLE_MECHANISM_PARTIALS];
+
+/** The number of positions of the nonlinear equations of motion. */
+#define WHIPPLE_MECHANISM_POSITIONS 8U
+
+/** A position of a joint: its place among the positions. */
+typedef enum {
+    /** x of the contact point of the rear wheel, in m */
+    WHIPPLE_MECHANISM_POSITION_x = 0,
+    /** y of the contact point of the rear wheel, in m */
+    WHIPPLE_MECHANISM_POSITION_y = 1,
+    /** yaw, in rad */
+    WHIPPLE_MECHANISM_POSITION_psi = 2,
+    /** lean, in rad */
+    WHIPPLE_MECHANISM_POSITION_phi = 3,
+    /** pitch, by the heights of the wheels, in rad */
+    WHIPPLE_MECHANISM_POSITION_pitch = 4,
+    /** steer, in rad */
+    WHIPPLE_MECHANISM_POSITION_delta = 5,
+    /** angle of the rear wheel, in rad */
+    WHIPPLE_MECHANISM_POSITION_thetaR = 6,
+    /** angle of the front wheel, in rad */
+    WHIPPLE_MECHANISM_POSITION_thetaF = 7
+} whipple_mechanism_position_t;
+
+/** The number of speeds of the nonlinear equations of motion. */
+#define WHIPPLE_MECHANISM_SPEEDS 3U
+
+/** A rate that rolling leaves free: its place among the speeds. */
+typedef enum {
+    /** The rate of `phi`, in rad/s */
+    WHIPPLE_MECHANISM_SPEED_phi = 0,
+    /** The rate of `delta`, in rad/s */
+    WHIPPLE_MECHANISM_SPEED_delta = 1,
+    /** The rate of `thetaR`, in rad/s */
+    WHIPPLE_MECHANISM_SPEED_thetaR = 2
+} whipple_mechanism_speed_t;
+
+/** The number of forces of the nonlinear equations of motion. */
+#define WHIPPLE_MECHANISM_FORCES 2U
+
+/** A force or torque that may be applied: its place among the forces. */
+typedef enum {
+    /** lean torque, in N*m */
+    WHIPPLE_MECHANISM_FORCE_Tphi = 0,
+    /** steer torque, in N*m */
+    WHIPPLE_MECHANISM_FORCE_Tdelta = 1
+} whipple_mechanism_force_t;
+
+/** The number of wheels of the nonlinear equations of motion. */
+#define WHIPPLE_MECHANISM_WHEELS 2U
+
+/** A wheel: its place among the contact forces. */
+typedef enum {
+    /** rear wheel */
+    WHIPPLE_MECHANISM_WHEEL_R = 0,
+    /** front wheel */
+    WHIPPLE_MECHANISM_WHEEL_F = 1
+} whipple_mechanism_wheel_t;
 
 /* ------------------------------------------------------------ double */
 
@@ -374,6 +433,119 @@ void whipple_mechanism_f64_derivatives(const whipple_mechanism_f64_t *p,
 void whipple_mechanism_f64_with_respect_to(const whipple_mechanism_f64_derivatives_t *derivatives,
     size_t parameter, whipple_mechanism_f64_matrices_t *matrices);
 
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    double constants[36U];
+} whipple_mechanism_f64_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 54 additions, 64 multiplications and 2 trigonometric functions: 120 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void whipple_mechanism_f64_motion(const whipple_mechanism_f64_t *p,
+    whipple_mechanism_f64_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 42 additions, 93 multiplications, 4 divisions, 3 negations, 1 square root and 8 trigonometric functions: 151 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f64_motion_rates(const whipple_mechanism_f64_motion_t *motion,
+    const double positions[WHIPPLE_MECHANISM_POSITIONS],
+    const double speeds[WHIPPLE_MECHANISM_SPEEDS], double rates[WHIPPLE_MECHANISM_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 324 additions, 447 multiplications, 7 divisions, 3 negations, 1 square root and 8 trigonometric functions: 790 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f64_motion_derivatives(const whipple_mechanism_f64_motion_t *motion,
+    const double positions[WHIPPLE_MECHANISM_POSITIONS],
+    const double speeds[WHIPPLE_MECHANISM_SPEEDS], const double forces[WHIPPLE_MECHANISM_FORCES],
+    double rates[WHIPPLE_MECHANISM_POSITIONS], double speed_rates[WHIPPLE_MECHANISM_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 335 additions, 459 multiplications, 7 divisions, 2 negations, 1 square root and 8 trigonometric functions: 812 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f64_motion_accelerations(const whipple_mechanism_f64_motion_t *motion,
+    const double positions[WHIPPLE_MECHANISM_POSITIONS],
+    const double speeds[WHIPPLE_MECHANISM_SPEEDS], const double forces[WHIPPLE_MECHANISM_FORCES],
+    double accelerations[WHIPPLE_MECHANISM_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 144 additions, 201 multiplications, 4 divisions, 1 negation, 1 square root and 6 trigonometric functions: 357 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f64_motion_energy(const whipple_mechanism_f64_motion_t *motion,
+    const double positions[WHIPPLE_MECHANISM_POSITIONS],
+    const double speeds[WHIPPLE_MECHANISM_SPEEDS], double energy[2]);
+
+/**
+ * Moves the positions that depend on the others until every wheel touches the ground, by Newton's method with bounded
+ * steps. The search begins at what is given for them, so that it finds the solution that continues a motion.
+ *
+ * @param[in] motion The equations.
+ * @param[in,out] positions The positions; unchanged on an error.
+ * @return Whether no such positions are near, the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f64_motion_close(const whipple_mechanism_f64_motion_t *motion,
+    double positions[WHIPPLE_MECHANISM_POSITIONS]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 427 additions, 552 multiplications, 7 divisions, 1 negation, 1 square root and 8 trigonometric functions: 996 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f64_motion_contact_forces(const whipple_mechanism_f64_motion_t *motion,
+    const double positions[WHIPPLE_MECHANISM_POSITIONS],
+    const double speeds[WHIPPLE_MECHANISM_SPEEDS], const double forces[WHIPPLE_MECHANISM_FORCES],
+    double contact_forces[3U * WHIPPLE_MECHANISM_WHEELS]);
+
 /* ------------------------------------------------------------ float */
 
 /** The parameters of `WhippleMechanism`. */
@@ -605,6 +777,119 @@ void whipple_mechanism_f32_derivatives(const whipple_mechanism_f32_t *p,
  */
 void whipple_mechanism_f32_with_respect_to(const whipple_mechanism_f32_derivatives_t *derivatives,
     size_t parameter, whipple_mechanism_f32_matrices_t *matrices);
+
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    float constants[36U];
+} whipple_mechanism_f32_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 54 additions, 64 multiplications and 2 trigonometric functions: 120 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void whipple_mechanism_f32_motion(const whipple_mechanism_f32_t *p,
+    whipple_mechanism_f32_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 42 additions, 93 multiplications, 4 divisions, 3 negations, 1 square root and 8 trigonometric functions: 151 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f32_motion_rates(const whipple_mechanism_f32_motion_t *motion,
+    const float positions[WHIPPLE_MECHANISM_POSITIONS],
+    const float speeds[WHIPPLE_MECHANISM_SPEEDS], float rates[WHIPPLE_MECHANISM_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 324 additions, 447 multiplications, 7 divisions, 3 negations, 1 square root and 8 trigonometric functions: 790 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f32_motion_derivatives(const whipple_mechanism_f32_motion_t *motion,
+    const float positions[WHIPPLE_MECHANISM_POSITIONS],
+    const float speeds[WHIPPLE_MECHANISM_SPEEDS], const float forces[WHIPPLE_MECHANISM_FORCES],
+    float rates[WHIPPLE_MECHANISM_POSITIONS], float speed_rates[WHIPPLE_MECHANISM_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 335 additions, 459 multiplications, 7 divisions, 2 negations, 1 square root and 8 trigonometric functions: 812 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f32_motion_accelerations(const whipple_mechanism_f32_motion_t *motion,
+    const float positions[WHIPPLE_MECHANISM_POSITIONS],
+    const float speeds[WHIPPLE_MECHANISM_SPEEDS], const float forces[WHIPPLE_MECHANISM_FORCES],
+    float accelerations[WHIPPLE_MECHANISM_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 144 additions, 201 multiplications, 4 divisions, 1 negation, 1 square root and 6 trigonometric functions: 357 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f32_motion_energy(const whipple_mechanism_f32_motion_t *motion,
+    const float positions[WHIPPLE_MECHANISM_POSITIONS],
+    const float speeds[WHIPPLE_MECHANISM_SPEEDS], float energy[2]);
+
+/**
+ * Moves the positions that depend on the others until every wheel touches the ground, by Newton's method with bounded
+ * steps. The search begins at what is given for them, so that it finds the solution that continues a motion.
+ *
+ * @param[in] motion The equations.
+ * @param[in,out] positions The positions; unchanged on an error.
+ * @return Whether no such positions are near, the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f32_motion_close(const whipple_mechanism_f32_motion_t *motion,
+    float positions[WHIPPLE_MECHANISM_POSITIONS]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 427 additions, 552 multiplications, 7 divisions, 1 negation, 1 square root and 8 trigonometric functions: 996 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_mechanism_f32_motion_contact_forces(const whipple_mechanism_f32_motion_t *motion,
+    const float positions[WHIPPLE_MECHANISM_POSITIONS],
+    const float speeds[WHIPPLE_MECHANISM_SPEEDS], const float forces[WHIPPLE_MECHANISM_FORCES],
+    float contact_forces[3U * WHIPPLE_MECHANISM_WHEELS]);
 
 #ifdef __cplusplus
 }

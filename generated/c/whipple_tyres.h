@@ -34,6 +34,7 @@
 #ifndef CARVALLO_MODEL_WHIPPLE_TYRES_H
 #define CARVALLO_MODEL_WHIPPLE_TYRES_H
 
+#include "carvallo_motion.h"
 #include "carvallo_system.h"
 
 #ifdef __cplusplus
@@ -141,6 +142,64 @@ const char *whipple_tyres_validity_text(whipple_tyres_validity_t validity);
 
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS];
+
+/** The number of positions of the nonlinear equations of motion. */
+#define WHIPPLE_TYRES_POSITIONS 8U
+
+/** A position of a joint: its place among the positions. */
+typedef enum {
+    /** x of the contact point of the rear wheel, in m */
+    WHIPPLE_TYRES_POSITION_x = 0,
+    /** y of the contact point of the rear wheel, in m */
+    WHIPPLE_TYRES_POSITION_y = 1,
+    /** yaw, in rad */
+    WHIPPLE_TYRES_POSITION_psi = 2,
+    /** lean, in rad */
+    WHIPPLE_TYRES_POSITION_phi = 3,
+    /** pitch, by the heights of the wheels, in rad */
+    WHIPPLE_TYRES_POSITION_pitch = 4,
+    /** steer, in rad */
+    WHIPPLE_TYRES_POSITION_delta = 5,
+    /** angle of the rear wheel, in rad */
+    WHIPPLE_TYRES_POSITION_thetaR = 6,
+    /** angle of the front wheel, in rad */
+    WHIPPLE_TYRES_POSITION_thetaF = 7
+} whipple_tyres_position_t;
+
+/** The number of speeds of the nonlinear equations of motion. */
+#define WHIPPLE_TYRES_SPEEDS 3U
+
+/** A rate that rolling leaves free: its place among the speeds. */
+typedef enum {
+    /** The rate of `phi`, in rad/s */
+    WHIPPLE_TYRES_SPEED_phi = 0,
+    /** The rate of `delta`, in rad/s */
+    WHIPPLE_TYRES_SPEED_delta = 1,
+    /** The rate of `thetaR`, in rad/s */
+    WHIPPLE_TYRES_SPEED_thetaR = 2
+} whipple_tyres_speed_t;
+
+/** The number of forces of the nonlinear equations of motion. */
+#define WHIPPLE_TYRES_FORCES 2U
+
+/** A force or torque that may be applied: its place among the forces. */
+typedef enum {
+    /** lean torque, in N*m */
+    WHIPPLE_TYRES_FORCE_Tphi = 0,
+    /** steer torque, in N*m */
+    WHIPPLE_TYRES_FORCE_Tdelta = 1
+} whipple_tyres_force_t;
+
+/** The number of wheels of the nonlinear equations of motion. */
+#define WHIPPLE_TYRES_WHEELS 2U
+
+/** A wheel: its place among the contact forces. */
+typedef enum {
+    /** rear wheel */
+    WHIPPLE_TYRES_WHEEL_R = 0,
+    /** front wheel */
+    WHIPPLE_TYRES_WHEEL_F = 1
+} whipple_tyres_wheel_t;
 
 /* ------------------------------------------------------------ double */
 
@@ -378,6 +437,116 @@ void whipple_tyres_f64_derivatives(const whipple_tyres_f64_t *p,
 void whipple_tyres_f64_with_respect_to(const whipple_tyres_f64_derivatives_t *derivatives,
     size_t parameter, whipple_tyres_f64_matrices_t *matrices);
 
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    double constants[36U];
+} whipple_tyres_f64_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 56 additions, 62 multiplications and 2 trigonometric functions: 120 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void whipple_tyres_f64_motion(const whipple_tyres_f64_t *p, whipple_tyres_f64_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 47 additions, 98 multiplications, 4 divisions, 2 negations, 1 square root and 8 trigonometric functions: 160 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f64_motion_rates(const whipple_tyres_f64_motion_t *motion,
+    const double positions[WHIPPLE_TYRES_POSITIONS], const double speeds[WHIPPLE_TYRES_SPEEDS],
+    double rates[WHIPPLE_TYRES_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 349 additions, 477 multiplications, 7 divisions, 2 negations, 1 square root and 8 trigonometric functions: 844 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f64_motion_derivatives(const whipple_tyres_f64_motion_t *motion,
+    const double positions[WHIPPLE_TYRES_POSITIONS], const double speeds[WHIPPLE_TYRES_SPEEDS],
+    const double forces[WHIPPLE_TYRES_FORCES], double rates[WHIPPLE_TYRES_POSITIONS],
+    double speed_rates[WHIPPLE_TYRES_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 361 additions, 491 multiplications, 7 divisions, 1 negation, 1 square root and 8 trigonometric functions: 869 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f64_motion_accelerations(const whipple_tyres_f64_motion_t *motion,
+    const double positions[WHIPPLE_TYRES_POSITIONS], const double speeds[WHIPPLE_TYRES_SPEEDS],
+    const double forces[WHIPPLE_TYRES_FORCES], double accelerations[WHIPPLE_TYRES_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 157 additions, 216 multiplications, 4 divisions, 1 negation, 1 square root and 6 trigonometric functions: 385 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f64_motion_energy(const whipple_tyres_f64_motion_t *motion,
+    const double positions[WHIPPLE_TYRES_POSITIONS], const double speeds[WHIPPLE_TYRES_SPEEDS],
+    double energy[2]);
+
+/**
+ * Moves the positions that depend on the others until every wheel touches the ground, by Newton's method with bounded
+ * steps. The search begins at what is given for them, so that it finds the solution that continues a motion.
+ *
+ * @param[in] motion The equations.
+ * @param[in,out] positions The positions; unchanged on an error.
+ * @return Whether no such positions are near, the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f64_motion_close(const whipple_tyres_f64_motion_t *motion,
+    double positions[WHIPPLE_TYRES_POSITIONS]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 455 additions, 583 multiplications, 7 divisions, 1 negation, 1 square root and 8 trigonometric functions: 1055 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f64_motion_contact_forces(const whipple_tyres_f64_motion_t *motion,
+    const double positions[WHIPPLE_TYRES_POSITIONS], const double speeds[WHIPPLE_TYRES_SPEEDS],
+    const double forces[WHIPPLE_TYRES_FORCES], double contact_forces[3U * WHIPPLE_TYRES_WHEELS]);
+
 /* ------------------------------------------------------------ float */
 
 /** The parameters of `WhippleTyres`. */
@@ -613,6 +782,116 @@ void whipple_tyres_f32_derivatives(const whipple_tyres_f32_t *p,
  */
 void whipple_tyres_f32_with_respect_to(const whipple_tyres_f32_derivatives_t *derivatives,
     size_t parameter, whipple_tyres_f32_matrices_t *matrices);
+
+/**
+ * The nonlinear equations of motion with their parameters: what does not depend on the state, computed once.
+ *
+ * Everything is in SI units. Positions, their rates and accelerations are arrays in the order of the constants of positions,
+ * speeds and their rates in that of the speeds. Positions have to be such that every wheel touches the ground; how far they
+ * are from that, so far are the results. On an error what is computed is not to be used.
+ */
+typedef struct {
+    /** In an order of their own. */
+    float constants[36U];
+} whipple_tyres_f32_motion_t;
+
+/**
+ * What does not depend on the state, from one straight-line program:
+ * 56 additions, 62 multiplications and 2 trigonometric functions: 120 operations.
+ *
+ * @param[in] p The parameters, which are not validated.
+ * @param[out] motion The equations.
+ */
+void whipple_tyres_f32_motion(const whipple_tyres_f32_t *p, whipple_tyres_f32_motion_t *motion);
+
+/**
+ * The rates of all positions at given speeds, of which rolling determines the others:
+ * 47 additions, 98 multiplications, 4 divisions, 2 negations, 1 square root and 8 trigonometric functions: 160 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] rates The rates of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f32_motion_rates(const whipple_tyres_f32_motion_t *motion,
+    const float positions[WHIPPLE_TYRES_POSITIONS], const float speeds[WHIPPLE_TYRES_SPEEDS],
+    float rates[WHIPPLE_TYRES_POSITIONS]);
+
+/**
+ * The rates of all positions and of the speeds, which is what an integration takes:
+ * 349 additions, 477 multiplications, 7 divisions, 2 negations, 1 square root and 8 trigonometric functions: 844 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] rates The rates of the positions.
+ * @param[out] speed_rates The rates of the speeds.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f32_motion_derivatives(const whipple_tyres_f32_motion_t *motion,
+    const float positions[WHIPPLE_TYRES_POSITIONS], const float speeds[WHIPPLE_TYRES_SPEEDS],
+    const float forces[WHIPPLE_TYRES_FORCES], float rates[WHIPPLE_TYRES_POSITIONS],
+    float speed_rates[WHIPPLE_TYRES_SPEEDS]);
+
+/**
+ * The second derivatives of all positions:
+ * 361 additions, 491 multiplications, 7 divisions, 1 negation, 1 square root and 8 trigonometric functions: 869 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] accelerations The accelerations of the positions.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f32_motion_accelerations(const whipple_tyres_f32_motion_t *motion,
+    const float positions[WHIPPLE_TYRES_POSITIONS], const float speeds[WHIPPLE_TYRES_SPEEDS],
+    const float forces[WHIPPLE_TYRES_FORCES], float accelerations[WHIPPLE_TYRES_POSITIONS]);
+
+/**
+ * The kinetic energy, and the potential energy of gravity and springs, in J:
+ * 157 additions, 216 multiplications, 4 divisions, 1 negation, 1 square root and 6 trigonometric functions: 385 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[out] energy The kinetic energy, then the potential energy, which is zero where the centre of mass is at the
+ *             height of the ground.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f32_motion_energy(const whipple_tyres_f32_motion_t *motion,
+    const float positions[WHIPPLE_TYRES_POSITIONS], const float speeds[WHIPPLE_TYRES_SPEEDS],
+    float energy[2]);
+
+/**
+ * Moves the positions that depend on the others until every wheel touches the ground, by Newton's method with bounded
+ * steps. The search begins at what is given for them, so that it finds the solution that continues a motion.
+ *
+ * @param[in] motion The equations.
+ * @param[in,out] positions The positions; unchanged on an error.
+ * @return Whether no such positions are near, the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f32_motion_close(const whipple_tyres_f32_motion_t *motion,
+    float positions[WHIPPLE_TYRES_POSITIONS]);
+
+/**
+ * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
+ * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
+ * sideways force of the first is that of all. From one straight-line program:
+ * 455 additions, 583 multiplications, 7 divisions, 1 negation, 1 square root and 8 trigonometric functions: 1055 operations.
+ *
+ * @param[in] motion The equations.
+ * @param[in] positions The positions.
+ * @param[in] speeds The speeds.
+ * @param[in] forces The applied forces, each positive as the position that it acts on.
+ * @param[out] contact_forces The forces, three numbers for each wheel, one wheel after the other.
+ * @return Whether the state is singular, or something is not finite.
+ */
+carvallo_motion_error_t whipple_tyres_f32_motion_contact_forces(const whipple_tyres_f32_motion_t *motion,
+    const float positions[WHIPPLE_TYRES_POSITIONS], const float speeds[WHIPPLE_TYRES_SPEEDS],
+    const float forces[WHIPPLE_TYRES_FORCES], float contact_forces[3U * WHIPPLE_TYRES_WHEELS]);
 
 #ifdef __cplusplus
 }

@@ -67,6 +67,14 @@ pub struct MotionPrograms {
     pub contact_forces: Program,
 }
 
+impl MotionPrograms {
+    /// All of them.
+    pub fn all(&self) -> [&Program; 7] {
+        let Self { constants, closure, rates, derivatives, accelerations, energy, contact_forces } = self;
+        [constants, closure, rates, derivatives, accelerations, energy, contact_forces]
+    }
+}
+
 /// Derives the programs.
 pub fn compile(machine: &Machine, layout: &Layout) -> MotionPrograms {
     let arithmetic = Arithmetic::new(

@@ -5,6 +5,7 @@ mod comment;
 mod derivatives;
 mod kinematics;
 mod matrices;
+mod motion;
 mod names;
 mod parameters;
 mod precision;
@@ -20,6 +21,7 @@ pub use self::support::files as support_files;
 use super::Driver;
 use super::names::GeneratedNames;
 use crate::model::Model;
+use crate::nonlinear::MotionPrograms;
 use crate::pipeline::{Compiled, Programs};
 use crate::program::{Counts, Instruction, Program, Value};
 
@@ -84,9 +86,10 @@ impl<'a> Context<'a> {
     }
 
     fn all_programs(&self) -> impl Iterator<Item = &Program> {
-        let Programs { matrices, requirements, kinematics, derivatives, .. } = self.programs;
+        let Programs { matrices, requirements, kinematics, derivatives, motion } = self.programs;
         let derivatives = derivatives.as_ref().map(|derivatives| &derivatives.program);
-        [matrices, requirements].into_iter().chain(kinematics).chain(derivatives)
+        let motion = motion.iter().flat_map(MotionPrograms::all);
+        [matrices, requirements].into_iter().chain(kinematics).chain(derivatives).chain(motion)
     }
 
     fn has(&self, wanted: impl Fn(Instruction) -> bool) -> bool {
@@ -104,15 +107,17 @@ fn emit_header(context: &Context, file: &str) -> String {
         model.name,
         comment::of_model(model),
     );
+    let of_motion = if context.programs.motion.is_some() { "#include \"carvallo_motion.h\"\n" } else { "" };
     let mut text = comment::block(&about, 0);
     text.push_str(&format!(
-        "\n#ifndef {guard}\n#define {guard}\n\n#include \"carvallo_system.h\"\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n"
+        "\n#ifndef {guard}\n#define {guard}\n\n{of_motion}#include \"carvallo_system.h\"\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n"
     ));
     let size = comment::block("The number N of coordinates, and of rows and columns of each matrix.", 0);
     text.push_str(&format!("{size}#define {} {}U\n\n", context.size, model.coordinates.len()));
     text.push_str(&parameters::declare_sets(context));
     text.push_str(&validity::declare(context));
     text.push_str(&derivatives::declare_table(context));
+    text.push_str(&motion::declare_table(context));
     for precision in Precision::ALL {
         let rule = "-".repeat(60);
         text.push_str(&format!("/* {rule} {} */\n\n", precision.number()));
@@ -123,6 +128,7 @@ fn emit_header(context: &Context, file: &str) -> String {
             system::declare,
             kinematics::declare,
             derivatives::declare,
+            motion::declare,
         ] {
             text.push_str(&declare(context, precision));
         }
@@ -138,7 +144,7 @@ fn emit_source(context: &Context, file: &str) -> String {
         Instruction::Sqrt(_) | Instruction::Tan(_) => true,
         Instruction::Constant(value) => Precision::Single.is_too_large(value),
         _ => false,
-    });
+    }) || context.model.motion.as_ref().is_some_and(|motion| !motion.layout.standing.is_empty());
     let mut text = comment::block(&formulas(context.model), 0);
     text.push_str(&format!("\n#include \"{file}.h\"\n\n"));
     if has_trigonometry {
@@ -159,6 +165,7 @@ fn emit_source(context: &Context, file: &str) -> String {
             system::define,
             kinematics::define,
             derivatives::define,
+            motion::define,
         ] {
             let part = define(context, precision);
             if !part.is_empty() {

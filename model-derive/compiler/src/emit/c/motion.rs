@@ -1,0 +1,241 @@
+//! The nonlinear equations of motion: what positions, speeds, forces and wheels are called, and the functions that compute
+//! what the programs of the model do.
+
+use super::body::Body;
+use super::comment::{block, quoted};
+use super::names::identifier;
+use super::template::{fill, wrap};
+use super::{Context, Precision, counts};
+use crate::motion::{MotionModel, PositionKind};
+use crate::nonlinear::MotionPrograms;
+use crate::program::{Instruction, Program};
+
+/// How many positions, speeds, forces and wheels there are, and which is which; nothing for a model without nonlinear
+/// equations.
+pub fn declare_table(context: &Context) -> String {
+    let Some((motion, _)) = find(context) else { return String::new() };
+    let positions = motion.positions.iter().map(|position| {
+        let by_heights = if position.kind == PositionKind::Dependent { ", by the heights of the wheels" } else { "" };
+        (&position.name, format!("{}{by_heights}, in {}", position.label, position.unit))
+    });
+    let speeds = speeds(motion).into_iter().map(|place| {
+        let position = &motion.positions[place];
+        (&position.name, format!("The rate of `{}`, in {}/s", position.name, position.unit))
+    });
+    let forces = applied(context).map(|[name, label, unit]| (name, format!("{label}, in {unit}")));
+    let wheels = motion.wheels.iter().map(|[name, label]| (name, label.clone()));
+    [
+        constants(context, "position", "A position of a joint: its place among the positions.", positions.collect()),
+        constants(context, "speed", "A rate that rolling leaves free: its place among the speeds.", speeds.collect()),
+        constants(
+            context,
+            "force",
+            "A force or torque that may be applied: its place among the forces.",
+            forces.collect(),
+        ),
+        constants(context, "wheel", "A wheel: its place among the contact forces.", wheels.collect()),
+    ]
+    .concat()
+}
+
+/// Their number, and for each its place; nothing where there is none.
+fn constants(context: &Context, what: &str, docs: &str, all: Vec<(&String, String)>) -> String {
+    if all.is_empty() {
+        return String::new();
+    }
+    let (upper, count) = (context.prefix.upper(), all.len());
+    let kind = what.to_uppercase();
+    let places = all.iter().enumerate().map(|(place, (name, docs))| {
+        let comma = if place + 1 < count { "," } else { "" };
+        format!("{}    {upper}_{kind}_{} = {place}{comma}\n", block(&quoted(docs), 4), identifier(name))
+    });
+    format!(
+        "{}#define {upper}_{kind}S {count}U\n\n{}typedef enum {{\n{}}} {}_{what}_t;\n\n",
+        block(&format!("The number of {what}s of the nonlinear equations of motion."), 0),
+        block(docs, 0),
+        places.collect::<String>(),
+        context.prefix.lower(),
+    )
+}
+
+/// The struct and the functions.
+pub fn declare(context: &Context, precision: Precision) -> String {
+    let Some((motion, programs)) = find(context) else { return String::new() };
+    let values = values(context, precision, motion, programs);
+    let mut text = fill(include_str!("templates/motion.h"), &borrowed(&values));
+    if !motion.layout.standing.is_empty() {
+        text.push_str(&fill(include_str!("templates/close.h"), &borrowed(&values)));
+    }
+    if !motion.wheels.is_empty() {
+        text.push_str(&fill(include_str!("templates/contact_forces.h"), &borrowed(&values)));
+    }
+    text
+}
+
+/// The functions.
+pub fn define(context: &Context, precision: Precision) -> String {
+    let Some((motion, programs)) = find(context) else { return String::new() };
+    let values = values(context, precision, motion, programs);
+    let body = |program: &Program, arguments: &[&str], outputs: &[(&str, usize)]| {
+        compute(context, precision, motion, programs, program, arguments, outputs)
+    };
+    const OF_STATE: &[&str] = &["motion", "positions", "speeds"];
+    const WITH_FORCES: &[&str] = &["motion", "positions", "speeds", "forces"];
+    let sizes = [motion.positions.len(), speeds(motion).len()];
+    let of_constants = {
+        let body = context.body(&programs.constants, precision, &[], &["motion"]);
+        let reads = if body.reads_parameters() { "" } else { "    (void)p;\n" };
+        let constants = assign(&body, &programs.constants, &[("motion->constants", programs.constants.outputs.len())]);
+        format!("{reads}{}{constants}", body.statements(4))
+    };
+    let parts = [
+        ("compute_constants", of_constants),
+        ("compute_rates", body(&programs.rates, OF_STATE, &[("rates", sizes[0])])),
+        (
+            "compute_derivatives",
+            body(&programs.derivatives, WITH_FORCES, &[("rates", sizes[0]), ("speed_rates", sizes[1])]),
+        ),
+        ("compute_accelerations", body(&programs.accelerations, WITH_FORCES, &[("accelerations", sizes[0])])),
+        ("compute_energy", body(&programs.energy, OF_STATE, &[("energy", 2)])),
+    ];
+    let all = [&values[..], &parts].concat();
+    let mut text = fill(include_str!("templates/motion.c"), &borrowed(&all));
+    let dependent = motion.layout.standing.len();
+    if dependent > 0 {
+        let compute = body(&programs.closure, &OF_STATE[..2], &[("below", dependent), ("steps", dependent)]);
+        let all = [&values[..], &[("compute_closure", compute)]].concat();
+        text.push_str(&format!("\n{}", fill(include_str!("templates/close.c"), &borrowed(&all))));
+    }
+    if !motion.wheels.is_empty() {
+        let compute = body(&programs.contact_forces, WITH_FORCES, &[("contact_forces", 3 * motion.wheels.len())]);
+        let all = [&values[..], &[("compute_contact_forces", compute)]].concat();
+        text.push_str(&format!("\n{}", fill(include_str!("templates/contact_forces.c"), &borrowed(&all))));
+    }
+    text
+}
+
+fn find<'a>(context: &'a Context) -> Option<(&'a MotionModel, &'a MotionPrograms)> {
+    context.model.motion.as_ref().zip(context.programs.motion.as_ref())
+}
+
+/// The places of the positions whose rates the speeds are.
+fn speeds(motion: &MotionModel) -> Vec<usize> {
+    places(motion, &motion.layout.conditions.independent)
+}
+
+fn places(motion: &MotionModel, joints: &[usize]) -> Vec<usize> {
+    let place = |joint: &usize| motion.layout.positions.iter().position(|position| position == joint);
+    joints.iter().filter_map(place).collect()
+}
+
+fn applied<'a>(context: &'a Context) -> impl Iterator<Item = &'a [String; 3]> {
+    context.model.kinematics.iter().flat_map(|kinematics| &kinematics.applied)
+}
+
+/// What all templates have places for.
+fn values(
+    context: &Context,
+    precision: Precision,
+    motion: &MotionModel,
+    programs: &MotionPrograms,
+) -> Vec<(&'static str, String)> {
+    let (upper, number) = (context.prefix.upper(), precision.number());
+    let name = format!("{}_{}", context.prefix.lower(), precision.name());
+    let dependent: Vec<String> =
+        places(motion, &motion.layout.standing).iter().map(|place| format!("{place}U")).collect();
+    let has_forces = applied(context).next().is_some();
+    let finite = format!("carvallo_are_finite_{}", precision.name());
+    let literal = |value: f64| precision.literal(value);
+    vec![
+        ("number", number.to_string()),
+        ("finite", finite.clone()),
+        ("one_finite", format!("carvallo_is_finite_{}", precision.name())),
+        ("absolute", precision.function("fabs")),
+        ("epsilon", if precision == Precision::Double { "DBL_EPSILON" } else { "FLT_EPSILON" }.to_string()),
+        ("parameters", context.parameters(precision)),
+        ("P", format!("{upper}_POSITIONS")),
+        ("S", format!("{upper}_SPEEDS")),
+        ("W", format!("{upper}_WHEELS")),
+        ("D", format!("{}U", dependent.len())),
+        ("dependent", dependent.join(", ")),
+        ("constants", format!("{}U", programs.constants.outputs.len().max(1))),
+        ("forces", if has_forces { format!(", const {number} forces[{upper}_FORCES]") } else { String::new() }),
+        (
+            "forces_docs",
+            if has_forces {
+                " * @param[in] forces The applied forces, each positive as the position that it acts on.\n"
+            } else {
+                ""
+            }
+            .to_string(),
+        ),
+        ("forces_finite", if has_forces { format!(" && {finite}(forces, {upper}_FORCES)") } else { String::new() }),
+        ("pass_forces", if has_forces { ", forces" } else { "" }.to_string()),
+        ("zero", literal(0.0)),
+        ("one", literal(1.0)),
+        ("four", literal(4.0)),
+        ("longest_step", literal(0.25)),
+        ("near", literal(1e-5)),
+        ("largest", literal(1e30)),
+        ("count_constants", counts(&programs.constants)),
+        ("count_rates", counts(&programs.rates)),
+        ("count_derivatives", counts(&programs.derivatives)),
+        ("count_accelerations", counts(&programs.accelerations)),
+        ("count_energy", counts(&programs.energy)),
+        ("count_contact_forces", counts(&programs.contact_forces)),
+        ("name", name),
+    ]
+}
+
+fn borrowed<'a>(values: &'a [(&'static str, String)]) -> Vec<(&'a str, &'a str)> {
+    values.iter().map(|(name, value)| (*name, value.as_str())).collect()
+}
+
+/// The statements of a program of a state, with its results in arrays of these lengths; what it does not read is said.
+fn compute(
+    context: &Context,
+    precision: Precision,
+    motion: &MotionModel,
+    programs: &MotionPrograms,
+    program: &Program,
+    arguments: &[&str],
+    outputs: &[(&str, usize)],
+) -> String {
+    let constants = programs.constants.outputs.len();
+    let names = motion.positions.iter().map(|position| position.name.clone());
+    let rates = speeds(motion).into_iter().map(|place| format!("{}_rate", motion.positions[place].name));
+    let groups: [(&str, &str, Vec<String>); 4] = [
+        ("motion", "motion->constants", (0..constants).map(|index| format!("constant_{index}")).collect()),
+        ("positions", "positions", names.collect()),
+        ("speeds", "speeds", rates.collect()),
+        ("forces", "forces", applied(context).map(|[name, ..]| name.clone()).collect()),
+    ];
+    let (mut reads, mut inputs, mut unused) = (Vec::new(), Vec::new(), String::new());
+    for (argument, array, names) in groups {
+        let range = reads.len()..reads.len() + names.len();
+        let is_read =
+            |instruction: &Instruction| matches!(instruction, Instruction::Parameter(at) if range.contains(at));
+        let is_argument = !(names.is_empty() && argument == "forces") && arguments.contains(&argument);
+        if is_argument && !program.instructions.iter().any(is_read) {
+            unused.push_str(&format!("    (void){argument};\n"));
+        }
+        reads.extend((0..names.len()).map(|index| format!("{array}[{index}]")));
+        inputs.extend(names);
+    }
+    let variable = context.names.values(program, context.model, &inputs, &[]);
+    let arrays = outputs.iter().map(|(array, _)| *array);
+    let taken: Vec<&str> = arguments.iter().copied().chain(arrays).collect();
+    let body = Body::new(program, precision, &taken, |index| reads[index].clone(), |value| variable(value).to_string());
+    format!("{unused}{}{}", body.statements(4), assign(&body, program, outputs))
+}
+
+fn assign(body: &Body, program: &Program, outputs: &[(&str, usize)]) -> String {
+    let mut values = program.outputs.iter();
+    let mut text = String::new();
+    for (array, length) in outputs {
+        for (place, value) in values.by_ref().take(*length).enumerate() {
+            text.push_str(&wrap(&format!("{array}[{place}] = {};", body.values[*value]), 4));
+        }
+    }
+    text
+}
