@@ -85,6 +85,36 @@ const carvallo_partial_t double_pendulum_partials[DOUBLE_PENDULUM_PARTIALS] = {
     {CARVALLO_MATRIX_M, 1U, 1U, 6U, 7U, false}
 };
 
+const char *double_pendulum_position_name(double_pendulum_position_t which)
+{
+    static const char *const TEXTS[] = {
+        "theta1",
+        "theta2",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such position";
+}
+
+const char *double_pendulum_speed_name(double_pendulum_speed_t which)
+{
+    static const char *const TEXTS[] = {
+        "theta1",
+        "theta2",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such speed";
+}
+
+const char *double_pendulum_force_name(double_pendulum_force_t which)
+{
+    static const char *const TEXTS[] = {
+        "T1",
+        "T2",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such force";
+}
+
 const double_pendulum_f64_t double_pendulum_f64_sets[DOUBLE_PENDULUM_SETS] = {
     { /* rods */
         .l1 = 1.0,

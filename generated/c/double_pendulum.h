@@ -91,10 +91,7 @@ const char *double_pendulum_validity_text(double_pendulum_validity_t validity);
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t double_pendulum_partials[DOUBLE_PENDULUM_PARTIALS];
 
-/** The number of positions of the nonlinear equations of motion. */
-#define DOUBLE_PENDULUM_POSITIONS 2U
-
-/** A position of a joint: its place among the positions. */
+/** The place of a position among the positions, of which each joint has one. */
 typedef enum {
     /** lower link, in rad */
     DOUBLE_PENDULUM_POSITION_theta1 = 0,
@@ -102,10 +99,13 @@ typedef enum {
     DOUBLE_PENDULUM_POSITION_theta2 = 1
 } double_pendulum_position_t;
 
-/** The number of speeds of the nonlinear equations of motion. */
-#define DOUBLE_PENDULUM_SPEEDS 2U
+/** How many positions there are. */
+#define DOUBLE_PENDULUM_POSITIONS 2U
 
-/** A rate that rolling leaves free: its place among the speeds. */
+/** The name of a position; a text of its own for what is none. */
+const char *double_pendulum_position_name(double_pendulum_position_t which);
+
+/** The place of a speed among the speeds, the rates that rolling leaves free. */
 typedef enum {
     /** The rate of `theta1`, in rad/s */
     DOUBLE_PENDULUM_SPEED_theta1 = 0,
@@ -113,16 +113,25 @@ typedef enum {
     DOUBLE_PENDULUM_SPEED_theta2 = 1
 } double_pendulum_speed_t;
 
-/** The number of forces of the nonlinear equations of motion. */
-#define DOUBLE_PENDULUM_FORCES 2U
+/** How many speeds there are. */
+#define DOUBLE_PENDULUM_SPEEDS 2U
 
-/** A force or torque that may be applied: its place among the forces. */
+/** The name of a speed; a text of its own for what is none. */
+const char *double_pendulum_speed_name(double_pendulum_speed_t which);
+
+/** The place of a force or torque among those that may be applied. */
 typedef enum {
     /** torque at the lower hinge, in N*m */
     DOUBLE_PENDULUM_FORCE_T1 = 0,
     /** torque between the links, in N*m */
     DOUBLE_PENDULUM_FORCE_T2 = 1
 } double_pendulum_force_t;
+
+/** How many forces there are. */
+#define DOUBLE_PENDULUM_FORCES 2U
+
+/** The name of a force; a text of its own for what is none. */
+const char *double_pendulum_force_name(double_pendulum_force_t which);
 
 /* ------------------------------------------------------------ double */
 

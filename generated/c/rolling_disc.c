@@ -63,6 +63,39 @@ const carvallo_partial_t rolling_disc_partials[ROLLING_DISC_PARTIALS] = {
     {CARVALLO_MATRIX_M, 1U, 1U, 3U, 7U, false}
 };
 
+const char *rolling_disc_position_name(rolling_disc_position_t which)
+{
+    static const char *const TEXTS[] = {
+        "x",
+        "y",
+        "psi",
+        "phi",
+        "thetaD",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such position";
+}
+
+const char *rolling_disc_speed_name(rolling_disc_speed_t which)
+{
+    static const char *const TEXTS[] = {
+        "psi",
+        "phi",
+        "thetaD",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such speed";
+}
+
+const char *rolling_disc_wheel_name(rolling_disc_wheel_t which)
+{
+    static const char *const TEXTS[] = {
+        "D",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such wheel";
+}
+
 const rolling_disc_f64_t rolling_disc_f64_sets[ROLLING_DISC_SETS] = {
     { /* uniform */
         .r = 0.3,

@@ -91,10 +91,7 @@ const char *rolling_disc_validity_text(rolling_disc_validity_t validity);
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t rolling_disc_partials[ROLLING_DISC_PARTIALS];
 
-/** The number of positions of the nonlinear equations of motion. */
-#define ROLLING_DISC_POSITIONS 5U
-
-/** A position of a joint: its place among the positions. */
+/** The place of a position among the positions, of which each joint has one. */
 typedef enum {
     /** x of the contact point of the disc, in m */
     ROLLING_DISC_POSITION_x = 0,
@@ -108,10 +105,13 @@ typedef enum {
     ROLLING_DISC_POSITION_thetaD = 4
 } rolling_disc_position_t;
 
-/** The number of speeds of the nonlinear equations of motion. */
-#define ROLLING_DISC_SPEEDS 3U
+/** How many positions there are. */
+#define ROLLING_DISC_POSITIONS 5U
 
-/** A rate that rolling leaves free: its place among the speeds. */
+/** The name of a position; a text of its own for what is none. */
+const char *rolling_disc_position_name(rolling_disc_position_t which);
+
+/** The place of a speed among the speeds, the rates that rolling leaves free. */
 typedef enum {
     /** The rate of `psi`, in rad/s */
     ROLLING_DISC_SPEED_psi = 0,
@@ -121,14 +121,23 @@ typedef enum {
     ROLLING_DISC_SPEED_thetaD = 2
 } rolling_disc_speed_t;
 
-/** The number of wheels of the nonlinear equations of motion. */
-#define ROLLING_DISC_WHEELS 1U
+/** How many speeds there are. */
+#define ROLLING_DISC_SPEEDS 3U
 
-/** A wheel: its place among the contact forces. */
+/** The name of a speed; a text of its own for what is none. */
+const char *rolling_disc_speed_name(rolling_disc_speed_t which);
+
+/** The place of a wheel among the contact forces. */
 typedef enum {
     /** disc */
     ROLLING_DISC_WHEEL_D = 0
 } rolling_disc_wheel_t;
+
+/** How many wheels there are. */
+#define ROLLING_DISC_WHEELS 1U
+
+/** The name of a wheel; a text of its own for what is none. */
+const char *rolling_disc_wheel_name(rolling_disc_wheel_t which);
 
 /* ------------------------------------------------------------ double */
 

@@ -93,6 +93,52 @@ const carvallo_partial_t wheeled_pendulum_partials[WHEELED_PENDULUM_PARTIALS] = 
     {CARVALLO_MATRIX_M, 2U, 2U, 8U, 17U, false}
 };
 
+const char *wheeled_pendulum_position_name(wheeled_pendulum_position_t which)
+{
+    static const char *const TEXTS[] = {
+        "x",
+        "y",
+        "psi",
+        "phi",
+        "theta",
+        "thetaL",
+        "thetaR",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such position";
+}
+
+const char *wheeled_pendulum_speed_name(wheeled_pendulum_speed_t which)
+{
+    static const char *const TEXTS[] = {
+        "psi",
+        "theta",
+        "thetaL",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such speed";
+}
+
+const char *wheeled_pendulum_force_name(wheeled_pendulum_force_t which)
+{
+    static const char *const TEXTS[] = {
+        "TL",
+        "TR",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such force";
+}
+
+const char *wheeled_pendulum_wheel_name(wheeled_pendulum_wheel_t which)
+{
+    static const char *const TEXTS[] = {
+        "L",
+        "R",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such wheel";
+}
+
 const wheeled_pendulum_f64_t wheeled_pendulum_f64_sets[WHEELED_PENDULUM_SETS] = {
     { /* robot */
         .m = 0.6,
@@ -862,11 +908,14 @@ carvallo_motion_error_t wheeled_pendulum_f64_motion_close(const wheeled_pendulum
             if (carvallo_are_finite_f64(steps, 1U)) {
                 double longest = 0.0;
                 double size = 1.0;
+                double share = 1.0;
                 for (size_t i = 0U; i < 1U; i++) {
                     longest = (fabs(steps[i]) > longest) ? fabs(steps[i]) : longest;
                 }
                 /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
-                const double share = (longest > 0.25) ? (0.25 / longest) : 1.0;
+                if (longest > 0.25) {
+                    share = 0.25 / longest;
+                }
                 for (size_t i = 0U; i < 1U; i++) {
                     found[DEPENDENT[i]] += steps[i] * share;
                 }
@@ -1824,11 +1873,14 @@ carvallo_motion_error_t wheeled_pendulum_f32_motion_close(const wheeled_pendulum
             if (carvallo_are_finite_f32(steps, 1U)) {
                 float longest = 0.0F;
                 float size = 1.0F;
+                float share = 1.0F;
                 for (size_t i = 0U; i < 1U; i++) {
                     longest = (fabsf(steps[i]) > longest) ? fabsf(steps[i]) : longest;
                 }
                 /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
-                const float share = (longest > 0.25F) ? (0.25F / longest) : 1.0F;
+                if (longest > 0.25F) {
+                    share = 0.25F / longest;
+                }
                 for (size_t i = 0U; i < 1U; i++) {
                     found[DEPENDENT[i]] += steps[i] * share;
                 }

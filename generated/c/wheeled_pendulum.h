@@ -103,10 +103,7 @@ const char *wheeled_pendulum_validity_text(wheeled_pendulum_validity_t validity)
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t wheeled_pendulum_partials[WHEELED_PENDULUM_PARTIALS];
 
-/** The number of positions of the nonlinear equations of motion. */
-#define WHEELED_PENDULUM_POSITIONS 7U
-
-/** A position of a joint: its place among the positions. */
+/** The place of a position among the positions, of which each joint has one. */
 typedef enum {
     /** forward, in m */
     WHEELED_PENDULUM_POSITION_x = 0,
@@ -124,10 +121,13 @@ typedef enum {
     WHEELED_PENDULUM_POSITION_thetaR = 6
 } wheeled_pendulum_position_t;
 
-/** The number of speeds of the nonlinear equations of motion. */
-#define WHEELED_PENDULUM_SPEEDS 3U
+/** How many positions there are. */
+#define WHEELED_PENDULUM_POSITIONS 7U
 
-/** A rate that rolling leaves free: its place among the speeds. */
+/** The name of a position; a text of its own for what is none. */
+const char *wheeled_pendulum_position_name(wheeled_pendulum_position_t which);
+
+/** The place of a speed among the speeds, the rates that rolling leaves free. */
 typedef enum {
     /** The rate of `psi`, in rad/s */
     WHEELED_PENDULUM_SPEED_psi = 0,
@@ -137,10 +137,13 @@ typedef enum {
     WHEELED_PENDULUM_SPEED_thetaL = 2
 } wheeled_pendulum_speed_t;
 
-/** The number of forces of the nonlinear equations of motion. */
-#define WHEELED_PENDULUM_FORCES 2U
+/** How many speeds there are. */
+#define WHEELED_PENDULUM_SPEEDS 3U
 
-/** A force or torque that may be applied: its place among the forces. */
+/** The name of a speed; a text of its own for what is none. */
+const char *wheeled_pendulum_speed_name(wheeled_pendulum_speed_t which);
+
+/** The place of a force or torque among those that may be applied. */
 typedef enum {
     /** torque of the left motor, in N*m */
     WHEELED_PENDULUM_FORCE_TL = 0,
@@ -148,16 +151,25 @@ typedef enum {
     WHEELED_PENDULUM_FORCE_TR = 1
 } wheeled_pendulum_force_t;
 
-/** The number of wheels of the nonlinear equations of motion. */
-#define WHEELED_PENDULUM_WHEELS 2U
+/** How many forces there are. */
+#define WHEELED_PENDULUM_FORCES 2U
 
-/** A wheel: its place among the contact forces. */
+/** The name of a force; a text of its own for what is none. */
+const char *wheeled_pendulum_force_name(wheeled_pendulum_force_t which);
+
+/** The place of a wheel among the contact forces. */
 typedef enum {
     /** left wheel */
     WHEELED_PENDULUM_WHEEL_L = 0,
     /** right wheel */
     WHEELED_PENDULUM_WHEEL_R = 1
 } wheeled_pendulum_wheel_t;
+
+/** How many wheels there are. */
+#define WHEELED_PENDULUM_WHEELS 2U
+
+/** The name of a wheel; a text of its own for what is none. */
+const char *wheeled_pendulum_wheel_name(wheeled_pendulum_wheel_t which);
 
 /* ------------------------------------------------------------ double */
 

@@ -371,6 +371,56 @@ const carvallo_partial_t whipple_leaning_partials[WHIPPLE_LEANING_PARTIALS] = {
     {CARVALLO_MATRIX_C0, 2U, 2U, 35U, 43U, false}
 };
 
+const char *whipple_leaning_position_name(whipple_leaning_position_t which)
+{
+    static const char *const TEXTS[] = {
+        "x",
+        "y",
+        "psi",
+        "phi",
+        "pitch",
+        "delta",
+        "theta",
+        "thetaR",
+        "thetaF",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such position";
+}
+
+const char *whipple_leaning_speed_name(whipple_leaning_speed_t which)
+{
+    static const char *const TEXTS[] = {
+        "phi",
+        "delta",
+        "theta",
+        "thetaR",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such speed";
+}
+
+const char *whipple_leaning_force_name(whipple_leaning_force_t which)
+{
+    static const char *const TEXTS[] = {
+        "Tphi",
+        "Tdelta",
+        "Ttheta",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such force";
+}
+
+const char *whipple_leaning_wheel_name(whipple_leaning_wheel_t which)
+{
+    static const char *const TEXTS[] = {
+        "R",
+        "F",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such wheel";
+}
+
 const whipple_leaning_f64_t whipple_leaning_f64_sets[WHIPPLE_LEANING_SETS] = {
     { /* example */
         .w = 1.02,
@@ -2652,11 +2702,14 @@ carvallo_motion_error_t whipple_leaning_f64_motion_close(const whipple_leaning_f
             if (carvallo_are_finite_f64(steps, 1U)) {
                 double longest = 0.0;
                 double size = 1.0;
+                double share = 1.0;
                 for (size_t i = 0U; i < 1U; i++) {
                     longest = (fabs(steps[i]) > longest) ? fabs(steps[i]) : longest;
                 }
                 /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
-                const double share = (longest > 0.25) ? (0.25 / longest) : 1.0;
+                if (longest > 0.25) {
+                    share = 0.25 / longest;
+                }
                 for (size_t i = 0U; i < 1U; i++) {
                     found[DEPENDENT[i]] += steps[i] * share;
                 }
@@ -5482,11 +5535,14 @@ carvallo_motion_error_t whipple_leaning_f32_motion_close(const whipple_leaning_f
             if (carvallo_are_finite_f32(steps, 1U)) {
                 float longest = 0.0F;
                 float size = 1.0F;
+                float share = 1.0F;
                 for (size_t i = 0U; i < 1U; i++) {
                     longest = (fabsf(steps[i]) > longest) ? fabsf(steps[i]) : longest;
                 }
                 /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
-                const float share = (longest > 0.25F) ? (0.25F / longest) : 1.0F;
+                if (longest > 0.25F) {
+                    share = 0.25F / longest;
+                }
                 for (size_t i = 0U; i < 1U; i++) {
                     found[DEPENDENT[i]] += steps[i] * share;
                 }

@@ -149,10 +149,7 @@ const char *whipple_leaning_validity_text(whipple_leaning_validity_t validity);
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t whipple_leaning_partials[WHIPPLE_LEANING_PARTIALS];
 
-/** The number of positions of the nonlinear equations of motion. */
-#define WHIPPLE_LEANING_POSITIONS 9U
-
-/** A position of a joint: its place among the positions. */
+/** The place of a position among the positions, of which each joint has one. */
 typedef enum {
     /** x of the contact point of the rear wheel, in m */
     WHIPPLE_LEANING_POSITION_x = 0,
@@ -174,10 +171,13 @@ typedef enum {
     WHIPPLE_LEANING_POSITION_thetaF = 8
 } whipple_leaning_position_t;
 
-/** The number of speeds of the nonlinear equations of motion. */
-#define WHIPPLE_LEANING_SPEEDS 4U
+/** How many positions there are. */
+#define WHIPPLE_LEANING_POSITIONS 9U
 
-/** A rate that rolling leaves free: its place among the speeds. */
+/** The name of a position; a text of its own for what is none. */
+const char *whipple_leaning_position_name(whipple_leaning_position_t which);
+
+/** The place of a speed among the speeds, the rates that rolling leaves free. */
 typedef enum {
     /** The rate of `phi`, in rad/s */
     WHIPPLE_LEANING_SPEED_phi = 0,
@@ -189,10 +189,13 @@ typedef enum {
     WHIPPLE_LEANING_SPEED_thetaR = 3
 } whipple_leaning_speed_t;
 
-/** The number of forces of the nonlinear equations of motion. */
-#define WHIPPLE_LEANING_FORCES 3U
+/** How many speeds there are. */
+#define WHIPPLE_LEANING_SPEEDS 4U
 
-/** A force or torque that may be applied: its place among the forces. */
+/** The name of a speed; a text of its own for what is none. */
+const char *whipple_leaning_speed_name(whipple_leaning_speed_t which);
+
+/** The place of a force or torque among those that may be applied. */
 typedef enum {
     /** lean torque, in N*m */
     WHIPPLE_LEANING_FORCE_Tphi = 0,
@@ -202,16 +205,25 @@ typedef enum {
     WHIPPLE_LEANING_FORCE_Ttheta = 2
 } whipple_leaning_force_t;
 
-/** The number of wheels of the nonlinear equations of motion. */
-#define WHIPPLE_LEANING_WHEELS 2U
+/** How many forces there are. */
+#define WHIPPLE_LEANING_FORCES 3U
 
-/** A wheel: its place among the contact forces. */
+/** The name of a force; a text of its own for what is none. */
+const char *whipple_leaning_force_name(whipple_leaning_force_t which);
+
+/** The place of a wheel among the contact forces. */
 typedef enum {
     /** rear wheel */
     WHIPPLE_LEANING_WHEEL_R = 0,
     /** front wheel */
     WHIPPLE_LEANING_WHEEL_F = 1
 } whipple_leaning_wheel_t;
+
+/** How many wheels there are. */
+#define WHIPPLE_LEANING_WHEELS 2U
+
+/** The name of a wheel; a text of its own for what is none. */
+const char *whipple_leaning_wheel_name(whipple_leaning_wheel_t which);
 
 /* ------------------------------------------------------------ double */
 

@@ -263,6 +263,53 @@ const carvallo_partial_t whipple_mechanism_partials[WHIPPLE_MECHANISM_PARTIALS] 
     {CARVALLO_MATRIX_K2, 1U, 1U, 25U, 122U, false}
 };
 
+const char *whipple_mechanism_position_name(whipple_mechanism_position_t which)
+{
+    static const char *const TEXTS[] = {
+        "x",
+        "y",
+        "psi",
+        "phi",
+        "pitch",
+        "delta",
+        "thetaR",
+        "thetaF",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such position";
+}
+
+const char *whipple_mechanism_speed_name(whipple_mechanism_speed_t which)
+{
+    static const char *const TEXTS[] = {
+        "phi",
+        "delta",
+        "thetaR",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such speed";
+}
+
+const char *whipple_mechanism_force_name(whipple_mechanism_force_t which)
+{
+    static const char *const TEXTS[] = {
+        "Tphi",
+        "Tdelta",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such force";
+}
+
+const char *whipple_mechanism_wheel_name(whipple_mechanism_wheel_t which)
+{
+    static const char *const TEXTS[] = {
+        "R",
+        "F",
+    };
+    const size_t position = (size_t)which;
+    return (position < (sizeof(TEXTS) / sizeof(TEXTS[0]))) ? TEXTS[position] : "no such wheel";
+}
+
 const whipple_mechanism_f64_t whipple_mechanism_f64_sets[WHIPPLE_MECHANISM_SETS] = {
     { /* benchmark */
         .w = 1.02,
@@ -2019,11 +2066,14 @@ carvallo_motion_error_t whipple_mechanism_f64_motion_close(const whipple_mechani
             if (carvallo_are_finite_f64(steps, 1U)) {
                 double longest = 0.0;
                 double size = 1.0;
+                double share = 1.0;
                 for (size_t i = 0U; i < 1U; i++) {
                     longest = (fabs(steps[i]) > longest) ? fabs(steps[i]) : longest;
                 }
                 /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
-                const double share = (longest > 0.25) ? (0.25 / longest) : 1.0;
+                if (longest > 0.25) {
+                    share = 0.25 / longest;
+                }
                 for (size_t i = 0U; i < 1U; i++) {
                     found[DEPENDENT[i]] += steps[i] * share;
                 }
@@ -4182,11 +4232,14 @@ carvallo_motion_error_t whipple_mechanism_f32_motion_close(const whipple_mechani
             if (carvallo_are_finite_f32(steps, 1U)) {
                 float longest = 0.0F;
                 float size = 1.0F;
+                float share = 1.0F;
                 for (size_t i = 0U; i < 1U; i++) {
                     longest = (fabsf(steps[i]) > longest) ? fabsf(steps[i]) : longest;
                 }
                 /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
-                const float share = (longest > 0.25F) ? (0.25F / longest) : 1.0F;
+                if (longest > 0.25F) {
+                    share = 0.25F / longest;
+                }
                 for (size_t i = 0U; i < 1U; i++) {
                     found[DEPENDENT[i]] += steps[i] * share;
                 }

@@ -143,10 +143,7 @@ const char *whipple_tyres_validity_text(whipple_tyres_validity_t validity);
 /** Which derivatives there are, by parameters, and where their values stand. */
 extern const carvallo_partial_t whipple_tyres_partials[WHIPPLE_TYRES_PARTIALS];
 
-/** The number of positions of the nonlinear equations of motion. */
-#define WHIPPLE_TYRES_POSITIONS 8U
-
-/** A position of a joint: its place among the positions. */
+/** The place of a position among the positions, of which each joint has one. */
 typedef enum {
     /** x of the contact point of the rear wheel, in m */
     WHIPPLE_TYRES_POSITION_x = 0,
@@ -166,10 +163,13 @@ typedef enum {
     WHIPPLE_TYRES_POSITION_thetaF = 7
 } whipple_tyres_position_t;
 
-/** The number of speeds of the nonlinear equations of motion. */
-#define WHIPPLE_TYRES_SPEEDS 3U
+/** How many positions there are. */
+#define WHIPPLE_TYRES_POSITIONS 8U
 
-/** A rate that rolling leaves free: its place among the speeds. */
+/** The name of a position; a text of its own for what is none. */
+const char *whipple_tyres_position_name(whipple_tyres_position_t which);
+
+/** The place of a speed among the speeds, the rates that rolling leaves free. */
 typedef enum {
     /** The rate of `phi`, in rad/s */
     WHIPPLE_TYRES_SPEED_phi = 0,
@@ -179,10 +179,13 @@ typedef enum {
     WHIPPLE_TYRES_SPEED_thetaR = 2
 } whipple_tyres_speed_t;
 
-/** The number of forces of the nonlinear equations of motion. */
-#define WHIPPLE_TYRES_FORCES 2U
+/** How many speeds there are. */
+#define WHIPPLE_TYRES_SPEEDS 3U
 
-/** A force or torque that may be applied: its place among the forces. */
+/** The name of a speed; a text of its own for what is none. */
+const char *whipple_tyres_speed_name(whipple_tyres_speed_t which);
+
+/** The place of a force or torque among those that may be applied. */
 typedef enum {
     /** lean torque, in N*m */
     WHIPPLE_TYRES_FORCE_Tphi = 0,
@@ -190,16 +193,25 @@ typedef enum {
     WHIPPLE_TYRES_FORCE_Tdelta = 1
 } whipple_tyres_force_t;
 
-/** The number of wheels of the nonlinear equations of motion. */
-#define WHIPPLE_TYRES_WHEELS 2U
+/** How many forces there are. */
+#define WHIPPLE_TYRES_FORCES 2U
 
-/** A wheel: its place among the contact forces. */
+/** The name of a force; a text of its own for what is none. */
+const char *whipple_tyres_force_name(whipple_tyres_force_t which);
+
+/** The place of a wheel among the contact forces. */
 typedef enum {
     /** rear wheel */
     WHIPPLE_TYRES_WHEEL_R = 0,
     /** front wheel */
     WHIPPLE_TYRES_WHEEL_F = 1
 } whipple_tyres_wheel_t;
+
+/** How many wheels there are. */
+#define WHIPPLE_TYRES_WHEELS 2U
+
+/** The name of a wheel; a text of its own for what is none. */
+const char *whipple_tyres_wheel_name(whipple_tyres_wheel_t which);
 
 /* ------------------------------------------------------------ double */
 

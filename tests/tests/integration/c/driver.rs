@@ -1,6 +1,7 @@
 //! A program of C that reads parameters and prints what the generated functions make of them.
 
 use super::expected::Expected;
+use super::motion::{Motions, STATES};
 
 const HEAD: &str = r#"
 #include <inttypes.h>
@@ -110,6 +111,53 @@ const DERIVATIVES: &str = r#"
     }
 "#;
 
+/// What is done with one state: a function for each result, of which the numbers are printed if there is no error.
+const MOTIONS: &str = r#"
+    PREFIX_KIND_motion_t motion;
+    PREFIX_KIND_motion(&p, &motion);
+    for (size_t state = 0; state < STATES; state++) {
+        NUMBER given[POSITIONS + SPEEDS + FORCES];
+        NUMBER result[64];
+        for (size_t i = 0; i < POSITIONS + SPEEDS + FORCES; i++) {
+            given[i] = read_KIND();
+        }
+        NUMBER *const positions = given;
+        const NUMBER *const speeds = &given[POSITIONS];
+        carvallo_motion_error_t code;
+CALLS
+    }
+"#;
+
+fn motions(Motions { info }: Motions) -> String {
+    let (positions, speeds) = (info.positions.len(), info.speeds.len());
+    let forces = if info.forces.is_empty() { String::new() } else { format!(", &given[{}]", positions + speeds) };
+    let call = |function: &str, arguments: &str, array: &str, count: usize| {
+        format!(
+            "        code = PREFIX_KIND_motion_{function}(&motion, positions{arguments});\n        \
+             printf(\"%d\\n\", (int)code);\n        if (code == CARVALLO_MOTION_OK) {{\n            \
+             print_KIND({array}, {count});\n        }}\n"
+        )
+    };
+    let of_forces = format!(", speeds{forces}, result");
+    let mut calls = String::new();
+    if !info.dependent.is_empty() {
+        calls.push_str(&call("close", "", "positions", positions));
+    }
+    calls.push_str(&call("rates", ", speeds, result", "result", positions));
+    calls.push_str(&call("derivatives", &format!("{of_forces}, &result[{positions}]"), "result", positions + speeds));
+    calls.push_str(&call("accelerations", &of_forces, "result", positions));
+    calls.push_str(&call("energy", ", speeds, result", "result", 2));
+    if !info.wheels.is_empty() {
+        calls.push_str(&call("contact_forces", &of_forces, "result", 3 * info.wheels.len()));
+    }
+    MOTIONS
+        .replace("CALLS\n", &calls)
+        .replace("STATES", &STATES.to_string())
+        .replace("POSITIONS", &positions.to_string())
+        .replace("SPEEDS", &speeds.to_string())
+        .replace("FORCES", &info.forces.len().to_string())
+}
+
 /// A program for all models, each with what its files are called and the text of its header.
 pub fn write<'a>(models: impl Iterator<Item = (&'a Expected, &'a str, &'a str)>) -> String {
     let mut includes = String::new();
@@ -126,7 +174,8 @@ pub fn write<'a>(models: impl Iterator<Item = (&'a Expected, &'a str, &'a str)>)
             };
             let derivatives = if expected.has_derivatives && kind == "f64" { DERIVATIVES } else { "" };
             let kinematics = if expected.has_kinematics { KINEMATICS } else { "" };
-            let rest = format!("{kinematics}{derivatives}");
+            let motions = expected.motions.map(motions).unwrap_or_default();
+            let rest = format!("{kinematics}{motions}{derivatives}");
             let function = DESIGN.replace("AT_SPEED", &at_speed).replace("REST", &rest);
             functions.push_str(&function.replace("PREFIX", file).replace("KIND", kind).replace("NUMBER", number));
             for (what, count) in [("run", expected.designs), ("check", expected.checked)] {

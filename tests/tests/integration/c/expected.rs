@@ -5,12 +5,16 @@ use carvallo_models::{
     RollingDisc, WheeledPendulum, WheeledPendulumKinematics, WhippleMechanism, WhippleMechanismKinematics,
 };
 
+use super::motion::{Motions, motions};
+
 /// One model: what the program reads and what it is to print.
 pub struct Expected {
     pub model: &'static str,
     pub has_derivatives: bool,
     /// Whether rates and forces are among the words.
     pub has_kinematics: bool,
+    /// What its motions are asked for, if it has nonlinear equations.
+    pub motions: Option<Motions>,
     /// How many designs there are in each precision.
     pub designs: usize,
     /// How many more there are of which only the validity is asked for.
@@ -21,7 +25,7 @@ pub struct Expected {
 }
 
 /// A number of which the bits are printed.
-trait Bits: Scalar {
+pub trait Bits: Scalar {
     fn bits(self) -> String;
 }
 
@@ -47,6 +51,7 @@ impl Expected {
             model: M::INFO.name,
             has_derivatives: false,
             has_kinematics: false,
+            motions: None,
             designs: designs.len(),
             checked: checked.len(),
             input: String::new(),
@@ -73,6 +78,7 @@ impl Expected {
         self.read(&[values, &[speed, gravity]].concat());
         self.coefficients::<f64, N, M>(&model.coefficients(), speed, gravity);
         self.kinematics(values);
+        self.motions(values);
         if let Some((_, derivatives)) = model.derivatives() {
             self.has_derivatives = true;
             for (coefficients, parameter) in derivatives.as_ref().iter().zip(M::INFO.parameters) {
@@ -92,6 +98,7 @@ impl Expected {
         let coefficients = Coefficients { states, ..Coefficients::from_rows(model.rows()) };
         self.coefficients::<f32, N, M>(&coefficients, speed as f32, gravity);
         self.kinematics(&values);
+        self.motions(&values);
     }
 
     /// What is wrong with a design in the numbers T, of which no requirement is so near to a bound that its rounding decides.
@@ -130,6 +137,17 @@ impl Expected {
             self.has_kinematics = true;
             self.numbers("kinematics", &numbers);
         }
+    }
+
+    /// Motions from some states, each of which is read beside the design.
+    fn motions<T: Bits>(&mut self, values: &[T]) {
+        let Some(motions) = motions(self.model, values) else { return };
+        self.read(&motions.states);
+        for (what, code, numbers) in &motions.results {
+            self.words.push((what.clone(), code.to_string()));
+            self.numbers(what, numbers);
+        }
+        self.motions = Some(motions.what);
     }
 
     fn matrices<T: Bits, const N: usize, M: Model<N>>(&mut self, what: &str, coefficients: &Coefficients<T, N>) {

@@ -2,6 +2,7 @@
 
 mod driver;
 mod expected;
+mod motion;
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -117,7 +117,7 @@ fn emit_header(context: &Context, file: &str) -> String {
     text.push_str(&parameters::declare_sets(context));
     text.push_str(&validity::declare(context));
     text.push_str(&derivatives::declare_table(context));
-    text.push_str(&motion::declare_table(context));
+    text.push_str(&motion::declare_places(context));
     for precision in Precision::ALL {
         let rule = "-".repeat(60);
         text.push_str(&format!("/* {rule} {} */\n\n", precision.number()));
@@ -157,6 +157,7 @@ fn emit_source(context: &Context, file: &str) -> String {
     text.push_str(&parameters::define_names(context));
     text.push_str(&validity::define_text(context));
     text.push_str(&derivatives::define_table(context));
+    text.push_str(&motion::define_names(context));
     for precision in Precision::ALL {
         for define in [
             parameters::define,

@@ -4,58 +4,91 @@
 use super::body::Body;
 use super::comment::{block, quoted};
 use super::names::identifier;
-use super::template::{fill, wrap};
+use super::template::{define_texts, fill, wrap};
 use super::{Context, Precision, counts};
 use crate::motion::{MotionModel, PositionKind};
 use crate::nonlinear::MotionPrograms;
 use crate::program::{Instruction, Program};
 
-/// How many positions, speeds, forces and wheels there are, and which is which; nothing for a model without nonlinear
-/// equations.
-pub fn declare_table(context: &Context) -> String {
-    let Some((motion, _)) = find(context) else { return String::new() };
-    let positions = motion.positions.iter().map(|position| {
-        let by_heights = if position.kind == PositionKind::Dependent { ", by the heights of the wheels" } else { "" };
-        (&position.name, format!("{}{by_heights}, in {}", position.label, position.unit))
-    });
-    let speeds = speeds(motion).into_iter().map(|place| {
-        let position = &motion.positions[place];
-        (&position.name, format!("The rate of `{}`, in {}/s", position.name, position.unit))
-    });
-    let forces = applied(context).map(|[name, label, unit]| (name, format!("{label}, in {unit}")));
-    let wheels = motion.wheels.iter().map(|[name, label]| (name, label.clone()));
-    [
-        constants(context, "position", "A position of a joint: its place among the positions.", positions.collect()),
-        constants(context, "speed", "A rate that rolling leaves free: its place among the speeds.", speeds.collect()),
-        constants(
-            context,
-            "force",
-            "A force or torque that may be applied: its place among the forces.",
-            forces.collect(),
-        ),
-        constants(context, "wheel", "A wheel: its place among the contact forces.", wheels.collect()),
-    ]
-    .concat()
+/// Positions, speeds, forces or wheels: what has a place in an array.
+struct Places {
+    /// What each is.
+    what: &'static str,
+    docs: &'static str,
+    /// The name of each, and what it is.
+    all: Vec<(String, String)>,
 }
 
-/// Their number, and for each its place; nothing where there is none.
-fn constants(context: &Context, what: &str, docs: &str, all: Vec<(&String, String)>) -> String {
-    if all.is_empty() {
-        return String::new();
+impl Places {
+    /// Those of which there are any; nothing for a model without nonlinear equations.
+    fn of(context: &Context) -> Vec<Self> {
+        let Some((motion, _)) = find(context) else { return Vec::new() };
+        let positions = motion.positions.iter().map(|position| {
+            let by_heights =
+                if position.kind == PositionKind::Dependent { ", by the heights of the wheels" } else { "" };
+            (position.name.clone(), format!("{}{by_heights}, in {}", position.label, position.unit))
+        });
+        let speeds = speeds(motion).into_iter().map(|place| {
+            let position = &motion.positions[place];
+            (position.name.clone(), format!("The rate of `{}`, in {}/s", position.name, position.unit))
+        });
+        let forces = applied(context).map(|[name, label, unit]| (name.clone(), format!("{label}, in {unit}")));
+        let wheels = motion.wheels.iter().map(|[name, label]| (name.clone(), label.clone()));
+        let places = |what, docs, all: Vec<(String, String)>| Self { what, docs, all };
+        let all = [
+            places(
+                "position",
+                "The place of a position among the positions, of which each joint has one.",
+                positions.collect(),
+            ),
+            places(
+                "speed",
+                "The place of a speed among the speeds, the rates that rolling leaves free.",
+                speeds.collect(),
+            ),
+            places("force", "The place of a force or torque among those that may be applied.", forces.collect()),
+            places("wheel", "The place of a wheel among the contact forces.", wheels.collect()),
+        ];
+        all.into_iter().filter(|places| !places.all.is_empty()).collect()
     }
-    let (upper, count) = (context.prefix.upper(), all.len());
-    let kind = what.to_uppercase();
-    let places = all.iter().enumerate().map(|(place, (name, docs))| {
-        let comma = if place + 1 < count { "," } else { "" };
-        format!("{}    {upper}_{kind}_{} = {place}{comma}\n", block(&quoted(docs), 4), identifier(name))
-    });
-    format!(
-        "{}#define {upper}_{kind}S {count}U\n\n{}typedef enum {{\n{}}} {}_{what}_t;\n\n",
-        block(&format!("The number of {what}s of the nonlinear equations of motion."), 0),
-        block(docs, 0),
-        places.collect::<String>(),
-        context.prefix.lower(),
-    )
+
+    fn declare(&self, context: &Context) -> String {
+        let Self { what, docs, all } = self;
+        let (upper, count, kind) = (context.prefix.upper(), all.len(), what.to_uppercase());
+        let places = all.iter().enumerate().map(|(place, (name, docs))| {
+            let comma = if place + 1 < count { "," } else { "" };
+            format!("{}    {upper}_{kind}_{} = {place}{comma}\n", block(&quoted(docs), 4), identifier(name))
+        });
+        format!(
+            "{}typedef enum {{\n{}}} {}_{what}_t;\n\n{}#define {upper}_{kind}S {count}U\n\n{}{};\n\n",
+            block(docs, 0),
+            places.collect::<String>(),
+            context.prefix.lower(),
+            block(&format!("How many {what}s there are."), 0),
+            block(&format!("The name of a {what}; a text of its own for what is none."), 0),
+            self.signature(context),
+        )
+    }
+
+    fn define(&self, context: &Context) -> String {
+        let names = self.all.iter().map(|(name, _)| name.clone());
+        format!("\n{}", define_texts(&self.signature(context), "which", names, &format!("no such {}", self.what)))
+    }
+
+    fn signature(&self, context: &Context) -> String {
+        let (lower, what) = (context.prefix.lower(), self.what);
+        format!("const char *{lower}_{what}_name({lower}_{what}_t which)")
+    }
+}
+
+/// How many positions, speeds, forces and wheels there are, and which is which.
+pub fn declare_places(context: &Context) -> String {
+    Places::of(context).iter().map(|places| places.declare(context)).collect()
+}
+
+/// Their names.
+pub fn define_names(context: &Context) -> String {
+    Places::of(context).iter().map(|places| places.define(context)).collect()
 }
 
 /// The struct and the functions.

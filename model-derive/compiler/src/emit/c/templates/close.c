@@ -25,11 +25,14 @@ carvallo_motion_error_t $name$_motion_close(const $name$_motion_t *motion, $numb
             if ($finite$(steps, $D$)) {
                 $number$ longest = $zero$;
                 $number$ size = $one$;
+                $number$ share = $one$;
                 for (size_t i = 0U; i < $D$; i++) {
                     longest = ($absolute$(steps[i]) > longest) ? $absolute$(steps[i]) : longest;
                 }
                 /* No step is longer than this, in rad or m: it keeps to the solution that is near. */
-                const $number$ share = (longest > $longest_step$) ? ($longest_step$ / longest) : $one$;
+                if (longest > $longest_step$) {
+                    share = $longest_step$ / longest;
+                }
                 for (size_t i = 0U; i < $D$; i++) {
                     found[DEPENDENT[i]] += steps[i] * share;
                 }
