@@ -366,12 +366,12 @@ void wheeled_pendulum_f64_with_respect_to(const wheeled_pendulum_f64_derivatives
  */
 typedef struct {
     /** In an order of their own. */
-    double constants[17U];
+    double constants[16U];
 } wheeled_pendulum_f64_motion_t;
 
 /**
  * What does not depend on the state, from one straight-line program:
- * 15 additions, 12 multiplications and 1 division: 28 operations.
+ * 15 additions and 10 multiplications: 25 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] motion The equations.
@@ -381,7 +381,7 @@ void wheeled_pendulum_f64_motion(const wheeled_pendulum_f64_t *p,
 
 /**
  * The rates of all positions at given speeds, of which rolling determines the others:
- * 5 additions, 9 multiplications, 1 division, 2 negations and 4 trigonometric functions: 21 operations.
+ * 5 additions, 8 multiplications, 1 division, 2 negations and 4 trigonometric functions: 20 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -395,7 +395,7 @@ carvallo_motion_error_t wheeled_pendulum_f64_motion_rates(const wheeled_pendulum
 
 /**
  * The rates of all positions and of the speeds, which is what an integration takes:
- * 93 additions, 132 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 238 operations.
+ * 93 additions, 128 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 234 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -412,7 +412,7 @@ carvallo_motion_error_t wheeled_pendulum_f64_motion_derivatives(const wheeled_pe
 
 /**
  * The second derivatives of all positions:
- * 99 additions, 139 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 251 operations.
+ * 99 additions, 134 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 246 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -428,7 +428,7 @@ carvallo_motion_error_t wheeled_pendulum_f64_motion_accelerations(const wheeled_
 
 /**
  * The kinetic energy, and the potential energy of gravity and springs, in J:
- * 33 additions, 42 multiplications, 1 division, 1 negation and 4 trigonometric functions: 81 operations.
+ * 33 additions, 40 multiplications, 1 division, 1 negation and 4 trigonometric functions: 79 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -456,7 +456,7 @@ carvallo_motion_error_t wheeled_pendulum_f64_motion_close(const wheeled_pendulum
  * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
  * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
  * sideways force of the first is that of all. From one straight-line program:
- * 127 additions, 174 multiplications, 5 divisions and 6 trigonometric functions: 312 operations.
+ * 126 additions, 169 multiplications, 5 divisions and 6 trigonometric functions: 306 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -665,12 +665,12 @@ void wheeled_pendulum_f32_with_respect_to(const wheeled_pendulum_f32_derivatives
  */
 typedef struct {
     /** In an order of their own. */
-    float constants[17U];
+    float constants[16U];
 } wheeled_pendulum_f32_motion_t;
 
 /**
  * What does not depend on the state, from one straight-line program:
- * 15 additions, 12 multiplications and 1 division: 28 operations.
+ * 15 additions and 10 multiplications: 25 operations.
  *
  * @param[in] p The parameters, which are not validated.
  * @param[out] motion The equations.
@@ -680,7 +680,7 @@ void wheeled_pendulum_f32_motion(const wheeled_pendulum_f32_t *p,
 
 /**
  * The rates of all positions at given speeds, of which rolling determines the others:
- * 5 additions, 9 multiplications, 1 division, 2 negations and 4 trigonometric functions: 21 operations.
+ * 5 additions, 8 multiplications, 1 division, 2 negations and 4 trigonometric functions: 20 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -694,7 +694,7 @@ carvallo_motion_error_t wheeled_pendulum_f32_motion_rates(const wheeled_pendulum
 
 /**
  * The rates of all positions and of the speeds, which is what an integration takes:
- * 93 additions, 132 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 238 operations.
+ * 93 additions, 128 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 234 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -711,7 +711,7 @@ carvallo_motion_error_t wheeled_pendulum_f32_motion_derivatives(const wheeled_pe
 
 /**
  * The second derivatives of all positions:
- * 99 additions, 139 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 251 operations.
+ * 99 additions, 134 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 246 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -726,7 +726,7 @@ carvallo_motion_error_t wheeled_pendulum_f32_motion_accelerations(const wheeled_
 
 /**
  * The kinetic energy, and the potential energy of gravity and springs, in J:
- * 33 additions, 42 multiplications, 1 division, 1 negation and 4 trigonometric functions: 81 operations.
+ * 33 additions, 40 multiplications, 1 division, 1 negation and 4 trigonometric functions: 79 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.
@@ -754,7 +754,7 @@ carvallo_motion_error_t wheeled_pendulum_f32_motion_close(const wheeled_pendulum
  * For each wheel the force of the ground on it in N, along the axes of the ground: x forward at the start, y to the right and
  * z down, so that the last component of a wheel that stands on the ground is negative. Of wheels that share an axle the
  * sideways force of the first is that of all. From one straight-line program:
- * 127 additions, 174 multiplications, 5 divisions and 6 trigonometric functions: 312 operations.
+ * 126 additions, 169 multiplications, 5 divisions and 6 trigonometric functions: 306 operations.
  *
  * @param[in] motion The equations.
  * @param[in] positions The positions.

@@ -208,46 +208,45 @@ impl<T: Scalar> WheeledPendulum<T> {
 ///
 /// Each from one straight-line program:
 /// - closure: 4 additions, 4 multiplications, 1 division, 1 negation and 2 trigonometric functions: 12 operations
-/// - rates: 5 additions, 9 multiplications, 1 division, 2 negations and 4 trigonometric functions: 21 operations
-/// - derivatives: 93 additions, 132 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 238 operations
-/// - accelerations: 99 additions, 139 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 251 operations
-/// - energy: 33 additions, 42 multiplications, 1 division, 1 negation and 4 trigonometric functions: 81 operations
-/// - contact forces: 127 additions, 174 multiplications, 5 divisions and 6 trigonometric functions: 312 operations
+/// - rates: 5 additions, 8 multiplications, 1 division, 2 negations and 4 trigonometric functions: 20 operations
+/// - derivatives: 93 additions, 128 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 234 operations
+/// - accelerations: 99 additions, 134 multiplications, 5 divisions, 2 negations and 6 trigonometric functions: 246 operations
+/// - energy: 33 additions, 40 multiplications, 1 division, 1 negation and 4 trigonometric functions: 79 operations
+/// - contact forces: 126 additions, 169 multiplications, 5 divisions and 6 trigonometric functions: 306 operations
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheeledPendulumMotion<T = f64> {
-    constants: [T; 17],
+    constants: [T; 16],
 }
 
 impl<T: Scalar> WheeledPendulum<T> {
     /// The nonlinear equations of motion, of what is computed once for these parameters:
-    /// 15 additions, 12 multiplications and 1 division: 28 operations.
+    /// 15 additions and 10 multiplications: 25 operations.
     ///
     /// The parameters are not validated.
     #[must_use]
     pub fn motion(&self) -> WheeledPendulumMotion<T> {
         let t3 = self.b + self.b;
-        let t4 = self.r / self.r;
-        let t8 = self.r - self.r - self.l;
-        let t9 = self.m * t8;
-        let t11 = t8 * t9;
-        let t12 = self.Iyy + t11;
-        let t13 = self.b * self.m;
-        let t14 = t8 * t13;
-        let t17 = self.m + self.mW + self.mW;
-        let t18 = t3 * self.mW;
-        let t19 = t13 + t18;
-        let t25 = self.Ir + self.Ir + t3 * t18 + self.b * t13;
-        let t26 = t11 + t25;
-        let t28 = t25 + self.Izz;
-        let t30 = t28 - t26;
-        let t31 = self.r * t17;
-        let t32 = self.r * t31;
-        let t33 = self.r * t19;
-        let t37 = self.Ia + t32 + self.Ia * t4 * t4;
+        let t7 = self.r - self.r - self.l;
+        let t8 = self.m * t7;
+        let t10 = t7 * t8;
+        let t11 = self.Iyy + t10;
+        let t12 = self.b * self.m;
+        let t13 = t7 * t12;
+        let t16 = self.m + self.mW + self.mW;
+        let t17 = t3 * self.mW;
+        let t18 = t12 + t17;
+        let t24 = self.Ir + self.Ir + t3 * t17 + self.b * t12;
+        let t25 = t10 + t24;
+        let t27 = t24 + self.Izz;
+        let t29 = t27 - t25;
+        let t30 = self.r * t16;
+        let t31 = self.r * t30;
+        let t32 = self.r * t18;
+        let t34 = self.Ia + self.Ia + t31;
         WheeledPendulumMotion {
             constants: [
-                self.r, self.Ia, t3, t4, t9, t12, t14, t17, t19, t26, t28, self.g, t30, t31, t32,
-                t33, t37,
+                self.r, self.Ia, t3, t8, t11, t13, t16, t18, t25, t27, self.g, t29, t30, t31, t32,
+                t34,
             ],
         }
     }
@@ -364,11 +363,10 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let t14 = self.constants[0] * sin_phi;
         let t20 = (t14 + cos_phi * self.constants[2] - t14) / self.constants[0];
-        let t27 = speeds[0] * t20 + speeds[1] * sin_phi * t20
-            + speeds[2] * self.constants[3];
-        let t28 = -(t4 * cos_psi);
-        let t29 = -(t4 * sin_psi);
-        [t28, t29, speeds[0], self.constants[0].like(0.0), speeds[1], speeds[2], t27]
+        let t25 = speeds[2] + speeds[0] * t20 + speeds[1] * sin_phi * t20;
+        let t26 = -(t4 * cos_psi);
+        let t27 = -(t4 * sin_psi);
+        [t26, t27, speeds[0], self.constants[0].like(0.0), speeds[1], speeds[2], t25]
     }
 
     fn derivatives_unchecked(&self, positions: &[T; 7], speeds: &[T; 3], forces: &[T; 2]) -> ([T; 7], [T; 3]) {
@@ -381,97 +379,93 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         let t20 = self.constants[0].like(1.0) / self.constants[0];
         let t21 = t19 * t20;
         let t23 = sin_phi * t21;
-        let t28 = speeds[0] * t21 + speeds[1] * t23 + speeds[2] * self.constants[3];
+        let t26 = speeds[2] + speeds[0] * t21 + speeds[1] * t23;
         let (sin_theta, cos_theta) = positions[4].sin_cos();
-        let t32 = speeds[0] * sin_phi;
-        let t34 = self.constants[0] * t32;
-        let t35 = (t3 + t32) * t34;
-        let t38 = t35 - cos_phi * self.constants[11];
-        let t39 = sin_theta * t38;
-        let t42 = speeds[0] * cos_phi;
-        let t43 = sin_theta * t42;
-        let t44 = speeds[1] * t43;
-        let t45 = t3 * t42;
-        let t47 = t34 * t42;
-        let t49 = t42 * cos_theta;
-        let t50 = self.constants[2] * t49;
-        let t52 = self.constants[2] * t43;
-        let t54 = speeds[1] + t28;
-        let t60 = t47 + self.constants[0] * t42 * t54 - self.constants[0] * t45 - t47
-            - t49 * t50;
-        let t64 = speeds[1] + t32;
-        let t66 = speeds[1] * t49;
-        let t69 = t35 * cos_theta + t50 * t64 - self.constants[2] * t66;
-        let t75 = self.constants[2] * t44 - sin_theta * t35 - t52 * t64;
-        let t83 = (sin_phi * (t60 - t43 * t52)
-            + cos_phi * (cos_theta * t69 - sin_theta * t75 - t34 * (t32 + t54))) / t19;
-        let t85 = t44 + sin_theta * t83;
-        let t92 = t20 * self.constants[1] * (sin_theta * t69 + cos_theta * t75);
-        let t94 = t43 * self.constants[9];
-        let t99 = t49 * self.constants[10] - self.constants[6] * t64;
-        let t102 = t38 * cos_theta;
-        let t106 = t66 + cos_theta * t83;
-        let t108 = self.constants[4] * t43;
-        let t127 = sin_theta
-            * (self.constants[7] * t102 - self.constants[8] * t106 - t43 * t108
-                - t64 * (self.constants[4] * t64 - t49 * self.constants[8]))
+        let t30 = speeds[0] * sin_phi;
+        let t32 = self.constants[0] * t30;
+        let t33 = (t3 + t30) * t32;
+        let t36 = t33 - cos_phi * self.constants[10];
+        let t37 = sin_theta * t36;
+        let t40 = speeds[0] * cos_phi;
+        let t41 = sin_theta * t40;
+        let t42 = speeds[1] * t41;
+        let t43 = t3 * t40;
+        let t45 = t32 * t40;
+        let t47 = t40 * cos_theta;
+        let t48 = self.constants[2] * t47;
+        let t50 = self.constants[2] * t41;
+        let t52 = speeds[1] + t26;
+        let t58 = t45 + self.constants[0] * t40 * t52 - self.constants[0] * t43 - t45
+            - t47 * t48;
+        let t62 = speeds[1] + t30;
+        let t64 = speeds[1] * t47;
+        let t67 = t33 * cos_theta + t48 * t62 - self.constants[2] * t64;
+        let t73 = self.constants[2] * t42 - sin_theta * t33 - t50 * t62;
+        let t81 = (sin_phi * (t58 - t41 * t50)
+            + cos_phi * (cos_theta * t67 - sin_theta * t73 - t32 * (t30 + t52))) / t19;
+        let t83 = t42 + sin_theta * t81;
+        let t90 = t20 * self.constants[1] * (sin_theta * t67 + cos_theta * t73);
+        let t92 = t41 * self.constants[8];
+        let t97 = t47 * self.constants[9] - self.constants[5] * t62;
+        let t100 = t36 * cos_theta;
+        let t104 = t64 + cos_theta * t81;
+        let t106 = self.constants[3] * t41;
+        let t125 = sin_theta
+            * (self.constants[6] * t100 - self.constants[7] * t104 - t41 * t106
+                - t62 * (self.constants[3] * t62 - t47 * self.constants[7]))
             + cos_theta
-                * (t85 * self.constants[8] - t39 * self.constants[7]
-                    - t43 * t64 * self.constants[8] - t49 * t108);
-        let t128 = self.constants[0] * t127;
-        let t133 = self.constants[6] * t85 + t43 * t99 - self.constants[4] * t39 - t92
-            - t49 * t94 - t128;
-        let t146 = t64 * self.constants[5] + self.constants[1] * (speeds[2] + t64)
-            + self.constants[1] * (t28 + t64) - self.constants[6] * t49;
-        let t164 = t102 * self.constants[8]
-            + self.constants[4]
-                * (t47 + sin_phi * self.constants[11] + self.constants[0] * (t45 + t83))
-            + t64 * t99;
-        let t168 = cos_theta
-            * (t39 * self.constants[8] + t64 * t94 - t85 * self.constants[10]
-                - t43 * t146)
-            - sin_theta * (t164 - self.constants[9] * t106 - t49 * t146);
-        let t171 = t92 + forces[1];
-        let t174 = t21 * t171 - sin_phi * t133 - cos_phi * t168;
-        let t175 = self.constants[4] * cos_theta;
-        let t176 = self.constants[0] * t175;
-        let t180 = self.constants[5] + self.constants[14] - t176 - t176;
-        let t184 = self.constants[15] - self.constants[6] * cos_theta;
-        let t186 = sin_phi * t180 + cos_phi * t184;
-        let t195 = cos_phi
-            * (sin_phi * t184
+                * (t83 * self.constants[7] - t37 * self.constants[6]
+                    - t41 * t62 * self.constants[7] - t47 * t106);
+        let t126 = self.constants[0] * t125;
+        let t131 = self.constants[5] * t83 + t41 * t97 - self.constants[3] * t37 - t90
+            - t47 * t92 - t126;
+        let t144 = t62 * self.constants[4] + self.constants[1] * (speeds[2] + t62)
+            + self.constants[1] * (t26 + t62) - self.constants[5] * t47;
+        let t162 = t100 * self.constants[7]
+            + self.constants[3]
+                * (t45 + sin_phi * self.constants[10] + self.constants[0] * (t43 + t81))
+            + t62 * t97;
+        let t166 = cos_theta
+            * (t37 * self.constants[7] + t62 * t92 - t83 * self.constants[9]
+                - t41 * t144)
+            - sin_theta * (t162 - self.constants[8] * t104 - t47 * t144);
+        let t169 = t90 + forces[1];
+        let t172 = t21 * t169 - sin_phi * t131 - cos_phi * t166;
+        let t173 = self.constants[3] * cos_theta;
+        let t174 = self.constants[0] * t173;
+        let t178 = self.constants[4] + self.constants[13] - t174 - t174;
+        let t182 = self.constants[14] - self.constants[5] * cos_theta;
+        let t184 = sin_phi * t178 + cos_phi * t182;
+        let t193 = cos_phi
+            * (sin_phi * t182
                 + cos_phi
-                    * (self.constants[10] - sin_theta * sin_theta * self.constants[12]));
-        let t196 = sin_phi * self.constants[1];
-        let t198 = sin_phi + t21;
-        let t199 = self.constants[1] * t198;
-        let t203 = sin_phi * t186 + t195 + sin_phi * t196 + t198 * t199;
-        let t204 = self.constants[0].like(1.0) / t203;
-        let t207 = t23 + self.constants[0].like(1.0);
-        let t211 = t204 * (t186 + t196 + t199 * t207);
-        let t212 = self.constants[1] * t207;
-        let t214 = t203 * t211;
-        let t218 = self.constants[1] + t180 + t207 * t212 - t211 * t214;
-        let t219 = self.constants[0].like(1.0) / t218;
-        let t223 = t23 * t171 - t133 - t174 * t211;
-        let t227 = self.constants[0] * (t175 - self.constants[13]);
-        let t235 = t204
-            * (t196 + cos_phi * self.constants[15] + self.constants[3] * t199
-                - sin_phi * t227);
-        let t240 = t219
-            * (self.constants[1] + self.constants[3] * t212 - t227 - t214 * t235);
-        let t256 = (t128 + forces[0] + self.constants[3] * t171 - t174 * t235
-            - t223 * t240)
-            / (self.constants[16] - t203 * t235 * t235 - t218 * t240 * t240);
-        let t258 = t219 * t223 - t240 * t256;
-        let t262 = t174 * t204 - t211 * t258 - t235 * t256;
-        let t263 = -(t4 * cos_psi);
-        let t264 = -(t4 * sin_psi);
+                    * (self.constants[9] - sin_theta * sin_theta * self.constants[11]));
+        let t194 = sin_phi * self.constants[1];
+        let t196 = sin_phi + t21;
+        let t197 = self.constants[1] * t196;
+        let t201 = sin_phi * t184 + t193 + sin_phi * t194 + t196 * t197;
+        let t202 = self.constants[0].like(1.0) / t201;
+        let t205 = t23 + self.constants[0].like(1.0);
+        let t209 = t202 * (t184 + t194 + t197 * t205);
+        let t210 = self.constants[1] * t205;
+        let t212 = t201 * t209;
+        let t216 = self.constants[1] + t178 + t205 * t210 - t209 * t212;
+        let t217 = self.constants[0].like(1.0) / t216;
+        let t221 = t23 * t169 - t131 - t172 * t209;
+        let t225 = self.constants[0] * (t173 - self.constants[12]);
+        let t231 = t202 * (t194 + t197 + cos_phi * self.constants[14] - sin_phi * t225);
+        let t236 = t217 * (self.constants[1] + t210 - t225 - t212 * t231);
+        let t251 = (t126 + t169 + forces[0] - t172 * t231 - t221 * t236)
+            / (self.constants[15] - t201 * t231 * t231 - t216 * t236 * t236);
+        let t253 = t217 * t221 - t236 * t251;
+        let t257 = t172 * t202 - t209 * t253 - t231 * t251;
+        let t258 = -(t4 * cos_psi);
+        let t259 = -(t4 * sin_psi);
         (
             [
-                t263, t264, speeds[0], self.constants[0].like(0.0), speeds[1], speeds[2], t28,
+                t258, t259, speeds[0], self.constants[0].like(0.0), speeds[1], speeds[2], t26,
             ],
-            [t262, t258, t256],
+            [t257, t253, t251],
         )
     }
 
@@ -483,7 +477,7 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         let t14 = speeds[1] + speeds[2];
         let t16 = self.constants[0] * t11;
         let t17 = (t11 + t14) * t16;
-        let t21 = t17 - cos_phi * self.constants[11];
+        let t21 = t17 - cos_phi * self.constants[10];
         let t22 = cos_theta * t21;
         let t25 = speeds[0] * cos_phi;
         let t26 = cos_theta * t25;
@@ -498,97 +492,94 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         let t41 = self.constants[0].like(1.0) / self.constants[0];
         let t42 = t40 * t41;
         let t44 = sin_phi * t42;
-        let t49 = speeds[0] * t42 + speeds[1] * t44 + speeds[2] * self.constants[3];
-        let t50 = speeds[1] + t49;
-        let t56 = t30 + self.constants[0] * t25 * t50 - self.constants[0] * t28 - t30
+        let t47 = speeds[2] + speeds[0] * t42 + speeds[1] * t44;
+        let t48 = speeds[1] + t47;
+        let t54 = t30 + self.constants[0] * t25 * t48 - self.constants[0] * t28 - t30
             - t26 * t32;
-        let t60 = t11 + speeds[1];
-        let t64 = cos_theta * t17 + t32 * t60 - t27 * self.constants[2];
-        let t68 = speeds[1] * t34;
-        let t71 = self.constants[2] * t68 - sin_theta * t17 - t35 * t60;
-        let t79 = (sin_phi * (t56 - t34 * t35)
-            + cos_phi * (cos_theta * t64 - sin_theta * t71 - t16 * (t11 + t50))) / t40;
-        let t81 = t27 + cos_theta * t79;
-        let t84 = t34 * self.constants[4];
-        let t94 = sin_theta * t21;
-        let t97 = t68 + sin_theta * t79;
-        let t106 = sin_theta
-            * (self.constants[7] * t22 - self.constants[8] * t81 - t34 * t84
-                - t60 * (t60 * self.constants[4] - self.constants[8] * t26))
+        let t58 = t11 + speeds[1];
+        let t62 = cos_theta * t17 + t32 * t58 - t27 * self.constants[2];
+        let t66 = speeds[1] * t34;
+        let t69 = self.constants[2] * t66 - sin_theta * t17 - t35 * t58;
+        let t77 = (sin_phi * (t54 - t34 * t35)
+            + cos_phi * (cos_theta * t62 - sin_theta * t69 - t16 * (t11 + t48))) / t40;
+        let t79 = t27 + cos_theta * t77;
+        let t82 = t34 * self.constants[3];
+        let t92 = sin_theta * t21;
+        let t95 = t66 + sin_theta * t77;
+        let t104 = sin_theta
+            * (self.constants[6] * t22 - self.constants[7] * t79 - t34 * t82
+                - t58 * (t58 * self.constants[3] - self.constants[7] * t26))
             + cos_theta
-                * (self.constants[8] * t97 - self.constants[7] * t94
-                    - self.constants[8] * t34 * t60 - t26 * t84);
-        let t107 = self.constants[0] * t106;
-        let t113 = t41 * (sin_theta * t64 + cos_theta * t71);
-        let t114 = self.constants[1] * t113;
-        let t115 = forces[1] + t114;
-        let t121 = t34 * self.constants[9];
-        let t126 = t26 * self.constants[10] - t60 * self.constants[6];
-        let t132 = t97 * self.constants[6] + t34 * t126 - t107 - t114
-            - self.constants[4] * t94 - t26 * t121;
-        let t145 = t60 * self.constants[5] + self.constants[1] * (speeds[2] + t60)
-            + self.constants[1] * (t49 + t60) - t26 * self.constants[6];
-        let t163 = t22 * self.constants[8]
-            + self.constants[4]
-                * (t30 + sin_phi * self.constants[11] + self.constants[0] * (t28 + t79))
-            + t60 * t126;
-        let t167 = cos_theta
-            * (self.constants[8] * t94 + t60 * t121 - t97 * self.constants[10]
-                - t34 * t145)
-            - sin_theta * (t163 - t81 * self.constants[9] - t26 * t145);
-        let t171 = t42 * t115 - sin_phi * t132 - cos_phi * t167;
-        let t172 = sin_phi * self.constants[1];
-        let t173 = cos_theta * self.constants[4];
-        let t176 = self.constants[0] * (t173 - self.constants[13]);
-        let t180 = sin_phi + t42;
-        let t181 = self.constants[1] * t180;
-        let t186 = self.constants[0] * t173;
-        let t190 = self.constants[5] + self.constants[14] - t186 - t186;
-        let t193 = self.constants[15] - cos_theta * self.constants[6];
-        let t195 = sin_phi * t190 + cos_phi * t193;
-        let t204 = cos_phi
-            * (sin_phi * t193
+                * (self.constants[7] * t95 - self.constants[6] * t92
+                    - self.constants[7] * t34 * t58 - t26 * t82);
+        let t105 = self.constants[0] * t104;
+        let t111 = t41 * (sin_theta * t62 + cos_theta * t69);
+        let t112 = self.constants[1] * t111;
+        let t113 = forces[1] + t112;
+        let t118 = t34 * self.constants[8];
+        let t123 = t26 * self.constants[9] - t58 * self.constants[5];
+        let t129 = t95 * self.constants[5] + t34 * t123 - t105 - t112
+            - self.constants[3] * t92 - t26 * t118;
+        let t142 = t58 * self.constants[4] + self.constants[1] * (speeds[2] + t58)
+            + self.constants[1] * (t47 + t58) - t26 * self.constants[5];
+        let t160 = t22 * self.constants[7]
+            + self.constants[3]
+                * (t30 + sin_phi * self.constants[10] + self.constants[0] * (t28 + t77))
+            + t58 * t123;
+        let t164 = cos_theta
+            * (self.constants[7] * t92 + t58 * t118 - t95 * self.constants[9]
+                - t34 * t142)
+            - sin_theta * (t160 - t79 * self.constants[8] - t26 * t142);
+        let t168 = t42 * t113 - sin_phi * t129 - cos_phi * t164;
+        let t169 = sin_phi * self.constants[1];
+        let t170 = cos_theta * self.constants[3];
+        let t173 = self.constants[0] * (t170 - self.constants[12]);
+        let t177 = sin_phi + t42;
+        let t178 = self.constants[1] * t177;
+        let t182 = self.constants[0] * t170;
+        let t186 = self.constants[4] + self.constants[13] - t182 - t182;
+        let t189 = self.constants[14] - cos_theta * self.constants[5];
+        let t191 = sin_phi * t186 + cos_phi * t189;
+        let t200 = cos_phi
+            * (sin_phi * t189
                 + cos_phi
-                    * (self.constants[10] - sin_theta * sin_theta * self.constants[12]));
-        let t209 = sin_phi * t195 + t204 + sin_phi * t172 + t180 * t181;
-        let t210 = self.constants[0].like(1.0) / t209;
-        let t211 = (t172 + cos_phi * self.constants[15] + self.constants[3] * t181
-            - sin_phi * t176) * t210;
-        let t214 = t44 + self.constants[0].like(1.0);
-        let t215 = self.constants[1] * t214;
-        let t220 = t210 * (t172 + t195 + t181 * t214);
-        let t221 = t209 * t220;
-        let t230 = self.constants[1] + t190 + t214 * t215 - t220 * t221;
-        let t231 = self.constants[0].like(1.0) / t230;
-        let t232 = (self.constants[1] + self.constants[3] * t215 - t176 - t211 * t221)
-            * t231;
-        let t236 = t44 * t115 - t132 - t171 * t220;
-        let t249 = (forces[0] + t107 + self.constants[3] * t115 - t171 * t211
-            - t232 * t236)
-            / (self.constants[16] - t209 * t211 * t211 - t230 * t232 * t232);
-        let t252 = t231 * t236 - t232 * t249;
-        let t254 = self.constants[0] * (t249 + t252);
-        let t258 = self.constants[0] * speeds[0] * t14;
-        let t260 = sin_psi * t258 - cos_psi * t254;
-        let t268 = t171 * t210 - t220 * t252 - t211 * t249;
-        let t274 = t42 * t268 + t44 * t252 + self.constants[3] * t249 - t113;
-        let t275 = -(t254 * sin_psi + cos_psi * t258);
-        let t276 = -t79;
-        [t260, t275, t268, t276, t252, t249, t274]
+                    * (self.constants[9] - sin_theta * sin_theta * self.constants[11]));
+        let t205 = sin_phi * t191 + t200 + sin_phi * t169 + t177 * t178;
+        let t206 = self.constants[0].like(1.0) / t205;
+        let t207 = (t169 + cos_phi * self.constants[14] + t178 - sin_phi * t173) * t206;
+        let t210 = t44 + self.constants[0].like(1.0);
+        let t211 = self.constants[1] * t210;
+        let t215 = t206 * (t169 + t191 + t178 * t210);
+        let t216 = t205 * t215;
+        let t225 = self.constants[1] + t186 + t210 * t211 - t215 * t216;
+        let t226 = self.constants[0].like(1.0) / t225;
+        let t227 = (self.constants[1] + t211 - t173 - t207 * t216) * t226;
+        let t231 = t44 * t113 - t129 - t168 * t215;
+        let t244 = (forces[0] + t105 + t113 - t168 * t207 - t227 * t231)
+            / (self.constants[15] - t205 * t207 * t207 - t225 * t227 * t227);
+        let t247 = t226 * t231 - t227 * t244;
+        let t249 = self.constants[0] * (t244 + t247);
+        let t253 = self.constants[0] * speeds[0] * t14;
+        let t255 = sin_psi * t253 - cos_psi * t249;
+        let t263 = t168 * t206 - t215 * t247 - t207 * t244;
+        let t268 = t244 + t42 * t263 + t44 * t247 - t111;
+        let t269 = -(t249 * sin_psi + cos_psi * t253);
+        let t270 = -t77;
+        [t255, t269, t263, t270, t247, t244, t268]
     }
 
     fn energy_unchecked(&self, positions: &[T; 7], speeds: &[T; 3]) -> [T; 2] {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let (sin_theta, cos_theta) = positions[4].sin_cos();
-        let t8 = cos_theta * self.constants[4];
+        let t8 = cos_theta * self.constants[3];
         let t9 = self.constants[0] * t8;
-        let t13 = self.constants[5] + self.constants[14] - t9 - t9;
-        let t19 = self.constants[15] - cos_theta * self.constants[6];
+        let t13 = self.constants[4] + self.constants[13] - t9 - t9;
+        let t19 = self.constants[14] - cos_theta * self.constants[5];
         let t21 = sin_phi * t13 + cos_phi * t19;
         let t32 = cos_phi
             * (sin_phi * t19
                 + cos_phi
-                    * (self.constants[10] - sin_theta * sin_theta * self.constants[12]));
+                    * (self.constants[9] - sin_theta * sin_theta * self.constants[11]));
         let t34 = sin_phi * self.constants[1];
         let t36 = sin_phi * self.constants[0];
         let t41 = (t36 + cos_phi * self.constants[2] - t36) / self.constants[0];
@@ -596,23 +587,22 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         let t43 = self.constants[1] * t42;
         let t52 = self.constants[0].like(1.0) + sin_phi * t41;
         let t55 = t21 + t34 + t43 * t52;
-        let t59 = t8 - self.constants[13];
+        let t59 = t8 - self.constants[12];
         let t60 = self.constants[0] * t59;
-        let t67 = t34 + cos_phi * self.constants[15] + t43 * self.constants[3]
-            - sin_phi * t60;
-        let t69 = speeds[0] * (sin_phi * t21 + t32 + sin_phi * t34 + t42 * t43)
+        let t65 = t34 + t43 + cos_phi * self.constants[14] - sin_phi * t60;
+        let t67 = speeds[0] * (sin_phi * t21 + t32 + sin_phi * t34 + t42 * t43)
             + speeds[1] * t55;
-        let t73 = self.constants[1] * t52;
-        let t80 = self.constants[1] + self.constants[3] * t73 - t60;
-        let t84 = speeds[1]
-            * (speeds[0] * t55 + speeds[1] * (t13 + self.constants[1] + t52 * t73)
-                + speeds[2] * t80);
-        let t95 = (speeds[0] * (t69 + speeds[2] * t67) + t84
+        let t71 = self.constants[1] * t52;
+        let t77 = self.constants[1] + t71 - t60;
+        let t81 = speeds[1]
+            * (speeds[0] * t55 + speeds[1] * (t13 + self.constants[1] + t52 * t71)
+                + speeds[2] * t77);
+        let t92 = (speeds[0] * (t67 + speeds[2] * t65) + t81
             + speeds[2]
-                * (speeds[0] * t67 + speeds[1] * t80 + speeds[2] * self.constants[16]))
+                * (speeds[0] * t65 + speeds[1] * t77 + speeds[2] * self.constants[15]))
             * self.constants[0].like(0.5);
-        let t102 = -(self.constants[11] * (sin_phi * self.constants[8] + cos_phi * t59));
-        [t95, t102]
+        let t99 = -(self.constants[10] * (sin_phi * self.constants[7] + cos_phi * t59));
+        [t92, t99]
     }
 
     fn contact_forces_unchecked(&self, positions: &[T; 7], speeds: &[T; 3], forces: &[T; 2]) -> [[T; 3]; 2] {
@@ -621,16 +611,16 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         let (sin_phi, cos_phi) = positions[3].sin_cos();
         let t7 = speeds[0] * cos_phi;
         let t8 = sin_theta * t7;
-        let t10 = t8 * self.constants[4];
+        let t10 = t8 * self.constants[3];
         let t14 = speeds[0] * sin_phi;
         let t15 = speeds[1] + t14;
         let t18 = t7 * cos_theta;
-        let t21 = self.constants[4] * t15 - t18 * self.constants[8];
+        let t21 = self.constants[3] * t15 - t18 * self.constants[7];
         let t23 = t8 * t10 + t15 * t21;
         let t26 = speeds[1] + speeds[2];
         let t29 = t14 * self.constants[0];
         let t30 = (t14 + t26) * t29;
-        let t33 = t30 - cos_phi * self.constants[11];
+        let t33 = t30 - cos_phi * self.constants[10];
         let t34 = cos_theta * t33;
         let t37 = speeds[1] * t18;
         let t38 = t7 * t26;
@@ -642,102 +632,100 @@ impl<T: Scalar> carvallo::motion::Unchecked for WheeledPendulumMotion<T> {
         let t50 = self.constants[0].like(1.0) / self.constants[0];
         let t51 = t49 * t50;
         let t53 = sin_phi * t51;
-        let t58 = speeds[0] * t51 + speeds[1] * t53 + speeds[2] * self.constants[3];
-        let t59 = speeds[1] + t58;
-        let t65 = t40 + t7 * self.constants[0] * t59 - self.constants[0] * t38 - t40
+        let t56 = speeds[2] + speeds[0] * t51 + speeds[1] * t53;
+        let t57 = speeds[1] + t56;
+        let t63 = t40 + t7 * self.constants[0] * t57 - self.constants[0] * t38 - t40
             - t18 * t42;
-        let t72 = cos_theta * t30 + t15 * t42 - t37 * self.constants[2];
-        let t76 = t8 * speeds[1];
-        let t79 = self.constants[2] * t76 - sin_theta * t30 - t15 * t44;
-        let t87 = self.constants[0].like(1.0) / t49;
-        let t88 = (sin_phi * (t65 - t8 * t44)
-            + cos_phi * (cos_theta * t72 - sin_theta * t79 - t29 * (t14 + t59))) * t87;
-        let t90 = t37 + cos_theta * t88;
-        let t95 = sin_theta * t33;
-        let t98 = t76 + sin_theta * t88;
-        let t100 = t8 * self.constants[8];
-        let t103 = t15 * t100 + t10 * t18;
-        let t108 = self.constants[0]
-            * (sin_theta * (self.constants[7] * t34 - t23 - self.constants[8] * t90)
+        let t70 = cos_theta * t30 + t15 * t42 - t37 * self.constants[2];
+        let t74 = t8 * speeds[1];
+        let t77 = self.constants[2] * t74 - sin_theta * t30 - t15 * t44;
+        let t85 = self.constants[0].like(1.0) / t49;
+        let t86 = (sin_phi * (t63 - t8 * t44)
+            + cos_phi * (cos_theta * t70 - sin_theta * t77 - t29 * (t14 + t57))) * t85;
+        let t88 = t37 + cos_theta * t86;
+        let t93 = sin_theta * t33;
+        let t96 = t74 + sin_theta * t86;
+        let t98 = t8 * self.constants[7];
+        let t101 = t15 * t98 + t10 * t18;
+        let t106 = self.constants[0]
+            * (sin_theta * (self.constants[6] * t34 - t23 - self.constants[7] * t88)
                 + cos_theta
-                    * (self.constants[8] * t98 - self.constants[7] * t95 - t103));
-        let t114 = t50 * (sin_theta * t72 + cos_theta * t79);
-        let t115 = self.constants[1] * t114;
-        let t116 = forces[1] + t115;
-        let t122 = t8 * self.constants[9];
-        let t127 = t18 * self.constants[10] - t15 * self.constants[6];
-        let t133 = t98 * self.constants[6] + t8 * t127 - t108 - t115
-            - self.constants[4] * t95 - t18 * t122;
-        let t146 = t15 * self.constants[5] + self.constants[1] * (t15 + speeds[2])
-            + self.constants[1] * (t15 + t58) - t18 * self.constants[6];
-        let t149 = t15 * t122 - t8 * t146;
-        let t159 = t40 + sin_phi * self.constants[11] + self.constants[0] * (t38 + t88);
-        let t164 = self.constants[4] * t159 + t15 * t127 - t18 * t146;
-        let t169 = cos_phi
-            * (cos_theta * (self.constants[8] * t95 + t149 - t98 * self.constants[10])
+                    * (self.constants[7] * t96 - self.constants[6] * t93 - t101));
+        let t112 = t50 * (sin_theta * t70 + cos_theta * t77);
+        let t113 = self.constants[1] * t112;
+        let t114 = forces[1] + t113;
+        let t119 = t8 * self.constants[8];
+        let t124 = t18 * self.constants[9] - t15 * self.constants[5];
+        let t130 = t96 * self.constants[5] + t8 * t124 - t106 - t113
+            - self.constants[3] * t93 - t18 * t119;
+        let t143 = t15 * self.constants[4] + self.constants[1] * (t15 + speeds[2])
+            + self.constants[1] * (t15 + t56) - t18 * self.constants[5];
+        let t146 = t15 * t119 - t8 * t143;
+        let t156 = t40 + sin_phi * self.constants[10] + self.constants[0] * (t38 + t86);
+        let t161 = self.constants[3] * t156 + t15 * t124 - t18 * t143;
+        let t166 = cos_phi
+            * (cos_theta * (self.constants[7] * t93 + t146 - t96 * self.constants[9])
                 - sin_theta
-                    * (self.constants[8] * t34 + t164 - t90 * self.constants[9]));
-        let t172 = t51 * t116 - sin_phi * t133 - t169;
-        let t173 = sin_phi * self.constants[1];
-        let t174 = self.constants[4] * cos_theta;
-        let t177 = self.constants[0] * (t174 - self.constants[13]);
-        let t181 = sin_phi + t51;
-        let t182 = self.constants[1] * t181;
-        let t187 = self.constants[0] * t174;
-        let t191 = self.constants[5] + self.constants[14] - t187 - t187;
-        let t194 = self.constants[15] - cos_theta * self.constants[6];
-        let t196 = sin_phi * t191 + cos_phi * t194;
-        let t205 = cos_phi
-            * (sin_phi * t194
+                    * (self.constants[7] * t34 + t161 - t88 * self.constants[8]));
+        let t169 = t51 * t114 - sin_phi * t130 - t166;
+        let t170 = sin_phi * self.constants[1];
+        let t171 = self.constants[3] * cos_theta;
+        let t174 = self.constants[0] * (t171 - self.constants[12]);
+        let t178 = sin_phi + t51;
+        let t179 = self.constants[1] * t178;
+        let t183 = self.constants[0] * t171;
+        let t187 = self.constants[4] + self.constants[13] - t183 - t183;
+        let t190 = self.constants[14] - cos_theta * self.constants[5];
+        let t192 = sin_phi * t187 + cos_phi * t190;
+        let t201 = cos_phi
+            * (sin_phi * t190
                 + cos_phi
-                    * (self.constants[10] - sin_theta * sin_theta * self.constants[12]));
-        let t210 = sin_phi * t196 + t205 + sin_phi * t173 + t181 * t182;
-        let t211 = self.constants[0].like(1.0) / t210;
-        let t212 = (t173 + cos_phi * self.constants[15] + self.constants[3] * t182
-            - sin_phi * t177) * t211;
-        let t215 = t53 + self.constants[0].like(1.0);
-        let t216 = self.constants[1] * t215;
-        let t221 = t211 * (t173 + t196 + t182 * t215);
-        let t222 = t210 * t221;
-        let t231 = self.constants[1] + t191 + t215 * t216 - t221 * t222;
-        let t232 = self.constants[0].like(1.0) / t231;
-        let t233 = (self.constants[1] + self.constants[3] * t216 - t177 - t212 * t222)
-            * t232;
-        let t237 = t53 * t116 - t133 - t172 * t221;
-        let t250 = (forces[0] + t108 + self.constants[3] * t116 - t172 * t212
-            - t233 * t237)
-            / (self.constants[16] - t210 * t212 * t212 - t231 * t233 * t233);
-        let t253 = t232 * t237 - t233 * t250;
-        let t258 = t172 * t211 - t221 * t253 - t212 * t250;
-        let t260 = t253 + sin_phi * t258;
-        let t262 = self.constants[0] * (t250 + t260);
-        let t264 = t34 - sin_theta * t262;
-        let t266 = cos_phi * t258;
-        let t268 = t90 + sin_theta * t266;
-        let t271 = self.constants[7] * t264 - t23 - self.constants[8] * t268;
-        let t274 = t95 + cos_theta * t262;
-        let t278 = cos_theta * t266 - t98;
-        let t282 = self.constants[4] * t260 - t103 - self.constants[7] * t274
-            - self.constants[8] * t278;
-        let t291 = self.constants[1]
-            * (t260 + t51 * t258 + t53 * t253 + self.constants[3] * t250 - t114);
-        let t293 = t50 * (t291 - forces[1]);
-        let t295 = sin_theta * t271 + cos_theta * t282 - t293;
-        let t304 = t18 * t21 + self.constants[4] * t268 - self.constants[7] * t159
-            - t8 * t100;
-        let t308 = cos_theta * t271 - sin_theta * t282;
-        let t310 = cos_phi * t304 - sin_phi * t308;
-        let t312 = cos_psi * t295 - sin_psi * t310;
-        let t315 = t295 * sin_psi + cos_psi * t310;
-        let t329 = sin_theta
-            * (t149 + self.constants[8] * t274 + self.constants[10] * t278
-                - self.constants[6] * t260)
-            + cos_theta * (t164 + self.constants[8] * t264 - self.constants[9] * t268);
-        let t331 = t87 * (t329 + self.constants[0] * t304);
-        let t335 = sin_phi * t304 + cos_phi * t308 - t331;
-        let t336 = cos_psi * t293;
-        let t337 = t293 * sin_psi;
-        [[t312, t315, t335], [t336, t337, t331]]
+                    * (self.constants[9] - sin_theta * sin_theta * self.constants[11]));
+        let t206 = sin_phi * t192 + t201 + sin_phi * t170 + t178 * t179;
+        let t207 = self.constants[0].like(1.0) / t206;
+        let t208 = (t170 + cos_phi * self.constants[14] + t179 - sin_phi * t174) * t207;
+        let t211 = t53 + self.constants[0].like(1.0);
+        let t212 = self.constants[1] * t211;
+        let t216 = t207 * (t170 + t192 + t179 * t211);
+        let t217 = t206 * t216;
+        let t226 = self.constants[1] + t187 + t211 * t212 - t216 * t217;
+        let t227 = self.constants[0].like(1.0) / t226;
+        let t228 = (self.constants[1] + t212 - t174 - t208 * t217) * t227;
+        let t232 = t53 * t114 - t130 - t169 * t216;
+        let t245 = (forces[0] + t106 + t114 - t169 * t208 - t228 * t232)
+            / (self.constants[15] - t206 * t208 * t208 - t226 * t228 * t228);
+        let t248 = t227 * t232 - t228 * t245;
+        let t253 = t169 * t207 - t216 * t248 - t208 * t245;
+        let t255 = t248 + sin_phi * t253;
+        let t256 = t245 + t255;
+        let t257 = self.constants[0] * t256;
+        let t259 = t34 - sin_theta * t257;
+        let t261 = cos_phi * t253;
+        let t263 = t88 + sin_theta * t261;
+        let t266 = self.constants[6] * t259 - t23 - self.constants[7] * t263;
+        let t269 = t93 + cos_theta * t257;
+        let t273 = cos_theta * t261 - t96;
+        let t277 = self.constants[3] * t255 - t101 - self.constants[6] * t269
+            - self.constants[7] * t273;
+        let t285 = self.constants[1] * (t51 * t253 + t53 * t248 + t256 - t112)
+            - forces[1];
+        let t286 = t50 * t285;
+        let t288 = sin_theta * t266 + cos_theta * t277 - t286;
+        let t297 = t18 * t21 + self.constants[3] * t263 - self.constants[6] * t156
+            - t8 * t98;
+        let t301 = cos_theta * t266 - sin_theta * t277;
+        let t303 = cos_phi * t297 - sin_phi * t301;
+        let t305 = cos_psi * t288 - sin_psi * t303;
+        let t308 = t288 * sin_psi + cos_psi * t303;
+        let t322 = sin_theta
+            * (t146 + self.constants[7] * t269 + self.constants[9] * t273
+                - self.constants[5] * t255)
+            + cos_theta * (t161 + self.constants[7] * t259 - self.constants[8] * t263);
+        let t324 = t85 * (t322 + self.constants[0] * t297);
+        let t328 = sin_phi * t297 + cos_phi * t301 - t324;
+        let t329 = cos_psi * t286;
+        let t330 = t286 * sin_psi;
+        [[t305, t308, t328], [t329, t330, t324]]
     }
 }
 

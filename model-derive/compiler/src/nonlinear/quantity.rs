@@ -184,6 +184,9 @@ impl Div for Quantity<'_> {
         if self.is_zero() || other.is_one() {
             return self;
         }
+        if self.value == other.value {
+            return self.number(1.0);
+        }
         match (self.opposite(), other.opposite()) {
             (Some(a), Some(b)) => a / b,
             (Some(a), None) => -(a / other),

@@ -119,6 +119,10 @@ fn c_computes_what_rust_computes() {
         }
     }
     assert_eq!(found.next(), None);
+    for expected in &all {
+        let moves = headers[expected.model].1.contains("_f64_motion_rates(");
+        assert_eq!(moves, expected.motions.is_some(), "{}", expected.model);
+    }
     // There is something to compare.
     assert!(all.iter().all(|expected| expected.words.len() > 100));
 }
