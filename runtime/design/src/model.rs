@@ -26,10 +26,22 @@ pub struct Shipped {
 }
 
 /// All of them.
+#[cfg(feature = "full")]
 pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 
+/// Those of bicycles with two coordinates: without the feature `full` there are no others.
+#[cfg(not(feature = "full"))]
+pub static MODELS: &[Shipped] = &[
+    Shipped::of::<2, carvallo_models::BalanceAssist>(),
+    Shipped::of::<2, carvallo_models::FlywheelBicycle>(),
+    Shipped::of::<2, carvallo_models::RearSteered>(),
+    WHIPPLE,
+    Shipped::of::<2, carvallo_models::WhippleMechanism>(),
+    Shipped::of::<2, carvallo_models::WhippleSprung>(),
+];
+
 /// The model that is meant unless another one is named: that of the shipped bicycles.
-pub static WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
+pub const WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
 
 /// What makes equations of motion from parameters, which are in declared order.
 pub(crate) trait Derivation: Debug + Sync {
@@ -195,6 +207,9 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
         range: [f64; 2],
         speed: f64,
     ) -> Result<ParameterStability, String> {
+        if !cfg!(feature = "full") {
+            return Err(NOT_BUILT.to_owned());
+        }
         let mut parameters = parameters.to_vec();
         let system = |value: f64| {
             parameters[position] = value;
@@ -206,10 +221,16 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
     }
 
     fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
+        if !cfg!(feature = "full") {
+            return Err(NOT_BUILT.to_owned());
+        }
         let sensitivity = Sensitivity::<N>::of_any(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
         Ok(Box::new(sensitivity))
     }
 }
+
+/// What is said in the place of what a program was built without.
+pub(crate) const NOT_BUILT: &str = "this program was built without what goes along parameters";
 
 impl<const N: usize, M> Debug for Compiled<N, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -7,7 +7,6 @@ mod equations;
 mod list;
 mod models;
 pub mod motion;
-mod parameters;
 mod ranges;
 pub mod sensitivity;
 mod shapes;
@@ -19,13 +18,18 @@ pub mod turns;
 pub use self::along::render_along;
 pub use self::list::render_bicycles;
 pub use self::models::render_models;
-pub use self::parameters::render_parameters;
 pub use self::sketch::draw_sketch;
 pub use self::table::render_table;
 
 use anstyle::{AnsiColor, Style};
+use carvallo_design::Design;
 
 /// Styles of the terminal; they are stripped where the output is not a terminal.
 const HEADING: Style = Style::new().bold();
 const GOOD: Style = AnsiColor::Green.on_default();
 const FAINT: Style = Style::new().dimmed();
+
+/// The parameters of a design as a file, with comments that stand back.
+pub fn render_parameters(design: &Design) -> String {
+    carvallo_design::file::write(design, &|comment| format!("{FAINT}{comment}{FAINT:#}"))
+}

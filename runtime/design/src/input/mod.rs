@@ -28,7 +28,7 @@ use crate::model::{Shipped, WHIPPLE};
 
 pub use self::names::position;
 pub use self::names::{Expected, Known, known};
-pub use self::shipped::{DEFAULT_BICYCLE, default_name, names};
+pub use self::shipped::{DEFAULT_BICYCLE, default_name, kind, names};
 pub use self::value::{evaluated, measured};
 
 /// Where the parameters come from.
@@ -59,9 +59,7 @@ pub fn is_same_file(first: &Path, second: &Path) -> bool {
 /// # Errors
 /// Everything that is wrong with the request or the file, or that the file cannot be read.
 pub fn load(request: &Request) -> Result<Design, Failure> {
-    let overrides = request.overrides.iter();
-    let overrides =
-        overrides.map(|(option, name, value)| Entry::from_text(name, Place::Option(option.clone()), value)).collect();
+    let overrides = entries(&request.overrides);
     let asked = request.model.as_ref().map(|name| {
         let place = Place::Option(format!("--model {name}"));
         Kind::called(name).map_err(|message| Failure::Input(vec![Problem { place, message }]))
@@ -128,7 +126,21 @@ fn open<'a>(shipped: Option<&Shipped>, name: &'a str) -> Result<(&'a str, Docume
 /// # Errors
 /// Everything that is wrong with it.
 pub fn read(label: &str, bytes: Vec<u8>) -> Result<Design, Failure> {
-    resolve(parse(label, bytes)?, label, None, Vec::new())
+    read_changed(label, bytes, &[])
+}
+
+/// The same with values that replace those of the file: each with what messages call it, its name and the value.
+///
+/// # Errors
+/// Everything that is wrong with the file or the values.
+pub fn read_changed(label: &str, bytes: Vec<u8>, overrides: &[(String, String, String)]) -> Result<Design, Failure> {
+    resolve(parse(label, bytes)?, label, None, entries(overrides))
+}
+
+fn entries(overrides: &[(String, String, String)]) -> Vec<Entry> {
+    let entry =
+        |(option, name, value): &(String, String, String)| Entry::from_text(name, Place::Option(option.clone()), value);
+    overrides.iter().map(entry).collect()
 }
 
 /// Judges the parameters by the model that was asked for, or else the one that they name themselves.

@@ -27,6 +27,11 @@ pub fn default_name(model: &Shipped) -> Option<&'static str> {
     if model.is_whipple() { Some(DEFAULT_BICYCLE) } else { model.info.sets.first().map(|set| set.name) }
 }
 
+/// What the machine of a name is, in a few words.
+pub fn kind(model: &Shipped, name: &str) -> Option<String> {
+    find(model, name)?.kind
+}
+
 /// What ships for a model under a name.
 pub fn find(model: &Shipped, name: &str) -> Option<Document> {
     if let Some(set) = model.info.set(name).filter(|_| !model.is_whipple()) {

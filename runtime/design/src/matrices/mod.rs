@@ -11,7 +11,7 @@ use carvallo::{
 
 use self::check::check;
 pub use self::check::{dependent_column, free};
-use crate::model::{Derivation, Equations, Sensitive, Shipped, Visitor};
+use crate::model::{Derivation, Equations, NOT_BUILT, Sensitive, Shipped, Visitor};
 
 /// What the model of given matrices is called.
 pub const NAME: &str = "Matrices";
@@ -23,8 +23,8 @@ const FORMER_NAME: &str = "AllMatrices";
 pub const NO_PARAMETERS: &str =
     "matrices that are given themselves have no parameters but their entries, which `carvallo sweep --vary` goes along";
 
-/// The most coordinates that given matrices may have.
-pub const MOST: usize = 12;
+/// The most coordinates that given matrices may have: 12, or 2 without the feature `full`.
+pub const MOST: usize = if cfg!(feature = "full") { 12 } else { 2 };
 
 /// What matrices are given, without their entries.
 #[derive(Debug)]
@@ -66,7 +66,10 @@ pub fn model(form: &Form) -> &'static Shipped {
             }
         };
     }
-    model_of!(1 2 3 4 5 6 7 8 9 10 11 12)
+    #[cfg(feature = "full")]
+    return model_of!(1 2 3 4 5 6 7 8 9 10 11 12);
+    #[cfg(not(feature = "full"))]
+    model_of!(1 2)
 }
 
 fn of<const N: usize>(form: &Form) -> &'static Shipped {
@@ -143,6 +146,9 @@ impl<const N: usize> Derivation for Given<N> {
 
     /// Each entry by itself: one, where the parameter is it, in the matrix of the derivatives by it.
     fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
+        if !cfg!(feature = "full") {
+            return Err(NOT_BUILT.to_owned());
+        }
         let coefficients = self.coefficients(parameters)?;
         let place = |index: usize| (index / (N * N), index / N % N, index % N);
         let by_entry = |index: usize| {

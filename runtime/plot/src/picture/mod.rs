@@ -30,10 +30,12 @@ mod turns;
 mod tests;
 
 pub use self::along::draw_along;
-pub use self::curves::extent;
+pub use self::curves::{Curve, extent, samples};
 pub use self::map::{MapAxis, MapCell, draw_map};
 pub use self::motion::draw_motion;
-pub use self::scene::Scene;
+pub use self::panels::{Panel, panels};
+pub use self::scene::{Color, Paint, Scene};
+pub use self::series::Series;
 pub use self::side_view::draw_side_view;
 pub use self::speed::{Limits, draw_eigenvalues};
 pub use self::tornado::draw_tornado;

@@ -8,9 +8,11 @@ use crate::analysis::{Eigenvalues, ModeRow, Row, Rows};
 
 /// One graph.
 pub struct Panel {
+    /// Its curves, in painting order.
     pub series: Vec<Series>,
     /// The limits of its axis.
     pub y: (f64, f64),
+    /// What its axis shows, with the unit.
     pub label: &'static str,
     /// What it is, where there are several.
     pub name: Option<&'static str>,

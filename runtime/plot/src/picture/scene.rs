@@ -19,8 +19,11 @@ impl Color {
 /// How a path is painted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Paint {
+    /// Its inside.
     Fill,
+    /// Its line.
     Stroke {
+        /// In pixels.
         width: f32,
         /// Lengths of dash and gap.
         dash: Option<[f32; 2]>,

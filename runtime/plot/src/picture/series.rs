@@ -10,13 +10,17 @@ use crate::analysis::{Eigenvalues, ModeRow, Row};
 
 /// Curves of one colour and name.
 pub struct Series {
+    /// The mode or modes, and which part of their eigenvalues.
     pub name: String,
+    /// Of the line.
     pub color: Color,
+    /// Dashed for imaginary parts beside real ones.
     pub paint: Paint,
     /// The colour of the border of a line that stands for two modes.
     pub border: Option<Color>,
     /// Whether the name stands beside the curve; else it does beside another one of the same modes.
     pub has_label: bool,
+    /// Speeds in m/s with eigenvalues in 1/s.
     pub curves: Vec<Curve>,
 }
 

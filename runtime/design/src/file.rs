@@ -1,13 +1,14 @@
-//! A design as a file: what `show` prints can be edited and analyzed.
+//! A design as a file, which can be edited and read again.
 
 use carvallo::{CoordinateInfo, States};
-use carvallo_design::matrices::NAME;
-use carvallo_design::number::unit;
-use carvallo_design::{Design, Given};
 
-use super::FAINT;
+use crate::design::{Design, Given};
+use crate::matrices::NAME;
+use crate::number::unit;
 
-pub fn render_parameters(design: &Design) -> String {
+/// The parameters as TOML, which reads back to the same design. What is said beside them, such as units, goes through
+/// `comment`: a terminal may have it in another style.
+pub fn write(design: &Design, comment: &dyn Fn(&str) -> String) -> String {
     let info = design.info();
     let mut text = String::new();
     let mut line = |line: String| text.extend([line.as_str(), "\n"]);
@@ -19,11 +20,11 @@ pub fn render_parameters(design: &Design) -> String {
         }
     }
     for warning in &design.warnings {
-        line(format!("{FAINT}# warning: {warning}{FAINT:#}"));
+        line(comment(&format!("# warning: {warning}")));
     }
     if info.name == NAME {
         text.push('\n');
-        write_matrices(design, &mut text);
+        write_matrices(design, comment, &mut text);
         return text;
     }
     line("\n[parameters]".to_owned());
@@ -42,7 +43,7 @@ pub fn render_parameters(design: &Design) -> String {
     let width = entries.iter().map(|(entry, ..)| entry.len()).max().unwrap_or(0);
     let units = entries.iter().map(|(_, unit, _)| unit.chars().count()).fold(6, usize::max);
     for (entry, unit, docs) in entries {
-        line(format!("{entry:width$}  {FAINT}# {unit:units$} {docs}{FAINT:#}"));
+        line(format!("{entry:width$}  {}", comment(&format!("# {unit:units$} {docs}"))));
     }
     text
 }
@@ -56,7 +57,7 @@ fn entry(given: &Given) -> String {
 }
 
 /// Given matrices, with what their coordinates are.
-fn write_matrices(design: &Design, text: &mut String) {
+fn write_matrices(design: &Design, comment: &dyn Fn(&str) -> String, text: &mut String) {
     let info = design.info();
     let coordinates = info.coordinates.iter().map(|CoordinateInfo { name, states, .. }| {
         let name = quoted(name);
@@ -77,7 +78,7 @@ fn write_matrices(design: &Design, text: &mut String) {
         text.push_str(&format!("{matrix} = [\n{}]\n", rows.concat()));
     }
     for g in gravity {
-        text.push_str(&format!("g = {}  {FAINT}# N/kg{FAINT:#}\n", entry(g)));
+        text.push_str(&format!("g = {}  {}\n", entry(g), comment("# N/kg")));
     }
 }
 

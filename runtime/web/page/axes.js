@@ -1,0 +1,83 @@
+// Axes with ticks, grid and labels, and the way from values to the page.
+
+import { line, tag, text, through } from "carvallo/svg.js";
+
+const MARGIN = { left: 52, right: 12, top: 10, bottom: 40 };
+
+/** So many pixels a tick has at least, across and upward. */
+const [ACROSS, UPWARD] = [64, 34];
+
+/**
+ * Axes from `x` to `y`, each [low, high], with labels.
+ * @param {{width: number, height: number, x: number[], y: number[], labels: string[]}} of
+ */
+export function axes({ width, height, x, y, labels }) {
+  const [left, right, top, bottom] = [MARGIN.left, width - MARGIN.right, MARGIN.top, height - MARGIN.bottom];
+  const across = (value) => left + ((value - x[0]) / (x[1] - x[0])) * (right - left);
+  const upward = (value) => bottom - ((value - y[0]) / (y[1] - y[0])) * (bottom - top);
+  return { x, y, left, right, top, bottom, across, upward, labels, width, height };
+}
+
+/** The grid, behind everything. */
+export function grid({ x, y, left, right, top, bottom, across, upward }) {
+  const verticals = ticks(x, (right - left) / ACROSS).map((value) => line(across(value), top, across(value), bottom));
+  const levels = ticks(y, (bottom - top) / UPWARD).map((value) => line(left, upward(value), right, upward(value)));
+  const zero = (inside, drawn) => (inside[0] < 0 && inside[1] > 0 ? drawn : "");
+  const zeros = zero(y, line(left, upward(0), right, upward(0))) + zero(x, line(across(0), top, across(0), bottom));
+  return tag("g", { class: "grid" }, verticals.concat(levels).join("")) + tag("g", { class: "zero" }, zeros);
+}
+
+/** The frame with numbers and labels, before everything. */
+export function frame({ x, y, left, right, top, bottom, across, upward, labels }) {
+  const numbers = [
+    ...ticks(x, (right - left) / ACROSS).map((value) => text(across(value), bottom + 16, number(value), { "text-anchor": "middle" })),
+    ...ticks(y, (bottom - top) / UPWARD).map((value) => text(left - 6, upward(value) + 4, number(value), { "text-anchor": "end" })),
+  ];
+  const [middle, centre] = [(left + right) / 2, (top + bottom) / 2];
+  const named = text(middle, bottom + 33, labels[0], { "text-anchor": "middle", class: "label" }) +
+    text(13, centre, labels[1], { "text-anchor": "middle", class: "label", transform: `rotate(-90 13 ${centre})` });
+  const box = tag("path", { class: "frame", d: `M${left} ${top}H${right}V${bottom}H${left}Z` });
+  return box + tag("g", { class: "ticks" }, numbers.join("")) + named;
+}
+
+/** What is drawn inside of the axes, cut off at them. */
+export function inside({ left, right, top, bottom }, id, content) {
+  const clip = tag("clipPath", { id }, tag("rect", { x: left, y: top, width: right - left, height: bottom - top }));
+  return clip + tag("g", { "clip-path": `url(#${id})` }, content);
+}
+
+/** The data of a path through values, pair by pair. */
+export function path({ across, upward }, points) {
+  return through(points.map(([x, y]) => [across(x), upward(y)]));
+}
+
+/** Round numbers between two limits, at most so many. */
+export function ticks([low, high], most) {
+  const step = roundStep((high - low) / Math.max(most, 2));
+  const values = [];
+  for (let index = Math.ceil(low / step - 1e-9); index * step <= high + 1e-9 * step; index++) {
+    values.push(Number((index * step).toPrecision(12)));
+  }
+  return values;
+}
+
+/** The next of 1, 2 and 5 times a power of ten. */
+export function roundStep(size) {
+  const power = 10 ** Math.floor(Math.log10(size));
+  return power * [1, 2, 5, 10].find((step) => step * power >= size * (1 - 1e-9));
+}
+
+/** Limits around values with a margin, or around one value. */
+export function around(values) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const value of values) {
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+  }
+  if (low > high) return [-1, 1];
+  const room = 0.06 * (high - low) || Math.max(0.1 * Math.abs(high), 1e-3);
+  return [low - room, high + room];
+}
+
+const number = (value) =>
+  (value !== 0 && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-4) ? value.toExponential() : String(value)).replace("-", "−");

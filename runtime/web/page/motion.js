@@ -1,0 +1,107 @@
+// A motion in time: lean and steer, or whatever a model has, and below it the path on the ground.
+
+import { ask } from "carvallo/engine.js";
+import { around, axes, frame, grid, inside, path } from "carvallo/axes.js";
+import { names } from "carvallo/labels.js";
+import { legend } from "carvallo/legend.js";
+import { picture, tag } from "carvallo/svg.js";
+import { state, subject } from "carvallo/state.js";
+
+const STEPS = 200;
+const COLORS = ["#1f6fb4", "#c0283c", "#2e7d32", "#b46a00", "#7a3f9d", "#555d66"];
+
+/** What begins a motion of a model, where nothing else is given: a push to the side, or of the first coordinate. */
+export function usual(coordinates) {
+  return coordinates.includes("phi") ? "phi_rate=0.5" : `${coordinates[0]}=0.1`;
+}
+
+/** What the engine is to simulate. */
+export function asked(initial) {
+  const given = initial.split(/[,;]/).map((part) => part.trim()).filter(Boolean);
+  return { speed: state.speed, duration: state.duration, steps: STEPS, initial: given };
+}
+
+const cache = new Map();
+
+/** Enough for the designs that lie over each other. */
+const KEPT = 8;
+
+/**
+ * Simulates a design.
+ * @throws {Mistake} what is wrong with the start, or why there is no motion
+ */
+export function simulate(design, initial) {
+  const question = { ask: "simulate", design: subject(design), motion: asked(initial) };
+  const key = JSON.stringify(question);
+  if (!cache.has(key)) {
+    if (cache.size >= KEPT) cache.delete(cache.keys().next().value);
+    cache.set(key, told(ask(question)));
+  }
+  return cache.get(key);
+}
+
+function told({ reply, numbers }) {
+  const width = 1 + reply.quantities.length;
+  const rows = Array.from({ length: reply.rows }, (_, index) => numbers.subarray(index * width, (index + 1) * width));
+  return { ...reply, rows };
+}
+
+/**
+ * @param {object} motion the one of the chosen design
+ * @param {{motion: object, place: number, title: string}[]} beside those of the others
+ */
+export function drawMotion(title, motion, beside, width) {
+  const shown = motion.quantities.filter(({ name }) => !hasPath(motion) || ["phi", "delta"].includes(name));
+  const units = [...new Set(shown.map(({ unit }) => unit))];
+  const graphs = units.map((unit, index) => graph(title, motion, beside, shown.filter((quantity) => quantity.unit === unit), unit, width, index));
+  const ground = hasPath(motion) ? [track(title, motion, beside, width)] : [];
+  const kind = motion.is_linear ? "by the linear equations" : "by the nonlinear equations";
+  const said = [motion.end, ...motion.notes].filter(Boolean).map((note) => tag("li", {}, note));
+  const entries = [
+    ...shown.map((quantity) => ({ name: named(quantity), color: color(shown, quantity) })),
+    ...beside.map(({ title, place }) => ({ name: title, className: `beside design-${place}` })),
+  ];
+  return [...graphs, legend(entries), ...ground].join("") + `<p class="hint">At ${state.speed} m/s, ${kind}.</p><ul class="said">${said.join("")}</ul>`;
+}
+
+const hasPath = ({ quantities }) => ["x", "y", "delta"].every((name) => quantities.some((quantity) => quantity.name === name));
+const named = ({ name, label }) => (name === label ? name : `${label} ${symbol(name)}`);
+const symbol = (name) => ({ phi: "φ", delta: "δ", psi: "ψ", theta: "θ" })[name] ?? name;
+const color = (shown, quantity) => COLORS[shown.indexOf(quantity) % COLORS.length];
+
+function column({ quantities, rows }, name, scale) {
+  const place = 1 + quantities.findIndex((quantity) => quantity.name === name);
+  return place > 0 ? rows.map((row) => [row[0], scale * row[place]]) : [];
+}
+
+function graph(title, motion, beside, shown, unit, width, index) {
+  const scale = unit === "rad" ? 180 / Math.PI : 1;
+  const curves = shown.map((quantity) => column(motion, quantity.name, scale));
+  const values = curves.flat().map(([, value]) => value);
+  const label = unit === "rad" ? "angles (°)" : unit === "m" ? "positions (m)" : "positions";
+  const of = axes({ width, height: 220, x: [0, state.duration], y: around([0, ...values]), labels: ["time t (s)", label] });
+  const thin = beside.flatMap(({ motion: other, place }) =>
+    shown.map(({ name }) => tag("path", { class: `curve beside design-${place}`, d: path(of, column(other, name, scale)) })));
+  const attributes = (quantity) => ({ style: `--c:${color(shown, quantity)}` });
+  const thick = curves.map((curve, which) => tag("path", { class: "curve", ...attributes(shown[which]), d: path(of, curve) }));
+  const lines = curves.map((curve, which) =>
+    [curve.map(([x, y]) => [of.across(x), of.upward(y)]), named(shown[which]), attributes(shown[which])]);
+  const content = grid(of) + inside(of, `motion-${index}`, thin.join("") + thick.join("")) + frame(of) + names(of, lines);
+  return picture(width, 220, `${label} of ${title} against time`, content);
+}
+
+/** Where the rear wheel touches the ground, seen from above: to the right is up to the page's bottom, as y is to the right. */
+function track(title, motion, beside, width) {
+  const points = (of) => {
+    const [x, y] = [column(of, "x", 1), column(of, "y", 1)];
+    return x.map(([, value], index) => [value, -y[index][1]]);
+  };
+  const own = points(motion);
+  const of = axes({ width, height: 160, x: around(own.map(([x]) => x)), y: around(own.map(([, y]) => y)), labels: ["x, forward (m)", "to the left (m)"] });
+  const thin = beside.filter(({ motion: other }) => hasPath(other)).map(({ motion: other, place }) =>
+    tag("path", { class: `curve beside design-${place}`, d: path(of, points(other)) }));
+  const thick = tag("path", { class: "curve", style: `--c:${COLORS[5]}`, d: path(of, own) });
+  const content = grid(of) + inside(of, "track-inside", thin.join("") + thick) + frame(of);
+  return `<p class="sub">Path of the rear wheel on the ground, from above (axes of different scale)</p>` +
+    picture(width, 160, `Path of the rear wheel of ${title}, from above`, content);
+}

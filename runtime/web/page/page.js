@@ -1,0 +1,296 @@
+// The page as a whole: what happens when something is changed, and what is drawn then.
+
+import { analyze } from "carvallo/analysis.js";
+import { onBase, showBase, showBases, showTabs } from "carvallo/choice.js";
+import { drawCurves } from "carvallo/curves.js";
+import { Mistake, ask, load } from "carvallo/engine.js";
+import { onFile, showDownloads, toml } from "carvallo/files.js";
+import { drawLocus } from "carvallo/locus.js";
+import { drawMotion, simulate, usual } from "carvallo/motion.js";
+import { drawNumbers, sentence } from "carvallo/numbers.js";
+import { blame, list, show } from "carvallo/parameters.js";
+import { forget, save, saved } from "carvallo/saved.js";
+import { drawSide } from "carvallo/side.js";
+import { MOST, active, design, fromHash, state, toHash } from "carvallo/state.js";
+
+const at = (id) => document.getElementById(id);
+let catalogue = [];
+/** Of what the list of parameters is made. */
+let listed;
+
+/** The parameters of an analyzed design: those of its model, or its own. */
+const parametersOf = (known) => known.parameters ?? catalogue.find(({ name }) => name === known.model).parameters;
+const isBicycle = (parameters) => ["w", "c", "lam", "rR", "rF"].every((name) => parameters.some((parameter) => parameter.name === name));
+const coordinatesOf = (known) => known.coordinates;
+const initial = (known) => state.initial || usual(coordinatesOf(known));
+
+/** Computes everything anew, and shows it; a mistake is told, and what was there before stays. */
+function update() {
+  schedule.address();
+  let known;
+  try {
+    known = analyze(active(), state.speed);
+  } catch (error) {
+    if (!(error instanceof Mistake)) throw error;
+    fail(error.message);
+    blame(active().changes, error.message);
+    titles(undefined);
+    return;
+  }
+  fail(undefined);
+  const others = state.designs.map((other, place) => ({ other, place })).filter(({ place }) => place !== state.active);
+  const beside = others.flatMap(({ other, place }) => {
+    try {
+      return [{ known: analyze(other, state.speed), other, place }];
+    } catch {
+      // It is told when it is chosen.
+      return [];
+    }
+  });
+  titles(known);
+  showParameters(known);
+  showNotes([...known.warnings, ...known.notes]);
+  showSpeed(known);
+  draw(known, beside);
+}
+
+function titles(known) {
+  const title = (other, place) => {
+    if (place === state.active && known) return withChanges(known.title, other);
+    return withChanges(other.base.set ?? other.base.label, other);
+  };
+  showTabs(state.designs.map(title), changed);
+  showBase(active());
+  at("forget").hidden = !(active().base.label in saved());
+}
+
+/** A design that was changed is not what its name says. */
+const withChanges = (title, { changes }) => (Object.keys(changes).length > 0 ? `${title}, changed` : title);
+
+function showParameters(known) {
+  const parameters = parametersOf(known);
+  const key = parameters.map(({ name }) => name).join(" ");
+  if (listed !== key) {
+    list(parameters, isBicycle(parameters), change);
+    listed = key;
+  }
+  const base = analyze(design(active().base), state.speed);
+  show(parameters, known.values, base.values, active().changes);
+}
+
+function change(name, text) {
+  const { changes } = active();
+  if (text === undefined) delete changes[name];
+  else changes[name] = text;
+  schedule.update();
+}
+
+function showNotes(notes) {
+  at("notes").hidden = notes.length === 0;
+  at("notes").replaceChildren(...notes.map((note) => Object.assign(document.createElement("li"), { textContent: note })));
+}
+
+function showSpeed(known) {
+  at("stable").textContent = `${withChanges(known.title, active())}: ${sentence(known)}`;
+  at("stable").classList.toggle("good", known.stable_ranges.length > 0);
+  const slider = at("speed");
+  slider.max = Math.max(known.range[1], state.speed);
+  slider.step = known.range[1] / 1000;
+  slider.disabled = at("speed-field").disabled = !known.moves;
+  slider.value = state.speed;
+  slider.setAttribute("aria-valuetext", `${state.speed} m/s`);
+  if (document.activeElement !== at("speed-field")) at("speed-field").value = state.speed;
+}
+
+const drawing = (id) => document.querySelector(`#${id} .drawing`);
+const widthOf = (id) => Math.max(240, Math.floor(drawing(id).clientWidth));
+
+function draw(known, beside) {
+  const map = (of) => new Map(parametersOf(of).map(({ name }, index) => [name, of.values[index]]));
+  const title = withChanges(known.title, active());
+  const named = { ...known, title };
+  const thin = beside.map(({ known: other, other: of, place }) => ({ known: { ...other, title: withChanges(other.title, of) }, place }));
+  const side = drawSide(title, map(known), beside.map(({ known: other, place }) => ({ values: map(other), place })), widthOf("eigenvalues"));
+  at("side").hidden = side === undefined;
+  drawing("side").innerHTML = side ?? "";
+  drawing("eigenvalues").innerHTML = drawCurves(named, thin, state.speed, widthOf("eigenvalues"));
+  drawing("locus").innerHTML = drawLocus(named, thin, state.speed, widthOf("locus"));
+  drawing("numbers").innerHTML = drawNumbers(named, state.speed);
+  move(named, thin);
+}
+
+function move(known, beside) {
+  const start = initial(known);
+  const error = at("motion-error");
+  if (document.activeElement !== at("initial")) at("initial").value = start;
+  if (document.activeElement !== at("duration")) at("duration").value = state.duration;
+  at("initial-hint").textContent = `Positions and rates, such as ${usual(coordinatesOf(known))}, or phi=5 deg; with commas between them.`;
+  try {
+    const motion = simulate(active(), start);
+    const others = beside.flatMap(({ known: other, place }) => {
+      try {
+        return [{ motion: simulate(state.designs[place], start), title: other.title, place }];
+      } catch {
+        // Another model may have no such quantities.
+        return [];
+      }
+    });
+    drawing("motion").innerHTML = drawMotion(known.title, motion, others, widthOf("motion"));
+    error.hidden = true;
+  } catch (mistake) {
+    if (!(mistake instanceof Mistake)) throw mistake;
+    Object.assign(error, { textContent: mistake.message, hidden: false });
+  }
+}
+
+function fail(message) {
+  const box = at("error");
+  box.hidden = message === undefined;
+  box.textContent = message ?? "";
+}
+
+const say = (message) => Object.assign(at("status"), { textContent: message });
+
+/** After something other than a value has changed. */
+function changed() {
+  say("");
+  at("address").hidden = true;
+  update();
+}
+
+/** What happens at most once a frame, and what happens when nothing more comes. */
+const schedule = (() => {
+  let frame;
+  let timer;
+  return {
+    update() {
+      frame ??= requestAnimationFrame(() => {
+        frame = undefined;
+        update();
+      });
+    },
+    address() {
+      clearTimeout(timer);
+      timer = setTimeout(() => history.replaceState(null, "", `#${toHash()}`), 150);
+    },
+  };
+})();
+
+function start(base) {
+  state.designs[state.active] = design(base);
+  changed();
+}
+
+function read(label, text) {
+  const added = design({ label, text });
+  const found = analyze(added, state.speed);
+  if (state.designs.length < MOST) state.designs.push(added);
+  else state.designs[state.active] = added;
+  state.active = state.designs.indexOf(added);
+  changed();
+  say(`${found.title} was read from ${label}.`);
+}
+
+function listen() {
+  onBase(start);
+  onFile(read, (message) => {
+    say("");
+    fail(message);
+  });
+  at("speed").addEventListener("input", () => {
+    state.speed = Number(at("speed").value);
+    at("speed-field").value = state.speed;
+    schedule.update();
+  });
+  numberField("speed-field", "speed", (value) => value >= 0, "the speed must be a number >= 0");
+  numberField("duration", "duration", (value) => value > 0 && value <= 60, "the duration must be a number > 0 and <= 60");
+  at("initial").addEventListener("change", () => {
+    state.initial = at("initial").value.trim();
+    changed();
+  });
+  at("start").addEventListener("submit", (event) => event.preventDefault());
+  at("save").addEventListener("submit", keep);
+  at("forget").addEventListener("click", () => {
+    const { label } = active().base;
+    forget(label);
+    showBases(catalogue);
+    changed();
+    say(`${label} is no longer kept in this browser.`);
+  });
+  at("share").addEventListener("click", share);
+  addEventListener("hashchange", () => {
+    if (location.hash === `#${toHash()}`) return;
+    open();
+  });
+  let width;
+  new ResizeObserver(() => {
+    if (width !== undefined && width !== widthOf("eigenvalues")) schedule.update();
+    width = widthOf("eigenvalues");
+  }).observe(at("figures"));
+}
+
+function numberField(id, key, isGood, required) {
+  const field = at(id);
+  field.addEventListener("change", () => {
+    const value = Number(field.value);
+    const good = field.value.trim() !== "" && isGood(value);
+    field.toggleAttribute("aria-invalid", !good);
+    if (!good) return fail(`${required}, but it is \`${field.value}\``);
+    state[key] = value;
+    changed();
+  });
+}
+
+function keep(event) {
+  event.preventDefault();
+  const name = at("name").value.trim();
+  try {
+    if (!name) throw new Error("a name is missing, under which the design is kept");
+    const text = toml(name);
+    save(name, text);
+    showBases(catalogue);
+    start({ label: name, text });
+    say(`${name} is kept in this browser.`);
+  } catch (error) {
+    fail(error.message);
+  }
+}
+
+async function share() {
+  history.replaceState(null, "", `#${toHash()}`);
+  const field = at("address");
+  Object.assign(field, { value: location.href, hidden: false });
+  field.select();
+  try {
+    await navigator.clipboard.writeText(location.href);
+    say("The address is copied: it has all of the designs in it.");
+  } catch {
+    say("This address has all of the designs in it.");
+  }
+}
+
+/** Shows what the address has. */
+function open() {
+  try {
+    fromHash(location.hash);
+  } catch (error) {
+    fromHash("");
+    changed();
+    fail(error.message);
+    return;
+  }
+  changed();
+}
+
+try {
+  await load();
+  catalogue = ask({ ask: "catalogue" }).reply;
+  showBases(catalogue);
+  showDownloads(() => initial(analyze(active(), state.speed)), () => analyze(active(), state.speed).title, fail);
+  listen();
+  open();
+  document.body.dataset.ready = "";
+} catch (error) {
+  fail(`The page cannot start: ${error.message}`);
+  throw error;
+}

@@ -1,0 +1,114 @@
+//! Motions in time.
+
+use carvallo_design::{Design, Failure, Problem};
+use carvallo_plot::analysis::simulation::{Linear, Motion, Nonlinear, Solver, read};
+use serde::{Deserialize, Serialize};
+
+use crate::subject::Subject;
+
+/// The motion that is asked for.
+#[derive(Deserialize)]
+pub struct Asked {
+    /// In m/s.
+    pub speed: f64,
+    /// In s.
+    pub duration: f64,
+    /// How many steps the rows are of.
+    pub steps: u32,
+    /// Positions and rates at the beginning, such as `phi_rate=0.5` or `phi=5 deg`.
+    #[serde(default)]
+    pub initial: Vec<String>,
+    /// Whether by the linear equations, where there are others as well.
+    #[serde(default)]
+    pub is_linear: bool,
+}
+
+/// A motion. The numbers are row by row: the time in s, then the positions of all quantities; where the paths of wheels are
+/// known they are among them, as `x` and `y`.
+#[derive(Serialize)]
+pub struct Told {
+    is_linear: bool,
+    rows: usize,
+    quantities: Vec<Named>,
+    end: Option<String>,
+    notes: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Named {
+    name: &'static str,
+    label: &'static str,
+    unit: &'static str,
+}
+
+/// Simulates a design.
+///
+/// # Errors
+/// Everything that is wrong with the parameters or the state at the beginning, or that there is no motion.
+pub fn simulate(subject: &Subject, asked: &Asked, numbers: &mut Vec<f64>) -> Result<Told, Failure> {
+    let design = subject.load()?;
+    move_by(&design, asked, &mut |motion| {
+        for row in &motion.rows {
+            numbers.push(row.t);
+            numbers.extend(&row.positions);
+        }
+        let named = |quantity: &carvallo_plot::analysis::simulation::Quantity| Named {
+            name: quantity.name,
+            label: quantity.label,
+            unit: quantity.unit,
+        };
+        Ok(Told {
+            is_linear: motion.is_linear,
+            rows: motion.rows.len(),
+            quantities: motion.quantities.iter().map(named).collect(),
+            end: motion.end.clone(),
+            notes: motion.notes.clone(),
+        })
+    })
+}
+
+/// Hands the motion to what tells it.
+///
+/// # Errors
+/// As [`simulate`], or what the teller says.
+pub fn move_by<T>(
+    design: &Design,
+    asked: &Asked,
+    tell: &mut dyn FnMut(&Motion) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let mut told = None;
+    if !asked.is_linear {
+        design.with_machine(&mut |machine| {
+            let motion = solve(&Nonlinear::new(machine), design, asked);
+            told = Some(motion.and_then(|motion| tell(&motion)));
+        });
+    }
+    told.unwrap_or_else(|| tell(&solve(&Linear::new(design), design, asked)?))
+}
+
+fn solve<'a>(solver: &dyn Solver, design: &'a Design, asked: &Asked) -> Result<Motion<'a>, Failure> {
+    let Asked { speed, duration, steps, ref initial, .. } = *asked;
+    let range =
+        |what: &str, value: f64, required: &str| Failure::usage(format!("{what} is {value}; it must be {required}"));
+    if !(duration > 0.0 && duration.is_finite()) {
+        return Err(range("the duration in s", duration, "> 0"));
+    }
+    if !speed.is_finite() {
+        return Err(range("the speed in m/s", speed, "finite"));
+    }
+    let speed = if design.model.depends_on_speed() { speed } else { 0.0 };
+    let given = read(solver, design, initial, &[], duration).map_err(|problems| Failure::Input(nameless(problems)))?;
+    let steps = steps.max(1);
+    let times: Vec<f64> = (0..=steps).map(|step| duration * f64::from(step) / f64::from(steps)).collect();
+    solver.run(design, &given, speed, &times, &|_| {})
+}
+
+/// Without the names of options of the command line, which a page has not.
+fn nameless(mut problems: Vec<Problem>) -> Vec<Problem> {
+    for problem in &mut problems {
+        if let carvallo_design::Place::Option(option) = &mut problem.place {
+            *option = option.trim_start_matches("--initial ").to_owned();
+        }
+    }
+    problems
+}

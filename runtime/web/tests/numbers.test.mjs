@@ -1,0 +1,101 @@
+// The numbers and files of the module against print and against the command line.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { carvallo, engine } from "./command.mjs";
+
+const ask = await engine();
+const shipped = (model, set, changes = []) => ({ model, set, changes });
+const contents = (question) => {
+  const { reply } = ask({ ask: "write", ...question });
+  assert.equal(reply.error, undefined);
+  return reply.contents;
+};
+
+test("the benchmark has the speeds and eigenvalues that are printed", () => {
+  const { reply } = ask({ ask: "analyze", design: shipped("Whipple", "benchmark"), speed: 5 });
+  // Meijaard, Papadopoulos, Ruina & Schwab (2007), section 4 d and table 2.
+  const near = (value, printed) => assert.ok(Math.abs(value - printed) < 1e-12 * Math.abs(printed), `${value}, not ${printed}`);
+  const speed = (name) => reply.critical_speeds.find((critical) => critical.name === name).speed;
+  near(speed("weave"), 4.29238253634111);
+  near(speed("capsize"), 6.02426201538837);
+  near(reply.stable_ranges[0][0], 4.29238253634111);
+  const weave = reply.at_speed.find(({ mode, im }) => mode === "weave" && im > 0);
+  near(weave.re, -0.77534188219585);
+  near(weave.im, 4.46486771378823);
+});
+
+test("files are those of the command line, byte for byte", () => {
+  const { reply: models } = ask({ ask: "catalogue" });
+  assert.ok(models.length >= 5 && models.some(({ name }) => name === "Whipple"));
+  for (const { name: model, sets } of models) {
+    assert.ok(sets.length > 0, model);
+    for (const { name: set } of sets) {
+      const design = shipped(model, set);
+      assert.equal(contents({ design, file: "toml" }), carvallo("show", set, "--model", model), `${model} ${set}`);
+      for (const file of ["json", "csv"]) {
+        assert.equal(contents({ design, file }), carvallo("analyze", set, "--model", model, "--format", file), `${model} ${set}`);
+      }
+    }
+  }
+});
+
+test("values that replace others are those of --set", () => {
+  const design = shipped("Whipple", "pista", [["w", "102 cm"], ["lam", "18 deg"]]);
+  const set = ["--set", "w=102 cm", "--set", "lam=18 deg"];
+  assert.equal(contents({ design, file: "json" }), carvallo("analyze", "pista", ...set, "--format", "json"));
+  assert.equal(contents({ design, file: "toml" }), carvallo("show", "pista", ...set));
+});
+
+test("what is read from a file is what the command line shows of it", () => {
+  const text = carvallo("show", "browser");
+  assert.equal(contents({ design: { label: "mine.toml", text, changes: [] }, file: "toml" }), text);
+  const named = contents({ design: { label: "mine.toml", text, changes: [], name: "my \"own\"" }, file: "toml" });
+  assert.equal(named, text.replace('name = "browser"', 'name = "my \\"own\\""'));
+});
+
+test("the curves go through the eigenvalues of the command line", () => {
+  const { reply, numbers } = ask({ ask: "analyze", design: shipped("Whipple", "benchmark") });
+  const points = reply.panels.flatMap(({ series }) => series).flatMap(({ lengths }) => lengths).reduce((a, b) => a + b, 0);
+  const [count, states] = reply.locus;
+  assert.equal(numbers.length, 2 * points + count * (1 + 3 * states));
+  const analyzed = JSON.parse(carvallo("analyze", "--format", "json"));
+  const sorted = (values) => values.map(({ re, im }) => [re, im]).sort(([a, b], [c, d]) => a - c || b - d);
+  // Curves have points every 0.04 m/s, and the file every 0.1 m/s.
+  for (let row = 0, compared = 0; row < count || assert.equal(compared, 51, "speeds"); row++) {
+    const [speed, ...values] = numbers.subarray(2 * points + row * (1 + 3 * states)).subarray(0, 1 + 3 * states);
+    const there = analyzed.eigenvalues.find((at) => Math.abs(at.speed - speed) < 1e-12);
+    if (!there) continue;
+    compared++;
+    const found = Array.from({ length: states }, (_, index) => ({ re: values[3 * index], im: values[3 * index + 1] }));
+    sorted(found).forEach((value, index) => value.forEach((part, which) => {
+      const expected = sorted(there.values)[index][which];
+      assert.ok(Math.abs(part - expected) <= 1e-9 * Math.max(1, Math.abs(expected)), `at ${speed} m/s: ${part}, not ${expected}`);
+    }));
+  }
+});
+
+test("a motion is that of the command line", () => {
+  const motion = { speed: 4.6, duration: 5, steps: 100, initial: ["phi_rate=0.5"] };
+  const own = contents({ design: shipped("Whipple", "benchmark"), file: "motion csv", motion }).trim().split("\n");
+  const other = carvallo("simulate", "--speed", "4.6", "--duration", "5", "--initial", "phi_rate=0.5", "--format", "csv").trim().split("\n");
+  assert.equal(own[0], other[0]);
+  assert.equal(own.length, 102);
+  own.slice(1).forEach((line, index) => line.split(",").forEach((cell, column) => {
+    const expected = Number(other[index + 1].split(",")[column]);
+    // The steps of the solver depend on powers, which differ in the last bit from machine to machine.
+    assert.ok(Math.abs(Number(cell) - expected) <= 1e-6 * Math.max(1, Math.abs(expected)), `${cell}, not ${expected}`);
+  }));
+});
+
+test("mistakes are told as the command line does", () => {
+  const mistake = (question) => ask(question).reply.error;
+  const design = shipped("Whipple", "benchmark", [["w", "-1"], ["c", "8 kg"]]);
+  assert.match(mistake({ ask: "analyze", design }), /2 problems\n[^]*`w` is -1 m; it must be > 0/);
+  assert.match(mistake({ ask: "analyze", design: { label: "a.toml", text: "w = 1\n", changes: [] } }), /a\.toml: missing: `c`, `lam`/);
+  assert.match(mistake({ ask: "analyze", design: shipped("Whipple", "benchmark"), speed: -1 }), /the speed is -1; it must be >= 0/);
+  const motion = { speed: 5, duration: 5, steps: 10, initial: ["phi_rat=1"] };
+  assert.match(mistake({ ask: "simulate", design: shipped("Whipple", "benchmark"), motion }), /did you mean `phi_rate`\?/);
+  assert.match(mistake({ ask: "nothing" }), /nothing answers `nothing`/);
+});
