@@ -79,7 +79,7 @@ pub type Visitor<'a> = &'a mut dyn FnMut(&dyn Equations) -> Result<(), String>;
 impl Shipped {
     /// A model by its type.
     pub const fn of<const N: usize, M: Model<N, Scalar = f64> + 'static>() -> Self {
-        Self { info: M::INFO, derivation: &Compiled::<N, M>(PhantomData) }
+        Self { info: Compiled::<N, M>::INFO, derivation: &Compiled::<N, M>(PhantomData) }
     }
 
     /// A model by what it tells about itself and what makes its equations of motion.
@@ -183,6 +183,11 @@ impl Shipped {
 
 /// The functions that a declaration was compiled to.
 struct Compiled<const N: usize, M>(PhantomData<fn() -> M>);
+
+impl<const N: usize, M: Model<N, Scalar = f64>> Compiled<N, M> {
+    /// The formulas are for `equations`, and many times as long as all else.
+    const INFO: &'static ModelInfo = if cfg!(feature = "full") { M::INFO } else { &M::INFO.without_formulas() };
+}
 
 impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
     fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {

@@ -18,7 +18,7 @@ pub struct Written {
 ///
 /// - `toml`: the parameters, as `carvallo show` prints them;
 /// - `json` and `csv`: as `carvallo analyze --format` prints them;
-/// - `motion json` and `motion csv`: as `carvallo simulate --format` prints them, with steps of its own.
+/// - `motion csv`: as `carvallo simulate --format` prints it, with steps of its own.
 ///
 /// # Errors
 /// Everything that is wrong with the parameters, or that there is no such file.
@@ -36,7 +36,6 @@ pub fn write(subject: &Subject, kind: &str, asked: Option<&Asked>) -> Result<Wri
             })?
         }
         "motion csv" => move_by(&design, asked()?, &mut |motion| text(|to| data::motion::write_csv(motion, to)))?,
-        "motion json" => move_by(&design, asked()?, &mut |motion| text(|to| data::motion::write_json(motion, to)))?,
         _ => return Err(Failure::usage(format!("there is no file `{kind}`"))),
     };
     Ok(Written { contents })
