@@ -306,6 +306,16 @@ const char *carvallo_message(void);
 const char *carvallo_model_name(size_t index);
 
 /**
+ * The name of a parameter set that ships for a model, or of a bicycle, by its index from 0; NULL beyond the last, and for a
+ * model that there is not. It is valid as long as the program runs.
+ *
+ * # Safety
+ * The text ends with a zero.
+ */
+const char *carvallo_parameters_name(const char *model,
+                                     size_t index);
+
+/**
  * A machine that ships, or from a file.
  *
  * @param[in] model The name of a model, such as "Whipple" or "Motorcycle"; NULL for that which the file names, or else
@@ -349,6 +359,15 @@ void carvallo_machine_free(carvallo_machine_t *machine);
  * It is NULL or a machine.
  */
 size_t carvallo_machine_coordinates(const carvallo_machine_t *machine);
+
+/**
+ * The name of a coordinate, such as "phi", by its index from 0; NULL beyond the last. It is valid as long as the machine.
+ *
+ * # Safety
+ * It is NULL or a machine.
+ */
+const char *carvallo_machine_coordinate_name(const carvallo_machine_t *machine,
+                                             size_t index);
 
 /**
  * The number of states, and of eigenvalues; 0 for NULL.
@@ -422,6 +441,26 @@ carvallo_status_t carvallo_machine_matrix(const carvallo_machine_t *machine,
                                           const char *name,
                                           double *entries,
                                           size_t count);
+
+/**
+ * The matrices A and B of the state-space form x' = A x + B f at one speed. The states x are the positions, then the rates, of
+ * those coordinates that have them; the inputs f are the forces of all coordinates. With p states and n coordinates:
+ *
+ * @param[in] speed The forward speed in m/s.
+ * @param[out] a The entries of A, p rows of p; NULL if they are not wanted.
+ * @param[in] a_count How many: p * p.
+ * @param[out] b The entries of B, p rows of n; NULL if they are not wanted.
+ * @param[in] b_count How many: p * n.
+ *
+ * # Safety
+ * It is NULL or a machine; `a` and `b` are NULL or have room for so many numbers.
+ */
+carvallo_status_t carvallo_state_space(const carvallo_machine_t *machine,
+                                       double speed,
+                                       double *a,
+                                       size_t a_count,
+                                       double *b,
+                                       size_t b_count);
 
 /**
  * The eigenvalues at one speed, in 1/s, sorted by real part, then by imaginary part.
@@ -554,18 +593,16 @@ carvallo_status_t carvallo_stability_verdict(const carvallo_stability_t *stabili
 /**
  * The derivatives of a critical speed with respect to each parameter, exact: in m/s by the unit of the parameter.
  *
- * @param[in] machine The machine, as it was when the stability was asked for.
- * @param[in] stability Its stability.
+ * @param[in] stability The stability of a machine; what was set of the machine since then does not count.
  * @param[in] index Which of its critical speeds, from 0.
  * @param[out] derivatives The derivatives, in the order of the parameters.
  * @param[in] count How many: carvallo_machine_parameters().
  * @return CARVALLO_STATUS_NO_ANSWER if there are none: for a model without derivatives, or where two critical speeds meet.
  *
  * # Safety
- * They are NULL or a machine and an answer; `derivatives` has room for `count` numbers.
+ * It is NULL or an answer; `derivatives` has room for `count` numbers.
  */
-carvallo_status_t carvallo_critical_speed_derivatives(const carvallo_machine_t *machine,
-                                                      const carvallo_stability_t *stability,
+carvallo_status_t carvallo_critical_speed_derivatives(const carvallo_stability_t *stability,
                                                       size_t index,
                                                       double *derivatives,
                                                       size_t count);

@@ -1,7 +1,8 @@
 //! Many designs of one machine, by columns of parameters, on several threads.
 
-use std::mem::MaybeUninit;
+use std::mem::{self, MaybeUninit};
 use std::num::NonZero;
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use carvallo_design::Equations;
@@ -87,33 +88,41 @@ impl Designs<'_> {
         let cores = || thread::available_parallelism().map_or(1, NonZero::get);
         let threads = if self.threads == 0 { cores() } else { self.threads.min(MOST) };
         let share = self.count.div_ceil(threads).max(LEAST);
-        thread::scope(|scope| {
-            let mut rows = rows;
-            for (part, answers) in answers.chunks_mut(share).enumerate() {
-                let (mine, others) = rows.split_at_mut((answers.len() * width).min(rows.len()));
-                rows = others;
-                let (compute, failed) = (&compute, &failed);
-                let mut work = move || {
-                    let mut values = self.machine.values.clone();
-                    for (index, answer) in answers.iter_mut().enumerate() {
-                        for (place, column) in &self.columns {
-                            values[*place] = column[part * share + index];
-                        }
-                        let row = mine.get_mut(index * width..(index + 1) * width).unwrap_or_default();
-                        row.iter_mut().for_each(|place| {
-                            place.write(B::EMPTY);
-                        });
-                        let found =
-                            self.machine.with_values(&values, |equations, gravity| compute(equations, gravity, row));
-                        answer.write(found.unwrap_or_else(|failure| failed(failure.status)));
+        let mut rows = rows;
+        let parts = answers.chunks_mut(share).enumerate().map(|(part, answers)| {
+            let (mine, others) = mem::take(&mut rows).split_at_mut(answers.len() * width);
+            rows = others;
+            (part * share, answers, mine)
+        });
+        let parts: Vec<_> = parts.collect();
+        let workers = parts.len();
+        let parts = Mutex::new(parts.into_iter());
+        let next = || parts.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let work = || {
+            let mut values = self.machine.values.clone();
+            while let Some((first, answers, rows)) = next() {
+                for (index, answer) in answers.iter_mut().enumerate() {
+                    for (place, column) in &self.columns {
+                        values[*place] = column[first + index];
                     }
-                };
-                if share >= self.count {
-                    work();
-                } else {
-                    scope.spawn(work);
+                    let row = &mut rows[index * width..(index + 1) * width];
+                    row.iter_mut().for_each(|place| {
+                        place.write(B::EMPTY);
+                    });
+                    let found =
+                        self.machine.with_values(&values, |equations, gravity| compute(equations, gravity, row));
+                    answer.write(found.unwrap_or_else(|failure| failed(failure.status)));
                 }
             }
+        };
+        thread::scope(|scope| {
+            for _ in 1..workers {
+                // Where the system gives no more threads, those that there are do all of it.
+                if thread::Builder::new().spawn_scoped(scope, work).is_err() {
+                    break;
+                }
+            }
+            work();
         });
     }
 }

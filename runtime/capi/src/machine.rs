@@ -11,6 +11,7 @@ use carvallo_design::{Equations, MODELS, Shape, Shipped, matrices, parameter};
 
 use crate::failure::{Failure, c_text};
 use crate::types::CarvalloStatus::{Invalid, NoAnswer, UnknownName, WrongSize};
+use crate::types::Stability;
 
 /// A machine: a model that ships with values of its parameters, or matrices that are given. The parameters of the latter are
 /// the entries, such as `M_12`, and `g`.
@@ -20,11 +21,25 @@ pub struct Machine {
     pub(crate) values: Vec<f64>,
     names: Vec<CString>,
     units: Vec<CString>,
+    coordinates: Vec<CString>,
 }
 
 /// The names of all models, as C has them.
 pub static NAMES: LazyLock<Vec<CString>> =
     LazyLock::new(|| MODELS.iter().map(|model| c_text(model.info.name)).collect());
+
+/// The names of what ships for each model, as C has them.
+static SETS: LazyLock<Vec<Vec<CString>>> = LazyLock::new(|| {
+    let of_model = |model: &Shipped| input::names(model).into_iter().map(c_text).collect();
+    MODELS.iter().map(of_model).collect()
+});
+
+/// The names of what ships for a model.
+pub fn sets(model: &str) -> Result<&'static [CString], Failure> {
+    let model = Shipped::called(model).map_err(|message| Failure::new(UnknownName, message))?;
+    let position = MODELS.iter().position(|other| other.is_called(model.info.name));
+    Ok(position.map_or(&[], |position| &SETS[position]))
+}
 
 impl Machine {
     /// A model with what ships for it, or with what a file has.
@@ -57,7 +72,8 @@ impl Machine {
     fn new(model: &'static Shipped, values: Vec<f64>) -> Self {
         let parameters = model.info.parameters.iter();
         let (names, units) = parameters.map(|parameter| (c_text(parameter.name), c_text(parameter.unit))).unzip();
-        Self { model, values, names, units }
+        let coordinates = model.info.coordinates.iter().map(|coordinate| c_text(coordinate.name)).collect();
+        Self { model, values, names, units, coordinates }
     }
 
     /// The place of a parameter.
@@ -71,6 +87,14 @@ impl Machine {
         found.map(|(name, unit)| [name, unit]).ok_or_else(|| {
             let count = self.names.len();
             Failure::new(WrongSize, format!("the parameter {position} is asked for; there are {count}, from 0"))
+        })
+    }
+
+    /// The name of a coordinate.
+    pub fn coordinate(&self, position: usize) -> Result<&CString, Failure> {
+        self.coordinates.get(position).ok_or_else(|| {
+            let count = self.coordinates.len();
+            Failure::new(WrongSize, format!("the coordinate {position} is asked for; there are {count}, from 0"))
         })
     }
 
@@ -145,13 +169,25 @@ impl Machine {
         self.with_values(&self.values, |equations, gravity| Ok(equations.eigenvectors(speed, gravity, values)?))
     }
 
-    /// The critical speeds and stable ranges.
-    pub fn stability(&self) -> Result<carvallo::Stability, Failure> {
-        self.with_values(&self.values, |equations, gravity| Ok(equations.stability(gravity)?))
+    /// The matrices A and B of the state-space form at a speed, row by row.
+    pub fn state_space(&self, speed: f64) -> Result<[Vec<f64>; 2], Failure> {
+        self.with_values(&self.values, |equations, gravity| Ok(equations.state_space(speed, gravity)?))
     }
 
-    /// The derivatives of a critical speed with respect to each parameter.
-    pub fn derivatives(&self, critical: &carvallo::CriticalSpeed) -> Result<Vec<f64>, Failure> {
+    /// The critical speeds and stable ranges.
+    pub fn stability(&self) -> Result<Stability, Failure> {
+        let found = self.with_values(&self.values, |equations, gravity| Ok(equations.stability(gravity)?))?;
+        Ok(Stability::new(self.model, self.values.clone(), found))
+    }
+}
+
+impl Stability {
+    /// The derivatives of a critical speed, by its index, with respect to each parameter.
+    pub fn derivatives(&self, index: usize) -> Result<Vec<f64>, Failure> {
+        let critical = self.found.critical_speeds.get(index).ok_or_else(|| {
+            let count = self.found.critical_speeds.len();
+            Failure::new(WrongSize, format!("the critical speed {index} is asked for; there are {count}, from 0"))
+        })?;
         let no_answer = |message: String| Failure::new(NoAnswer, message);
         let sensitivity = self.model.sensitivity(&self.values).map_err(no_answer)?;
         match sensitivity.critical_speed(critical)? {

@@ -3,6 +3,7 @@
 use std::ffi::c_char;
 
 use carvallo::{Change, CriticalKind, StableRange, States, UndecidedRange, Verdict};
+use carvallo_design::Shipped;
 
 /// What became of a call. carvallo_message() says more.
 #[repr(C)]
@@ -170,15 +171,20 @@ pub struct Summary {
 /// Critical speeds and stable ranges of a machine, as it was when they were asked for.
 #[derive(Debug)]
 pub struct Stability {
+    pub(crate) model: &'static Shipped,
+    pub(crate) values: Vec<f64>,
     pub(crate) found: carvallo::Stability,
     pub(crate) critical_speeds: Vec<CriticalSpeed>,
     pub(crate) stable_ranges: Vec<Range>,
     pub(crate) undecided: Vec<Range>,
 }
 
-impl From<carvallo::Stability> for Stability {
-    fn from(found: carvallo::Stability) -> Self {
+impl Stability {
+    /// What was found for a model with these values of its parameters.
+    pub(crate) fn new(model: &'static Shipped, values: Vec<f64>, found: carvallo::Stability) -> Self {
         Self {
+            model,
+            values,
             critical_speeds: found.critical_speeds.iter().map(CriticalSpeed::from).collect(),
             stable_ranges: found.stable_ranges.iter().copied().map(Range::from).collect(),
             undecided: found.undecided.iter().copied().map(Range::from).collect(),

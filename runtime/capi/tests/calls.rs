@@ -141,8 +141,7 @@ fn derivatives_of_critical_speeds_are_those_of_differences() {
         let speeds = carvallo_stability_critical_speeds(stability, &raw mut count);
         let weave = (0..count).find(|index| (*speeds.add(*index)).kind == CarvalloKind::Weave).expect("weave");
         let mut derivatives = vec![0.0; parameters];
-        let status =
-            carvallo_critical_speed_derivatives(machine.0, stability, weave, derivatives.as_mut_ptr(), parameters);
+        let status = carvallo_critical_speed_derivatives(stability, weave, derivatives.as_mut_ptr(), parameters);
         assert_eq!(status, CarvalloStatus::Ok, "{}", message());
         carvallo_stability_free(stability);
         let name = |index| CStr::from_ptr(carvallo_machine_parameter_name(machine.0, index));
@@ -161,6 +160,45 @@ fn derivatives_of_critical_speeds_are_those_of_differences() {
     };
     let (below, above) = (weave_at(-1e-5), weave_at(1e-5));
     assert!(((above - below) / 2e-5 - derivative).abs() < 1e-7, "{derivative}");
+}
+
+/// Divided by hand: the mass matrix is diagonal, and the second coordinate has no rate.
+#[test]
+fn state_space_is_the_equations_solved_for_the_rates() {
+    let (m, c0) = ([2.0, 0.0, 0.0, 0.0], [3.0, 0.0, 0.0, 4.0]);
+    let kc = [5.0, 6.0, 7.0, 8.0];
+    let states = [CarvalloStates::Both as i32, CarvalloStates::Position as i32];
+    let given = Matrices { c0: c0.as_ptr(), kc: kc.as_ptr(), states: states.as_ptr(), ..matrices(2, &m) };
+    let machine = Owned::of_matrices(&given).expect("a machine");
+    let (mut a, mut b) = ([9.0; 9], [9.0; 6]);
+    // SAFETY: as many as there are.
+    let status = unsafe { carvallo_state_space(machine.0, 1.0, a.as_mut_ptr(), 9, b.as_mut_ptr(), 6) };
+    assert_eq!(status, CarvalloStatus::Ok, "{}", message());
+    assert_eq!(a, [0.0, 0.0, 1.0, -1.75, -2.0, 0.0, -2.5, -3.0, -1.5]);
+    assert_eq!(b, [0.0, 0.0, 0.0, 0.25, 0.5, 0.0]);
+}
+
+/// What is found stays what it is when the machine changes; and names are those of the paper.
+#[test]
+fn derivatives_are_of_the_machine_that_was_asked() {
+    let machine = Owned::new(c"Whipple", None);
+    // SAFETY: as many as there are, and texts are valid.
+    unsafe {
+        let mut stability = null_mut();
+        assert_eq!(carvallo_stability_new(machine.0, &raw mut stability), CarvalloStatus::Ok);
+        let count = carvallo_machine_parameters(machine.0);
+        let [mut before, mut after] = [(); 2].map(|()| vec![0.0; count]);
+        let ask = |out: &mut Vec<f64>| carvallo_critical_speed_derivatives(stability, 1, out.as_mut_ptr(), count);
+        assert_eq!(ask(&mut before), CarvalloStatus::Ok, "{}", message());
+        assert_eq!(carvallo_machine_set(machine.0, c"w".as_ptr(), 1.3), CarvalloStatus::Ok);
+        assert_eq!(ask(&mut after), CarvalloStatus::Ok, "{}", message());
+        assert!(before == after && before.iter().any(|&derivative| derivative != 0.0));
+        carvallo_stability_free(stability);
+        let names = [0, 1].map(|index| CStr::from_ptr(carvallo_machine_coordinate_name(machine.0, index)));
+        assert_eq!(names, [c"phi", c"delta"]);
+        let first = carvallo_parameters_name(c"whipple".as_ptr(), 0);
+        assert_eq!(CStr::from_ptr(first), c"benchmark");
+    }
 }
 
 #[test]

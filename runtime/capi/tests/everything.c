@@ -55,6 +55,31 @@ static void ask(carvallo_machine_t *machine)
     EXPECT(OK, carvallo_eigenvectors(machine, 3.0, values, states, right, left, states * n));
     EXPECT(OK, carvallo_eigenvectors(machine, 3.0, values, states, NULL, NULL, states * n));
     EXPECT(WRONG_SIZE, carvallo_eigenvectors(machine, 3.0, values, 1, right, left, states * n));
+    double *const a = room(states * states, sizeof *a);
+    double *const b = room(states * n, sizeof *b);
+    EXPECT(OK, carvallo_state_space(machine, 3.0, a, states * states, b, states * n));
+    EXPECT(OK, carvallo_state_space(machine, 3.0, NULL, 0, b, states * n));
+    EXPECT(OK, carvallo_state_space(machine, 3.0, a, states * states, NULL, 0));
+    EXPECT(WRONG_SIZE, carvallo_state_space(machine, 3.0, a, states, b, states * n));
+    EXPECT(WRONG_SIZE, carvallo_state_space(machine, 3.0, a, states * states, b, (states * n) + 1U));
+    EXPECT(NO_ANSWER, carvallo_state_space(machine, HUGE_VAL, a, states * states, b, states * n));
+    /* The sum of the eigenvalues is the trace of A. */
+    double sum = 0.0;
+    double size = 1.0;
+    for (size_t i = 0; i < states; i++) {
+        sum += a[(i * states) + i] - values[i].re;
+        size += fabs(a[(i * states) + i]) + fabs(values[i].re) + fabs(values[i].im);
+    }
+    if (!(fabs(sum) < (1e-9 * size))) {
+        printf("the trace of A is off by %g\n", sum);
+        failures++;
+    }
+    free(a);
+    free(b);
+    if ((carvallo_machine_coordinate_name(machine, n - 1U) == NULL) || (carvallo_machine_coordinate_name(machine, n) != NULL)) {
+        puts("not as many names of coordinates as coordinates");
+        failures++;
+    }
     if (memcmp(values, along, states * sizeof *values) != 0) {
         puts("eigenvalues along speeds are others than at one");
         failures++;
@@ -78,13 +103,13 @@ static void ask(carvallo_machine_t *machine)
     EXPECT(NO_ANSWER, carvallo_stability_verdict(stability, -1.0, &verdict));
     const carvallo_critical_speed_t *const critical = carvallo_stability_critical_speeds(stability, &count);
     for (size_t i = 0; i < count; i++) {
-        const carvallo_status_t status = carvallo_critical_speed_derivatives(machine, stability, i, derivatives, parameters);
+        const carvallo_status_t status = carvallo_critical_speed_derivatives(stability, i, derivatives, parameters);
         if (!isfinite(critical[i].speed) || ((status != CARVALLO_STATUS_OK) && (status != CARVALLO_STATUS_NO_ANSWER))) {
             printf("critical speed %g: %s\n", critical[i].speed, carvallo_message());
             failures++;
         }
     }
-    EXPECT(WRONG_SIZE, carvallo_critical_speed_derivatives(machine, stability, count, derivatives, parameters));
+    EXPECT(WRONG_SIZE, carvallo_critical_speed_derivatives(stability, count, derivatives, parameters));
     carvallo_stability_free(stability);
     free(derivatives);
 
@@ -141,14 +166,16 @@ static void ask_nobody(void)
     EXPECT(NULL_POINTER, carvallo_eigenvalues(NULL, 1.0, NULL, 0));
     EXPECT(NULL_POINTER, carvallo_eigenvalues_along(NULL, NULL, 0, NULL, 0));
     EXPECT(NULL_POINTER, carvallo_eigenvectors(NULL, 1.0, NULL, 0, NULL, NULL, 0));
+    EXPECT(NULL_POINTER, carvallo_state_space(NULL, 1.0, NULL, 0, NULL, 0));
     EXPECT(NULL_POINTER, carvallo_stability_new(NULL, &stability));
     EXPECT(NULL_POINTER, carvallo_stability_verdict(NULL, 1.0, &verdict));
-    EXPECT(NULL_POINTER, carvallo_critical_speed_derivatives(NULL, NULL, 0, NULL, 0));
+    EXPECT(NULL_POINTER, carvallo_critical_speed_derivatives(NULL, 0, NULL, 0));
     EXPECT(NULL_POINTER, carvallo_batch_eigenvalues(NULL, NULL, 0, 0, 1.0, 0, NULL, 0, NULL));
     EXPECT(NULL_POINTER, carvallo_batch_stability(NULL, NULL, 0, 0, 0, NULL, NULL, 0));
     if ((carvallo_machine_coordinates(NULL) != 0U) || (carvallo_machine_states(NULL) != 0U) ||
         (carvallo_machine_parameters(NULL) != 0U) || (carvallo_machine_parameter_name(NULL, 0) != NULL) ||
-        (carvallo_machine_parameter_unit(NULL, 0) != NULL) ||
+        (carvallo_machine_parameter_unit(NULL, 0) != NULL) || (carvallo_machine_coordinate_name(NULL, 0) != NULL) ||
+        (carvallo_parameters_name(NULL, 0) != NULL) || (carvallo_parameters_name("Wipple", 0) != NULL) ||
         (carvallo_stability_critical_speeds(NULL, &count) != NULL) ||
         (carvallo_stability_stable_ranges(NULL, NULL) != NULL) ||
         (carvallo_stability_undecided(NULL, &count) != NULL) || (strlen(carvallo_version()) == 0U)) {
@@ -199,6 +226,11 @@ int main(void)
         EXPECT(OK, carvallo_machine_new(carvallo_model_name(i), NULL, &machine));
         ask(machine);
         carvallo_machine_free(machine);
+        /* What is listed can be had. */
+        for (size_t j = 0; carvallo_parameters_name(carvallo_model_name(i), j) != NULL; j++) {
+            EXPECT(OK, carvallo_machine_new(carvallo_model_name(i), carvallo_parameters_name(carvallo_model_name(i), j), &machine));
+            carvallo_machine_free(machine);
+        }
     }
     ask_matrices(1);
     ask_matrices(2);

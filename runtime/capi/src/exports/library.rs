@@ -3,8 +3,9 @@
 use std::ffi::c_char;
 use std::ptr;
 
-use crate::failure;
-use crate::machine::NAMES;
+use crate::failure::{self, value_or};
+use crate::machine::{NAMES, sets};
+use crate::pointers::text;
 
 /// The version of the library, such as "0.1.0".
 // The name is one that nothing else in a program has: all begin with `carvallo_`. That holds for all of these functions.
@@ -25,4 +26,19 @@ pub extern "C" fn carvallo_message() -> *const c_char {
 #[unsafe(no_mangle)]
 pub extern "C" fn carvallo_model_name(index: usize) -> *const c_char {
     NAMES.get(index).map_or(ptr::null(), |name| name.as_ptr())
+}
+
+/// The name of a parameter set that ships for a model, or of a bicycle, by its index from 0; NULL beyond the last, and for a
+/// model that there is not. It is valid as long as the program runs.
+///
+/// # Safety
+/// The text ends with a zero.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carvallo_parameters_name(model: *const c_char, index: usize) -> *const c_char {
+    value_or(ptr::null(), || {
+        // SAFETY: the caller promises it.
+        let model = unsafe { text(model, "model") }?;
+        let sets = sets(model)?;
+        Ok(sets.get(index).map_or(ptr::null(), |name| name.as_ptr()))
+    })
 }

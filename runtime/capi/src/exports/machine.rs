@@ -112,6 +112,16 @@ pub unsafe extern "C" fn carvallo_machine_coordinates(machine: *const Machine) -
     value_or(0, || Ok(unsafe { shared(machine, "machine") }?.model.info.coordinates.len()))
 }
 
+/// The name of a coordinate, such as "phi", by its index from 0; NULL beyond the last. It is valid as long as the machine.
+///
+/// # Safety
+/// It is NULL or a machine.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carvallo_machine_coordinate_name(machine: *const Machine, index: usize) -> *const c_char {
+    // SAFETY: the caller promises it.
+    value_or(ptr::null(), || Ok(unsafe { shared(machine, "machine") }?.coordinate(index)?.as_ptr()))
+}
+
 /// The number of states, and of eigenvalues; 0 for NULL.
 ///
 /// # Safety
@@ -219,6 +229,53 @@ pub unsafe extern "C" fn carvallo_machine_matrix(
         let size = machine.model.info.coordinates.len();
         require_count("count", count, size * size, "the entries of the matrix")?;
         fill(entries, machine.matrix(name)?);
+        Ok(())
+    })
+}
+
+/// The matrices A and B of the state-space form x' = A x + B f at one speed. The states x are the positions, then the rates, of
+/// those coordinates that have them; the inputs f are the forces of all coordinates. With p states and n coordinates:
+///
+/// @param[in] speed The forward speed in m/s.
+/// @param[out] a The entries of A, p rows of p; NULL if they are not wanted.
+/// @param[in] a_count How many: p * p.
+/// @param[out] b The entries of B, p rows of n; NULL if they are not wanted.
+/// @param[in] b_count How many: p * n.
+///
+/// # Safety
+/// It is NULL or a machine; `a` and `b` are NULL or have room for so many numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carvallo_state_space(
+    machine: *const Machine,
+    speed: f64,
+    a: *mut f64,
+    a_count: usize,
+    b: *mut f64,
+    b_count: usize,
+) -> CarvalloStatus {
+    answer(|| {
+        // SAFETY: the caller promises what this points to.
+        let machine = unsafe { shared(machine, "machine") }?;
+        let states = machine.model.eigenvalues();
+        let inputs = machine.model.info.coordinates.len();
+        let mut wanted = Vec::new();
+        for (pointer, count, expected, names, what) in [
+            (a, a_count, states * states, ["a", "a_count"], "the entries of A"),
+            (b, b_count, states * inputs, ["b", "b_count"], "the entries of B"),
+        ] {
+            if pointer.is_null() {
+                wanted.push(None);
+                continue;
+            }
+            require_count(names[1], count, expected, what)?;
+            // SAFETY: the same.
+            wanted.push(Some(unsafe { room(pointer, count, names[0]) }?));
+        }
+        for (place, entries) in wanted.into_iter().zip(machine.state_space(speed)?) {
+            if let Some(place) = place {
+                fill(place, entries);
+            }
+        }
         Ok(())
     })
 }

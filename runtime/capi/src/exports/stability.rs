@@ -2,7 +2,7 @@
 
 use std::ptr;
 
-use crate::failure::{Failure, answer, value_or};
+use crate::failure::{answer, value_or};
 use crate::machine::Machine;
 use crate::pointers::{exclusive, fill, require_count, room, shared};
 use crate::types::{CarvalloStatus, CarvalloVerdict, CriticalSpeed, Range, Stability};
@@ -26,7 +26,7 @@ pub unsafe extern "C" fn carvallo_stability_new(
         *stability = ptr::null_mut();
         // SAFETY: the same.
         let machine = unsafe { shared(machine, "machine") }?;
-        *stability = Box::into_raw(Box::new(Stability::from(machine.stability()?)));
+        *stability = Box::into_raw(Box::new(machine.stability()?));
         Ok(())
     })
 }
@@ -130,18 +130,16 @@ pub unsafe extern "C" fn carvallo_stability_verdict(
 
 /// The derivatives of a critical speed with respect to each parameter, exact: in m/s by the unit of the parameter.
 ///
-/// @param[in] machine The machine, as it was when the stability was asked for.
-/// @param[in] stability Its stability.
+/// @param[in] stability The stability of a machine; what was set of the machine since then does not count.
 /// @param[in] index Which of its critical speeds, from 0.
 /// @param[out] derivatives The derivatives, in the order of the parameters.
 /// @param[in] count How many: carvallo_machine_parameters().
 /// @return CARVALLO_STATUS_NO_ANSWER if there are none: for a model without derivatives, or where two critical speeds meet.
 ///
 /// # Safety
-/// They are NULL or a machine and an answer; `derivatives` has room for `count` numbers.
+/// It is NULL or an answer; `derivatives` has room for `count` numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carvallo_critical_speed_derivatives(
-    machine: *const Machine,
     stability: *const Stability,
     index: usize,
     derivatives: *mut f64,
@@ -149,16 +147,10 @@ pub unsafe extern "C" fn carvallo_critical_speed_derivatives(
 ) -> CarvalloStatus {
     answer(|| {
         // SAFETY: the caller promises what these pointers point to.
-        let (machine, stability, derivatives) = unsafe {
-            (shared(machine, "machine")?, shared(stability, "stability")?, room(derivatives, count, "derivatives")?)
-        };
-        require_count("count", count, machine.values.len(), "the parameters of the machine")?;
-        let critical = stability.found.critical_speeds.get(index).ok_or_else(|| {
-            let count = stability.found.critical_speeds.len();
-            let message = format!("the critical speed {index} is asked for; there are {count}, from 0");
-            Failure::new(CarvalloStatus::WrongSize, message)
-        })?;
-        fill(derivatives, machine.derivatives(critical)?);
+        let (stability, derivatives) =
+            unsafe { (shared(stability, "stability")?, room(derivatives, count, "derivatives")?) };
+        require_count("count", count, stability.values.len(), "the parameters of the machine")?;
+        fill(derivatives, stability.derivatives(index)?);
         Ok(())
     })
 }
