@@ -27,7 +27,7 @@ pub struct Designs {
 }
 
 /// Numbers of an array.
-type Array<'py, T> = Bound<'py, PyArrayDyn<T>>;
+pub type Array<'py, T> = Bound<'py, PyArrayDyn<T>>;
 
 impl Designs {
     /// # Errors

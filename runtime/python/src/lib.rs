@@ -3,16 +3,20 @@
 //! Here are numbers and columns; what users see is in `python/carvallo/`, which is documented there.
 
 mod at_speeds;
+mod changes;
 mod columns;
 mod critical;
 mod designs;
 mod kernel;
 mod loaded;
+mod modes;
 mod motion;
 mod one;
 mod parts;
+mod pictures;
 mod sheet;
 mod speeds;
+mod turning;
 
 use carvallo::Model;
 use carvallo_design::{MODELS, Shipped};

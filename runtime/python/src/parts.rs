@@ -12,10 +12,13 @@ use pyo3::prelude::*;
 /// Between two looks at whether the user pressed Ctrl-C.
 const PATIENCE: Duration = Duration::from_millis(50);
 
+static CORES: OnceLock<usize> = OnceLock::new();
+
 /// Less than this is done at once: other threads would begin when it is over.
 const AT_ONCE: usize = 256;
 
-/// How many threads to use: as many as there are cores, unless it is said.
+/// How many threads to use: as many as there are cores, unless it is said. To ask for the cores takes longer than the eigenvalues of
+/// a design, and is done once.
 ///
 /// # Errors
 /// If it is said to be none.
@@ -23,7 +26,7 @@ pub fn threads(asked: Option<usize>) -> PyResult<usize> {
     match asked {
         Some(0) => Err(PyValueError::new_err("`threads` is 0; it must be >= 1")),
         Some(threads) => Ok(threads),
-        None => Ok(thread::available_parallelism().map_or(1, |cores| cores.get())),
+        None => Ok(*CORES.get_or_init(|| thread::available_parallelism().map_or(1, |cores| cores.get()))),
     }
 }
 

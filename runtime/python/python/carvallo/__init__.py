@@ -16,11 +16,14 @@ with a unit, as ``"18 deg"``. What is wrong is a ValueError that says so in the 
 from typing import TYPE_CHECKING
 
 from ._carvallo import __version__
-from .design import Design, Eigenvectors, StateSpace, System, read
+from .design import Design, Eigenvectors, Modes, StateSpace, System, read
 from .model import Coordinate, Model, Parameter, models
 from .motion import Motion
+from .pictures import Picture
+from .sensitivity import CriticalDerivatives, Sensitivity
 from .stability import CriticalSpeed, Range, Stability
 from .tables import stability
+from .turns import SteadyTurns, Turns
 
 globals().update(models())
 
@@ -31,16 +34,22 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Coordinate",
+    "CriticalDerivatives",
     "CriticalSpeed",
     "Design",
     "Eigenvectors",
     "Model",
+    "Modes",
     "Motion",
     "Parameter",
+    "Picture",
     "Range",
+    "Sensitivity",
     "Stability",
     "StateSpace",
+    "SteadyTurns",
     "System",
+    "Turns",
     "__version__",
     "models",
     "read",

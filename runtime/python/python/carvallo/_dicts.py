@@ -58,3 +58,30 @@ class Told(TypedDict):
     contact_forces: NDArray[np.float64]
     end: str | None
     notes: list[str]
+
+
+class Derivatives(TypedDict):
+    """The derivatives of a critical speed with respect to each parameter, or the reason why it has none."""
+
+    name: str
+    speed: float
+    eigenvalue: complex
+    by: list[float]
+    eigenvalue_by: list[complex]
+    deviation: float | None
+    shares: list[float] | None
+    reason: str | None
+
+
+class Curve(TypedDict):
+    """A curve of turns; lists run over the turns."""
+
+    capsize: float | None
+    begin: str
+    end: str
+    speed: list[float]
+    radius: list[float | None]
+    verdict: list[str]
+    eigenvalues: list[list[complex]]
+    positions: list[tuple[str, list[float]]]
+    rates: list[tuple[str, list[float]]]

@@ -14,7 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 from . import _carvallo
 from ._dicts import About, Loaded
 from .motion import Force, Motion, simulate
+from .pictures import Picture
+from .sensitivity import Sensitivity
 from .stability import CriticalSpeed, Range, Stability, stability_of
+from .turns import SteadyTurns, turns_of
 
 if TYPE_CHECKING:
     from .model import Model
@@ -51,6 +54,16 @@ class Eigenvectors(NamedTuple):
     left: NDArray[np.complex128]
     """Of the same shape: the y with ``y^H (s^2 M + s C + K) = 0``, scaled by ``y^H (2 s M + C) x = 1``, so that an impulse f
     excites the mode by ``y^H f``."""
+
+
+class Modes(NamedTuple):
+    """Eigenvalues with the names of their modes."""
+
+    values: NDArray[np.complex128]
+    """In 1/s, of shape (speeds…, states), in the order of the modes: each is continuous along the speeds."""
+    names: NDArray[np.str_]
+    """Of the same shape: ``castering``, ``capsize``, ``weave``, ``wobble``, of machines that do not lean and steer ``divergence``
+    and ``flutter``, and ``real`` or ``oscillatory`` where there is no name."""
 
 
 class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
@@ -274,6 +287,53 @@ class Design(Mapping[str, Union[float, NDArray[np.float64]]]):
         whether an eigenvalue crosses the imaginary axis: nearly always none."""
         return tuple(Range(*ends) for ends in self._one().critical()[3])
 
+    def modes(self, v: ArrayLike = 0.0) -> Modes:
+        """The eigenvalues of one design at forward speeds from 0 in m/s, followed mode by mode, with their names."""
+        values, names = self._one().modes(self._about, v)
+        return Modes(values, np.array(names).reshape(values.shape))
+
+    def sensitivity(self) -> Sensitivity:
+        """How the critical speeds of one design change with its parameters, and what their standard deviations make of them.
+
+        Raises
+        ------
+        ValueError
+            If the model was compiled without derivatives.
+        """
+        return Sensitivity(self)
+
+    def turns(self, steer: ArrayLike | None = None) -> SteadyTurns:
+        """The circles that one design runs in hands free: a curve from each capsize speed, and others. With ``steer`` in rad only
+        the turns with that steer, or those steers.
+
+        Raises
+        ------
+        ValueError
+            If the model has no nonlinear equations, or there are no turns.
+        """
+        return turns_of(self, steer)
+
+    def plot(self, v: tuple[float, float] | None = None, values: tuple[float, float] | None = None) -> Picture:
+        """The eigenvalues of one design against the forward speed: between two speeds in m/s, or as far as there is something to
+        see; and between two values in 1/s."""
+        return Picture(self._one().eigenvalues_svg(self._about, v, values))
+
+    def side_view(self) -> Picture:
+        """The side view of a bicycle, to scale.
+
+        Raises
+        ------
+        ValueError
+            If the model is none of a bicycle.
+        """
+        svg = self._one().side_view_svg(self._about)
+        if svg is None:
+            raise ValueError(f"{self.model.name} {self.name} has no side view: it takes the parameters of a bicycle")
+        return Picture(svg)
+
+    def _repr_svg_(self) -> str | None:
+        return None if self.shape else self.plot().svg
+
     def simulate(self, v: float = 0.0, duration: float | None = None, *, times: ArrayLike | None = None,
                  initial: Mapping[str, float | str] | None = None, forces: Mapping[str, Force] | None = None,
                  linear: bool = False) -> Motion:
@@ -351,4 +411,4 @@ def read(path: str | os.PathLike[str]) -> Design:
     return Design._loaded(model, loaded)
 
 
-__all__ = ["Design", "Eigenvectors", "StateSpace", "System", "Value", "read"]
+__all__ = ["Design", "Eigenvectors", "Modes", "StateSpace", "System", "Value", "read"]
