@@ -34,7 +34,9 @@ print("done")
 @pytest.mark.skipif("CARVALLO_TEST_TEMPLATE" not in os.environ, reason="it builds Symbolica: set CARVALLO_TEST_TEMPLATE")
 def test_a_model_of_ones_own(tmp_path):
     install = [sys.executable, "-m", "pip", "install", "--no-build-isolation", "--no-deps", "--target", tmp_path, TEMPLATE]
-    environment = os.environ | {"CARGO_TARGET_DIR": str(TEMPLATE.parents[2] / "target" / "template")}
+    # Where the interpreter is, maturin is.
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    environment = os.environ | {"CARGO_TARGET_DIR": str(TEMPLATE.parents[2] / "target" / "template"), "PATH": path}
     # Without optimization, which a test does not need.
     subprocess.run([*install, "--config-settings=build-args=--profile=dev"], check=True, env=environment)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(tmp_path), str(Path(carvallo.__file__).parents[1])])}
