@@ -17,9 +17,9 @@ import math, pickle
 from coin import Coin
 euro = Coin("euro")
 (marginal,) = euro.marginal_ranges()
-# sqrt(g r / 3), of textbooks.
+# sqrt(g r / 3), of textbooks. States are the lean, its rate and that of the yaw.
 assert abs(marginal.start - math.sqrt(9.81 * 0.011625 / 3)) < 1e-12, marginal
-assert euro.replace(r=[0.01, 0.02]).eigenvalues(0.3).shape == (2, 4)
+assert euro.replace(r=[0.01, 0.02]).eigenvalues(0.3).shape == (2, 3)
 assert pickle.loads(pickle.dumps(euro)) == euro
 try:
     Coin("euro", r=-1)
