@@ -57,10 +57,10 @@ impl<const N: usize> Units<N> {
     fn of_mass(m: &Matrix<f64, N>) -> Result<Self, SystemError> {
         let (mut rows, mut columns) = ([0; N], [0; N]);
         for i in 0..N {
-            rows[i] = -(0..N).filter_map(|j| exponent(m[(i, j)])).max().ok_or(SystemError::SingularMass)?;
+            rows[i] = -(0..N).filter_map(|j| exponent(entry(m, i, j))).max().ok_or(SystemError::SingularMass)?;
         }
         for j in 0..N {
-            let largest = (0..N).filter_map(|i| Some(exponent(m[(i, j)])? + rows[i])).max();
+            let largest = (0..N).filter_map(|i| Some(exponent(entry(m, i, j))? + rows[i])).max();
             columns[j] = -largest.ok_or(SystemError::SingularMass)?;
         }
         Ok(Self { rows, columns, time: 0, speed: 0, gravity: 0 })
@@ -69,13 +69,13 @@ impl<const N: usize> Units<N> {
     /// The exponent of the largest entry of a matrix in the units of rows and columns; `None` if all are zero.
     fn largest(&self, matrix: &Matrix<f64, N>) -> Option<i32> {
         let places = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
-        places.filter_map(|(i, j)| Some(exponent(matrix[(i, j)])? + self.rows[i] + self.columns[j])).max()
+        places.filter_map(|(i, j)| Some(exponent(entry(matrix, i, j))? + self.rows[i] + self.columns[j])).max()
     }
 
     /// A matrix that is multiplied by powers of s and of v, and by `2^rest`.
     fn scale(&self, matrix: &Matrix<f64, N>, [s, v]: [i32; 2], rest: i32) -> Matrix<f64, N> {
         let power = v * self.speed - (2 - s) * self.time + rest;
-        Matrix::from_fn(|i, j| ldexp(matrix[(i, j)], self.rows[i] + self.columns[j] + power))
+        Matrix::from_fn(|i, j| ldexp(entry(matrix, i, j), self.rows[i] + self.columns[j] + power))
     }
 
     /// The matrices at one speed, or derivatives of them, in these units.
@@ -106,6 +106,12 @@ impl<const N: usize> Units<N> {
     pub(crate) fn scale_gravity(&self, gravity: f64) -> f64 {
         ldexp(gravity, -self.gravity)
     }
+}
+
+/// An entry, which is always inside. Indexing would link a panic into the programs of microcontrollers, which this does not.
+#[inline(always)]
+fn entry<const N: usize>(matrix: &Matrix<f64, N>, row: usize, column: usize) -> f64 {
+    matrix.get((row, column)).copied().unwrap_or(0.0)
 }
 
 /// The unit of time, from the exponents of the largest damping and the largest stiffness.

@@ -20,9 +20,12 @@ pub(crate) struct Quartic<T = f64> {
 impl Quartic {
     /// The exponent of a power of two that is about the size of the largest root.
     pub(super) fn unit(self) -> i32 {
-        let degrees = [(self.a, 1), (self.b, 2), (self.c, 3), (self.d, 4)];
-        let units = degrees.map(|(x, degree)| exponent(x).map(|e| e.div_euclid(degree) + 1));
-        units.into_iter().flatten().max().unwrap_or(0)
+        // By constants, so that no division by zero is looked for.
+        let a = exponent(self.a).map(|e| e + 1);
+        let b = exponent(self.b).map(|e| e.div_euclid(2) + 1);
+        let c = exponent(self.c).map(|e| e.div_euclid(3) + 1);
+        let d = exponent(self.d).map(|e| e.div_euclid(4) + 1);
+        a.max(b).max(c).max(d).unwrap_or(0)
     }
 }
 

@@ -65,14 +65,16 @@ impl System<2> {
 /// The four eigenvalues, sorted; compiled once, here.
 fn sorted_eigenvalues(system: &System<2>) -> Result<[Complex<f64>; 4], SystemError> {
     let [[s0, s1], [t0, t1]] = system.factored_eigenvalues()?;
-    let mut sorted = [s0, s1, t0, t1];
     // Both halves are in order already; merge them.
-    for [i, j] in [[0, 2], [1, 3], [1, 2]] {
-        if precedes(sorted[j], sorted[i]) {
-            sorted.swap(i, j);
-        }
-    }
-    Ok(sorted)
+    let (first, t0) = ordered(s0, t0);
+    let (s1, last) = ordered(s1, t1);
+    let (second, third) = ordered(s1, t0);
+    Ok([first, second, third, last])
+}
+
+#[inline]
+fn ordered(x: Complex<f64>, y: Complex<f64>) -> (Complex<f64>, Complex<f64>) {
+    if precedes(y, x) { (y, x) } else { (x, y) }
 }
 
 /// The sorted eigenvalues of the equations of motion in each lane, and whether they are as exact as those of the scalar

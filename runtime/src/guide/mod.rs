@@ -4,7 +4,7 @@
 //! documents to the last word, and reads in [`safeguards`] how the compiler looks for mistakes. [`stability`], [`batches`]
 //! and [`sensitivities`] are about what is done with a model, and [`any_model`] about functions of your own that take every
 //! model. [`motions`] lead from a mechanism to a simulation, with a controller in it. Who wants the evaluators of a finished model, in a simulation
-//! or on a microcontroller, needs [`generated_code`] alone, or [`c`] for C and C++, and who has code by hand, or of another generator, finds in
+//! or on a microcontroller, needs [`generated_code`] alone, with [`microcontroller`] for what it takes there, or [`c`] for C and C++, and who has code by hand, or of another generator, finds in
 //! [`comparing`] how to hold one against the other. What [`symbolica`] asks of those who compile models has a page, too.
 //!
 //! The folder `examples` of this crate has small programs that print their results with units:
@@ -26,7 +26,7 @@
 //!
 //! | feature | what it adds |
 //! | --- | --- |
-//! | `std` (default) | everything that allocates: stability along speed, modes, sensitivities, eigenvalues of any number of coordinates; sine and cosine of the platform for `f32` |
+//! | `std` (default) | everything that allocates: stability along speed, modes, sensitivities, eigenvalues of any number of coordinates |
 //! | `batch` (default) | many designs in the lanes of the processor |
 //! | `approx` | coefficients, systems and state spaces in `assert_relative_eq!` and the like of the crate `approx` |
 //! | `rayon` | batches by all cores |
@@ -61,6 +61,8 @@ pub mod motions {}
 pub mod generated_code {}
 #[doc = include_str!("c.md")]
 pub mod c {}
+#[doc = include_str!("microcontroller.md")]
+pub mod microcontroller {}
 #[doc = include_str!("comparing.md")]
 pub mod comparing {}
 #[doc = include_str!("symbolica.md")]

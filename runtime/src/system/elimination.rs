@@ -22,9 +22,9 @@ pub(crate) fn solve_in_place<T: Scalar>(
     terms.iter_mut().zip(&*m).for_each(|(term, entry)| *term = entry.abs());
     for step in 0..size {
         let relative = |row: usize| {
-            let sizes = (step..size).map(|column| m[at(row, column)].abs());
+            let sizes = (step..size).map(|column| entry(m, at(row, column)).abs());
             let largest = sizes.fold(zero, |largest, size| if size > largest { size } else { largest });
-            if largest > zero { m[at(row, step)].abs() / largest } else { zero }
+            if largest > zero { entry(m, at(row, step)).abs() / largest } else { zero }
         };
         let (mut pivot, mut pivot_size) = (step, relative(step));
         for row in step + 1..size {
@@ -35,25 +35,26 @@ pub(crate) fn solve_in_place<T: Scalar>(
         }
         for column in 0..size {
             let (from, to) = (at(pivot, column), at(step, column));
-            m.swap(from, to);
-            terms.swap(from, to);
-            x.iter_mut().for_each(|x| x.as_mut().swap(from, to));
+            swap(m, from, to);
+            swap(terms, from, to);
+            x.iter_mut().for_each(|x| swap(x.as_mut(), from, to));
         }
-        if m[at(step, step)].abs() <= T::from_f64(8.0) * T::EPSILON * terms[at(step, step)] {
+        let divisor = entry(m, at(step, step));
+        if divisor.abs() <= T::from_f64(8.0) * T::EPSILON * entry(terms, at(step, step)) {
             return Err(SystemError::SingularMass);
         }
         for row in (0..size).filter(|&row| row != step) {
-            let factor = m[at(row, step)] / m[at(step, step)];
+            let factor = entry(m, at(row, step)) / divisor;
             for column in step + 1..size {
-                let product = factor * m[at(step, column)];
-                m[at(row, column)] -= product;
-                terms[at(row, column)] += product.abs();
+                let product = factor * entry(m, at(step, column));
+                change(m, at(row, column), |entry| entry - product);
+                change(terms, at(row, column), |term| term + product.abs());
             }
             for x in &mut *x {
                 let x = x.as_mut();
                 for column in 0..size {
-                    let product = factor * x[at(step, column)];
-                    x[at(row, column)] -= product;
+                    let product = factor * entry(x, at(step, column));
+                    change(x, at(row, column), |entry| entry - product);
                 }
             }
         }
@@ -61,10 +62,32 @@ pub(crate) fn solve_in_place<T: Scalar>(
     for x in x {
         let x = x.as_mut();
         for row in 0..size {
+            let divisor = entry(m, at(row, row));
             for column in 0..size {
-                x[at(row, column)] /= m[at(row, row)];
+                change(x, at(row, column), |entry| entry / divisor);
             }
         }
     }
     Ok(())
+}
+
+// Places are always inside. Indexing would link a panic into the programs of microcontrollers, which these do not.
+
+#[inline(always)]
+fn entry<T: Scalar>(matrix: &[T], place: usize) -> T {
+    matrix.get(place).copied().unwrap_or(T::from_f64(0.0))
+}
+
+#[inline(always)]
+fn change<T: Scalar>(matrix: &mut [T], place: usize, to: impl FnOnce(T) -> T) {
+    if let Some(entry) = matrix.get_mut(place) {
+        *entry = to(*entry);
+    }
+}
+
+#[inline(always)]
+fn swap<T: Scalar>(matrix: &mut [T], from: usize, to: usize) {
+    let (first, second) = (entry(matrix, from), entry(matrix, to));
+    change(matrix, from, |_| second);
+    change(matrix, to, |_| first);
 }

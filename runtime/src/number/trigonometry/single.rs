@@ -27,8 +27,14 @@ const LARGE: f32 = 4_194_304.0; // 2^22
 #[cfg_attr(target_feature = "avx512f", inline(never))]
 #[cfg_attr(not(target_feature = "avx512f"), inline(always))]
 pub(crate) fn sin_cos(angle: f32) -> (f32, f32) {
-    let (sin, cos, quarters) = unrounded(angle);
-    let (sin, cos) = (sin.high + sin.low, cos.high + cos.low);
+    let sum = |Sum { high, low }: Sum| high + low;
+    let (sin, cos, rest, quarters) = unrounded(angle);
+    // Once more: without quarter turns, one design after the other then takes no further instruction.
+    if angle.abs() <= FRAC_PI_4 {
+        return (sum(sin), sum(cos));
+    }
+    let (sin, cos) = moved(sin, cos, rest);
+    let (sin, cos) = (sum(sin), sum(cos));
     let (s, c) = if quarters & 1 != 0 { (cos, sin) } else { (sin, cos) };
     let signed = |x: f32, quarters: u32| f32::from_bits(x.to_bits() ^ (quarters & 2) << 30);
     (signed(s, quarters), signed(c, quarters.wrapping_add(1)))
@@ -37,7 +43,8 @@ pub(crate) fn sin_cos(angle: f32) -> (f32, f32) {
 /// The tangent of an angle in rad: up to 1e5 rad to within 1.2 units in the last place, beyond as sine and cosine.
 #[inline]
 pub(crate) fn tan(angle: f32) -> f32 {
-    let (sin, cos, quarters) = unrounded(angle);
+    let (sin, cos, rest, quarters) = unrounded(angle);
+    let (sin, cos) = moved(sin, cos, rest);
     let (sin, cos) = (sin.normalized(), cos.normalized());
     let (s, c) = if quarters & 1 != 0 { (cos.negative(), sin) } else { (sin, cos) };
     let quotient = s.high / c.high;
@@ -76,24 +83,30 @@ impl Sum {
     }
 }
 
-/// Sine and cosine, before their last addition, of an angle less a number of quarter turns, and the last digits of this.
+/// Sine and cosine, before their last addition, of an angle less a number of quarter turns and a small rest; the rest, and the
+/// last digits of the number.
 #[inline(always)]
-fn unrounded(angle: f32) -> (Sum, Sum, u32) {
+fn unrounded(angle: f32) -> (Sum, Sum, f32, u32) {
     let (x, quarters) = if angle.abs() <= FRAC_PI_4 { (Sum { high: angle, low: 0.0 }, 0) } else { reduced(angle) };
-    let (sin, cos) = near_zero(x);
-    (sin, cos, quarters)
+    let (sin, cos) = near_zero(x.high);
+    (sin, cos, x.low, quarters)
 }
 
 /// Those of an angle between -pi/4 and pi/4.
 #[inline(always)]
-fn near_zero(Sum { high: x, low }: Sum) -> (Sum, Sum) {
+fn near_zero(x: f32) -> (Sum, Sum) {
     let z = x * x;
     let s = -0.166_666_55 + z * (0.008_332_161 + z * -0.000_195_152_96);
     let c = 0.041_666_646 + z * (-0.001_388_731_6 + z * 2.443_315_7e-5);
     let half_square = 0.5 * z;
     let most = 1.0 - half_square;
-    let sin = Sum { high: x, low: (x * z) * s + low * most };
-    (sin, Sum { high: most, low: ((1.0 - most) - half_square) + (z * z * c - x * low) })
+    (Sum { high: x, low: (x * z) * s }, Sum { high: most, low: ((1.0 - most) - half_square) + z * z * c })
+}
+
+/// Those of an angle that is larger by a small rest.
+#[inline(always)]
+fn moved(sin: Sum, cos: Sum, rest: f32) -> (Sum, Sum) {
+    (Sum { low: sin.low + rest * cos.high, ..sin }, Sum { low: cos.low - rest * sin.high, ..cos })
 }
 
 /// An angle less the nearest multiple of pi/2, and the number of quarter turns, of which the last two digits count.

@@ -107,7 +107,7 @@ static void near_zero_f32(pair_t angle, pair_t *sine, pair_t *cosine)
     sine->high = x;
     sine->low = ((x * z) * s) + (angle.low * most);
     cosine->high = most;
-    cosine->low = ((1.0F - most) - half_square) + (((z * z) * c) - (x * angle.low));
+    cosine->low = (((1.0F - most) - half_square) + ((z * z) * c)) - (angle.low * x);
 }
 
 static pair_t normalized(pair_t number)
