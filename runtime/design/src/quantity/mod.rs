@@ -6,10 +6,10 @@
 //! | `9.81`, `.5`, `+1`, `5e-1`, `5D-1` | numbers | `D` is Fortran's `e` |
 //! | `−0.9` | -0.9 | the minus sign U+2212, as in typeset tables |
 //! | `pi/10`, `2*(1 + 3)`, `2^-1`, `2**-1` | expressions | `^` and `**` bind as in formulas: `-2^2` is -4 |
-//! | `atan(1/3)`, `math.sqrt(2)`, `np.deg2rad(27)` | functions | with or without `math.`, `np.`, `numpy.`; see [`function`] |
+//! | `atan(1/3)`, `math.sqrt(2)`, `np.deg2rad(27)` | functions | with or without `math.`, `np.`, `numpy.`; see `function.rs` |
 //! | `18 deg`, `18°` | 18 π/180 | within expressions too: `90 deg - atan(3)` |
 //! | `1/2 deg`, `90-72 deg` | 0.5°, 18° | a unit belongs to the whole of what stands before it |
-//! | `1.02 m`, `1.02 [m]`, `102 cm`, `9.81 m/s/s` | in the unit of the parameter | see [`units`]; another quantity is refused |
+//! | `1.02 m`, `1.02 [m]`, `102 cm`, `9.81 m/s/s` | in the unit of the parameter | see `units.rs`; another quantity is refused |
 //! | `2*I_Rxx` | the value of another parameter, or of any name of the file | see `input/scope.rs` |
 //! | `0.08+/-0.001`, `0.08 ± 0.001`, `0.08+-0.001`, `0.08 + - 0.001` | a value and its standard deviation | |
 //! | `(8.0+/-0.1)e-02`, `(85 +/- 5) kg` | the factor or unit belongs to both | as the Python package uncertainties prints |
