@@ -172,7 +172,7 @@ pub fn write<'a>(models: impl Iterator<Item = (&'a Expected, &'a str, &'a str)>)
             } else {
                 format!("PREFIX_KIND_system(&matrices{gravity}, &system)")
             };
-            let derivatives = if expected.has_derivatives && kind == "f64" { DERIVATIVES } else { "" };
+            let derivatives = if expected.has_derivatives { DERIVATIVES } else { "" };
             let kinematics = if expected.has_kinematics { KINEMATICS } else { "" };
             let motions = expected.motions.map(motions).unwrap_or_default();
             let rest = format!("{kinematics}{motions}{derivatives}");

@@ -79,12 +79,7 @@ impl Expected {
         self.coefficients::<f64, N, M>(&model.coefficients(), speed, gravity);
         self.kinematics(values);
         self.motions(values);
-        if let Some((_, derivatives)) = model.derivatives() {
-            self.has_derivatives = true;
-            for (coefficients, parameter) in derivatives.as_ref().iter().zip(M::INFO.parameters) {
-                self.matrices::<f64, N, M>(&format!("derivative by {}", parameter.name), coefficients);
-            }
-        }
+        self.derivatives::<f64, N, M>(&model);
     }
 
     fn design_in_single<const N: usize, M: Model<N, Scalar = f64>>(&mut self, values: &[f64], speed: f64) {
@@ -99,6 +94,35 @@ impl Expected {
         self.coefficients::<f32, N, M>(&coefficients, speed as f32, gravity);
         self.kinematics(&values);
         self.motions(&values);
+        if self.has_derivatives {
+            self.derivatives_in_single(&values);
+        }
+    }
+
+    fn derivatives<T: Bits, const N: usize, M: Model<N, Scalar = T>>(&mut self, model: &M) {
+        if let Some((_, derivatives)) = model.derivatives() {
+            self.has_derivatives = true;
+            for (coefficients, parameter) in derivatives.as_ref().iter().zip(M::INFO.parameters) {
+                self.matrices::<T, N, M>(&format!("derivative by {}", parameter.name), coefficients);
+            }
+        }
+    }
+
+    /// By the name of the model: what is generic over models knows them as models in double precision alone.
+    fn derivatives_in_single(&mut self, values: &[f32]) {
+        macro_rules! of {
+            ($($model:ident)*) => {
+                match self.model {
+                    $(stringify!($model) => {
+                        self.derivatives(&carvallo_models::$model::from_array(values.try_into().expect("as many values")));
+                    })*
+                    other => panic!("{other} has derivatives, and is to be in this list"),
+                }
+            };
+        }
+        of!(BalanceAssist CantileveredPipe Car CarTrailer DoublePendulum FlywheelBicycle JeffcottRotor Motorcycle Pendulum
+            RearSteered RollingDisc Skateboard ThreePipes TowedWheel TwoPipes TypicalSection WheeledPendulum Wheelset Whipple
+            WhippleLeaning WhippleMechanism WhippleSprung WhippleTyres);
     }
 
     /// What is wrong with a design in the numbers T, of which no requirement is so near to a bound that its rounding decides.
