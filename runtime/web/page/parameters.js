@@ -8,7 +8,7 @@ let rows = new Map();
 
 /**
  * Makes the list for a model.
- * @param {(name: string, text: string | undefined, isSlider: boolean) => void} change is told a new value, or that it is the first again
+ * @param {(name: string, text: string | undefined) => void} change is told a new value, or that it is the first again
  */
 export function list(parameters, isBicycle, change) {
   const first = isBicycle ? FIRST : [];
@@ -39,12 +39,12 @@ function row(parameter, isBicycle, change) {
   if (!parameter.used) element.classList.add("unused");
   slider.addEventListener("input", () => {
     field.value = slider.value;
-    change(parameter.name, as.meant(slider.value), true);
+    change(parameter.name, as.meant(slider.value));
   });
-  const typed = () => change(parameter.name, field.value.trim() === "" ? undefined : as.meant(field.value), false);
+  const typed = () => change(parameter.name, field.value.trim() === "" ? undefined : as.meant(field.value));
   field.addEventListener("change", typed);
   reset.addEventListener("click", () => {
-    change(parameter.name, undefined, false);
+    change(parameter.name, undefined);
     slider.focus();
   });
   rows.set(parameter.name, { parameter, as, slider, field, reset, isBicycle });
@@ -56,10 +56,17 @@ export function show(parameters, values, bases, changes) {
   parameters.forEach(({ name }, index) => {
     const { parameter, as, slider, field, reset, isBicycle } = rows.get(name);
     const value = rounded(as.shown(values[index]));
-    if (document.activeElement !== slider) {
+    // Most parameters stay as they are while one slider moves.
+    const key = `${bases[index]} ${value}`;
+    // A slider that is moved keeps its ends.
+    const isMoved = document.activeElement === slider && as.meant(slider.value) === changes[name];
+    if (isMoved) {
+      delete slider.dataset.shown;
+    } else if (slider.dataset.shown !== key) {
       const [low, high, step] = ends(parameter, as.shown, bases[index], value, isBicycle);
       Object.assign(slider, { min: low, max: high, step });
       slider.value = value;
+      slider.dataset.shown = key;
     }
     slider.setAttribute("aria-valuetext", `${value} ${as.unit}`);
     if (document.activeElement !== field) field.value = value;

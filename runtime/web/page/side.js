@@ -2,7 +2,7 @@
 
 import { line, picture, tag, text, through } from "carvallo/svg.js";
 
-const [MARGIN, BELOW] = [14, 52];
+const [MARGIN, BELOW] = [14, 68];
 
 /**
  * @param {Map<string, number>} values the parameters of the chosen design
@@ -86,7 +86,7 @@ function dimensions({ base, trail, tilt }, { place, ground, factor, width }) {
   const arc = tag("path", { d: `M${foot - radius} ${ground}A${radius} ${radius} 0 0 1 ${foot + dx} ${ground + dy}` });
   const written = text((rear + front) / 2, rows[0] - 4, `wheel base w ${short(base)} m`, { "text-anchor": "middle" }) +
     text(Math.min(front, foot) - 8, rows[1] + 4, `trail c ${short(trail)} m`, { "text-anchor": "end" }) +
-    text(width - 6, rows[1] + 4, `head angle ${short(90 - degrees(tilt))}°`, { "text-anchor": "end" });
+    text(width - 6, rows[1] + 22, `head angle ${short(90 - degrees(tilt))}°`, { "text-anchor": "end" });
   return tag("g", { class: "dimension" }, uprights.join("") + spans + arc) + tag("g", { class: "measure" }, written);
 }
 

@@ -98,6 +98,7 @@ test("a slider moves every picture, and the field and the address follow", async
   await page.click("#p-w ~ .reset");
   await settled(page);
   assert.equal(await page.inputValue("#p-w-field"), "1.02");
+  assert.equal(await page.inputValue("#p-w"), "1.02");
   await close(page);
 });
 
