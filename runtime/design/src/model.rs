@@ -29,11 +29,10 @@ pub struct Shipped {
 #[cfg(feature = "full")]
 pub static MODELS: &[Shipped] = &carvallo_models::each_model!(Shipped::of);
 
-/// Those of bicycles with two coordinates: without the feature `full` there are no others.
+/// Some of bicycles with two coordinates: without the feature `full` there are no others.
 #[cfg(not(feature = "full"))]
 pub static MODELS: &[Shipped] = &[
     Shipped::of::<2, carvallo_models::BalanceAssist>(),
-    Shipped::of::<2, carvallo_models::FlywheelBicycle>(),
     Shipped::of::<2, carvallo_models::RearSteered>(),
     WHIPPLE,
     Shipped::of::<2, carvallo_models::WhippleMechanism>(),
