@@ -9,7 +9,7 @@
 
 mod controller;
 
-use carvallo::{Model, SystemError};
+use carvallo::SystemError;
 use carvallo_models::Whipple;
 use controller::{Ride, torque};
 
