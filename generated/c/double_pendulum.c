@@ -349,22 +349,25 @@ void double_pendulum_f64_with_respect_to(const double_pendulum_f64_derivatives_t
 void double_pendulum_f64_motion(const double_pendulum_f64_t *p,
     double_pendulum_f64_motion_t *motion)
 {
-    const double t4 = p->m1 * p->a1;
-    const double t7 = p->I1 + (p->a1 * t4);
+    const double t5 = p->m1 * p->a1;
+    const double t8 = p->I1 + (p->a1 * t5);
     const double t10 = p->l1 - p->l1 - p->a2;
     const double t11 = p->m2 * t10;
     const double t14 = p->I2 + (t10 * t11);
     const double t16 = p->l1 * p->m2;
     const double t17 = p->l1 * t16;
     motion->constants[0] = p->l1;
-    motion->constants[1] = p->m2;
-    motion->constants[2] = t4;
-    motion->constants[3] = t7;
-    motion->constants[4] = t11;
-    motion->constants[5] = t14;
-    motion->constants[6] = p->g;
-    motion->constants[7] = t16;
-    motion->constants[8] = t17;
+    motion->constants[1] = p->m1;
+    motion->constants[2] = p->a1;
+    motion->constants[3] = p->m2;
+    motion->constants[4] = p->a2;
+    motion->constants[5] = t5;
+    motion->constants[6] = t8;
+    motion->constants[7] = t11;
+    motion->constants[8] = t14;
+    motion->constants[9] = p->g;
+    motion->constants[10] = t16;
+    motion->constants[11] = t17;
 }
 
 static void double_pendulum_f64_compute_rates(const double_pendulum_f64_motion_t *motion,
@@ -399,25 +402,25 @@ static void double_pendulum_f64_compute_derivatives(const double_pendulum_f64_mo
     double sin_theta1 = 0.0;
     double cos_theta1 = 0.0;
     carvallo_sin_cos_f64(positions[0], &sin_theta1, &cos_theta1);
-    const double t7 = sin_theta1 * motion->constants[6];
+    const double t7 = sin_theta1 * motion->constants[9];
     double sin_theta2 = 0.0;
     double cos_theta2 = 0.0;
     carvallo_sin_cos_f64(positions[1], &sin_theta2, &cos_theta2);
-    const double t19 = (speeds[0] * speeds[0] * motion->constants[0]) - (motion->constants[6] *
+    const double t19 = (speeds[0] * speeds[0] * motion->constants[0]) - (motion->constants[9] *
         cos_theta1);
     const double t21 = (sin_theta2 * t19) - (t7 * cos_theta2);
-    const double t22 = motion->constants[4] * t21;
+    const double t22 = motion->constants[7] * t21;
     const double t30 = speeds[0] + speeds[1];
-    const double t35 = (cos_theta2 * t21 * motion->constants[1]) - (sin_theta2 *
-        ((motion->constants[1] * ((cos_theta2 * t19) + (t7 * sin_theta2))) - (motion->constants[4] *
+    const double t35 = (cos_theta2 * t21 * motion->constants[3]) - (sin_theta2 *
+        ((motion->constants[3] * ((cos_theta2 * t19) + (t7 * sin_theta2))) - (motion->constants[7] *
         t30 * t30)));
-    const double t39 = forces[0] + (motion->constants[2] * t7) + t22 - (motion->constants[0] * t35);
-    const double t42 = motion->constants[4] * cos_theta2 * motion->constants[0];
-    const double t45 = motion->constants[5] - t42;
-    const double t48 = motion->constants[3] + motion->constants[8] + t45 - t42;
+    const double t39 = forces[0] + (motion->constants[5] * t7) + t22 - (motion->constants[0] * t35);
+    const double t42 = motion->constants[7] * cos_theta2 * motion->constants[0];
+    const double t45 = motion->constants[8] - t42;
+    const double t48 = motion->constants[6] + motion->constants[11] + t45 - t42;
     const double t49 = 1.0 / t48;
     const double t51 = t45 * t49;
-    const double t59 = (t22 + forces[1] - (t39 * t51)) / (motion->constants[5] - (t48 * t51 * t51));
+    const double t59 = (t22 + forces[1] - (t39 * t51)) / (motion->constants[8] - (t48 * t51 * t51));
     const double t61 = (t39 * t49) - (t51 * t59);
     rates[0] = speeds[0];
     rates[1] = speeds[1];
@@ -450,25 +453,25 @@ static void double_pendulum_f64_compute_accelerations(const double_pendulum_f64_
     double sin_theta1 = 0.0;
     double cos_theta1 = 0.0;
     carvallo_sin_cos_f64(positions[0], &sin_theta1, &cos_theta1);
-    const double t5 = sin_theta1 * motion->constants[6];
+    const double t5 = sin_theta1 * motion->constants[9];
     double sin_theta2 = 0.0;
     double cos_theta2 = 0.0;
     carvallo_sin_cos_f64(positions[1], &sin_theta2, &cos_theta2);
-    const double t18 = (motion->constants[0] * speeds[0] * speeds[0]) - (motion->constants[6] *
+    const double t18 = (motion->constants[0] * speeds[0] * speeds[0]) - (motion->constants[9] *
         cos_theta1);
     const double t20 = (sin_theta2 * t18) - (t5 * cos_theta2);
-    const double t21 = motion->constants[4] * t20;
+    const double t21 = motion->constants[7] * t20;
     const double t30 = speeds[0] + speeds[1];
-    const double t35 = (cos_theta2 * t20 * motion->constants[1]) - (sin_theta2 *
-        ((motion->constants[1] * ((cos_theta2 * t18) + (t5 * sin_theta2))) - (motion->constants[4] *
+    const double t35 = (cos_theta2 * t20 * motion->constants[3]) - (sin_theta2 *
+        ((motion->constants[3] * ((cos_theta2 * t18) + (t5 * sin_theta2))) - (motion->constants[7] *
         t30 * t30)));
-    const double t39 = forces[0] + (motion->constants[2] * t5) + t21 - (motion->constants[0] * t35);
-    const double t42 = motion->constants[4] * cos_theta2 * motion->constants[0];
-    const double t45 = motion->constants[5] - t42;
-    const double t48 = motion->constants[3] + motion->constants[8] + t45 - t42;
+    const double t39 = forces[0] + (motion->constants[5] * t5) + t21 - (motion->constants[0] * t35);
+    const double t42 = motion->constants[7] * cos_theta2 * motion->constants[0];
+    const double t45 = motion->constants[8] - t42;
+    const double t48 = motion->constants[6] + motion->constants[11] + t45 - t42;
     const double t49 = 1.0 / t48;
     const double t51 = t45 * t49;
-    const double t59 = (t21 + forces[1] - (t39 * t51)) / (motion->constants[5] - (t48 * t51 * t51));
+    const double t59 = (t21 + forces[1] - (t39 * t51)) / (motion->constants[8] - (t48 * t51 * t51));
     const double t61 = (t39 * t49) - (t51 * t59);
     accelerations[0] = t61;
     accelerations[1] = t59;
@@ -496,18 +499,18 @@ static void double_pendulum_f64_compute_energy(const double_pendulum_f64_motion_
     double sin_theta2 = 0.0;
     double cos_theta2 = 0.0;
     carvallo_sin_cos_f64(positions[1], &sin_theta2, &cos_theta2);
-    const double t6 = cos_theta2 * motion->constants[4];
+    const double t6 = cos_theta2 * motion->constants[7];
     const double t7 = motion->constants[0] * t6;
-    const double t10 = motion->constants[5] - t7;
-    const double t18 = speeds[0] * ((speeds[0] * (motion->constants[3] + motion->constants[8] +
+    const double t10 = motion->constants[8] - t7;
+    const double t18 = speeds[0] * ((speeds[0] * (motion->constants[6] + motion->constants[11] +
         t10 - t7)) + (t10 * speeds[1]));
-    const double t25 = (t18 + (speeds[1] * ((speeds[0] * t10) + (motion->constants[5] *
+    const double t25 = (t18 + (speeds[1] * ((speeds[0] * t10) + (motion->constants[8] *
         speeds[1])))) * 0.5;
     double sin_theta1 = 0.0;
     double cos_theta1 = 0.0;
     carvallo_sin_cos_f64(positions[0], &sin_theta1, &cos_theta1);
-    const double t40 = -(motion->constants[6] * ((cos_theta1 * (t6 - motion->constants[2] -
-        motion->constants[7])) - (motion->constants[4] * sin_theta1 * sin_theta2)));
+    const double t40 = -(motion->constants[9] * ((cos_theta1 * (t6 - motion->constants[5] -
+        motion->constants[10])) - (motion->constants[7] * sin_theta1 * sin_theta2)));
     energy[0] = t25;
     energy[1] = t40;
 }
@@ -760,22 +763,25 @@ void double_pendulum_f32_with_respect_to(const double_pendulum_f32_derivatives_t
 void double_pendulum_f32_motion(const double_pendulum_f32_t *p,
     double_pendulum_f32_motion_t *motion)
 {
-    const float t4 = p->m1 * p->a1;
-    const float t7 = p->I1 + (p->a1 * t4);
+    const float t5 = p->m1 * p->a1;
+    const float t8 = p->I1 + (p->a1 * t5);
     const float t10 = p->l1 - p->l1 - p->a2;
     const float t11 = p->m2 * t10;
     const float t14 = p->I2 + (t10 * t11);
     const float t16 = p->l1 * p->m2;
     const float t17 = p->l1 * t16;
     motion->constants[0] = p->l1;
-    motion->constants[1] = p->m2;
-    motion->constants[2] = t4;
-    motion->constants[3] = t7;
-    motion->constants[4] = t11;
-    motion->constants[5] = t14;
-    motion->constants[6] = p->g;
-    motion->constants[7] = t16;
-    motion->constants[8] = t17;
+    motion->constants[1] = p->m1;
+    motion->constants[2] = p->a1;
+    motion->constants[3] = p->m2;
+    motion->constants[4] = p->a2;
+    motion->constants[5] = t5;
+    motion->constants[6] = t8;
+    motion->constants[7] = t11;
+    motion->constants[8] = t14;
+    motion->constants[9] = p->g;
+    motion->constants[10] = t16;
+    motion->constants[11] = t17;
 }
 
 static void double_pendulum_f32_compute_rates(const double_pendulum_f32_motion_t *motion,
@@ -810,25 +816,25 @@ static void double_pendulum_f32_compute_derivatives(const double_pendulum_f32_mo
     float sin_theta1 = 0.0F;
     float cos_theta1 = 0.0F;
     carvallo_sin_cos_f32(positions[0], &sin_theta1, &cos_theta1);
-    const float t7 = sin_theta1 * motion->constants[6];
+    const float t7 = sin_theta1 * motion->constants[9];
     float sin_theta2 = 0.0F;
     float cos_theta2 = 0.0F;
     carvallo_sin_cos_f32(positions[1], &sin_theta2, &cos_theta2);
-    const float t19 = (speeds[0] * speeds[0] * motion->constants[0]) - (motion->constants[6] *
+    const float t19 = (speeds[0] * speeds[0] * motion->constants[0]) - (motion->constants[9] *
         cos_theta1);
     const float t21 = (sin_theta2 * t19) - (t7 * cos_theta2);
-    const float t22 = motion->constants[4] * t21;
+    const float t22 = motion->constants[7] * t21;
     const float t30 = speeds[0] + speeds[1];
-    const float t35 = (cos_theta2 * t21 * motion->constants[1]) - (sin_theta2 *
-        ((motion->constants[1] * ((cos_theta2 * t19) + (t7 * sin_theta2))) - (motion->constants[4] *
+    const float t35 = (cos_theta2 * t21 * motion->constants[3]) - (sin_theta2 *
+        ((motion->constants[3] * ((cos_theta2 * t19) + (t7 * sin_theta2))) - (motion->constants[7] *
         t30 * t30)));
-    const float t39 = forces[0] + (motion->constants[2] * t7) + t22 - (motion->constants[0] * t35);
-    const float t42 = motion->constants[4] * cos_theta2 * motion->constants[0];
-    const float t45 = motion->constants[5] - t42;
-    const float t48 = motion->constants[3] + motion->constants[8] + t45 - t42;
+    const float t39 = forces[0] + (motion->constants[5] * t7) + t22 - (motion->constants[0] * t35);
+    const float t42 = motion->constants[7] * cos_theta2 * motion->constants[0];
+    const float t45 = motion->constants[8] - t42;
+    const float t48 = motion->constants[6] + motion->constants[11] + t45 - t42;
     const float t49 = 1.0F / t48;
     const float t51 = t45 * t49;
-    const float t59 = (t22 + forces[1] - (t39 * t51)) / (motion->constants[5] - (t48 * t51 * t51));
+    const float t59 = (t22 + forces[1] - (t39 * t51)) / (motion->constants[8] - (t48 * t51 * t51));
     const float t61 = (t39 * t49) - (t51 * t59);
     rates[0] = speeds[0];
     rates[1] = speeds[1];
@@ -861,25 +867,25 @@ static void double_pendulum_f32_compute_accelerations(const double_pendulum_f32_
     float sin_theta1 = 0.0F;
     float cos_theta1 = 0.0F;
     carvallo_sin_cos_f32(positions[0], &sin_theta1, &cos_theta1);
-    const float t5 = sin_theta1 * motion->constants[6];
+    const float t5 = sin_theta1 * motion->constants[9];
     float sin_theta2 = 0.0F;
     float cos_theta2 = 0.0F;
     carvallo_sin_cos_f32(positions[1], &sin_theta2, &cos_theta2);
-    const float t18 = (motion->constants[0] * speeds[0] * speeds[0]) - (motion->constants[6] *
+    const float t18 = (motion->constants[0] * speeds[0] * speeds[0]) - (motion->constants[9] *
         cos_theta1);
     const float t20 = (sin_theta2 * t18) - (t5 * cos_theta2);
-    const float t21 = motion->constants[4] * t20;
+    const float t21 = motion->constants[7] * t20;
     const float t30 = speeds[0] + speeds[1];
-    const float t35 = (cos_theta2 * t20 * motion->constants[1]) - (sin_theta2 *
-        ((motion->constants[1] * ((cos_theta2 * t18) + (t5 * sin_theta2))) - (motion->constants[4] *
+    const float t35 = (cos_theta2 * t20 * motion->constants[3]) - (sin_theta2 *
+        ((motion->constants[3] * ((cos_theta2 * t18) + (t5 * sin_theta2))) - (motion->constants[7] *
         t30 * t30)));
-    const float t39 = forces[0] + (motion->constants[2] * t5) + t21 - (motion->constants[0] * t35);
-    const float t42 = motion->constants[4] * cos_theta2 * motion->constants[0];
-    const float t45 = motion->constants[5] - t42;
-    const float t48 = motion->constants[3] + motion->constants[8] + t45 - t42;
+    const float t39 = forces[0] + (motion->constants[5] * t5) + t21 - (motion->constants[0] * t35);
+    const float t42 = motion->constants[7] * cos_theta2 * motion->constants[0];
+    const float t45 = motion->constants[8] - t42;
+    const float t48 = motion->constants[6] + motion->constants[11] + t45 - t42;
     const float t49 = 1.0F / t48;
     const float t51 = t45 * t49;
-    const float t59 = (t21 + forces[1] - (t39 * t51)) / (motion->constants[5] - (t48 * t51 * t51));
+    const float t59 = (t21 + forces[1] - (t39 * t51)) / (motion->constants[8] - (t48 * t51 * t51));
     const float t61 = (t39 * t49) - (t51 * t59);
     accelerations[0] = t61;
     accelerations[1] = t59;
@@ -907,18 +913,18 @@ static void double_pendulum_f32_compute_energy(const double_pendulum_f32_motion_
     float sin_theta2 = 0.0F;
     float cos_theta2 = 0.0F;
     carvallo_sin_cos_f32(positions[1], &sin_theta2, &cos_theta2);
-    const float t6 = cos_theta2 * motion->constants[4];
+    const float t6 = cos_theta2 * motion->constants[7];
     const float t7 = motion->constants[0] * t6;
-    const float t10 = motion->constants[5] - t7;
-    const float t18 = speeds[0] * ((speeds[0] * (motion->constants[3] + motion->constants[8] + t10 -
-        t7)) + (t10 * speeds[1]));
-    const float t25 = (t18 + (speeds[1] * ((speeds[0] * t10) + (motion->constants[5] *
+    const float t10 = motion->constants[8] - t7;
+    const float t18 = speeds[0] * ((speeds[0] * (motion->constants[6] + motion->constants[11] +
+        t10 - t7)) + (t10 * speeds[1]));
+    const float t25 = (t18 + (speeds[1] * ((speeds[0] * t10) + (motion->constants[8] *
         speeds[1])))) * 0.5F;
     float sin_theta1 = 0.0F;
     float cos_theta1 = 0.0F;
     carvallo_sin_cos_f32(positions[0], &sin_theta1, &cos_theta1);
-    const float t40 = -(motion->constants[6] * ((cos_theta1 * (t6 - motion->constants[2] -
-        motion->constants[7])) - (motion->constants[4] * sin_theta1 * sin_theta2)));
+    const float t40 = -(motion->constants[9] * ((cos_theta1 * (t6 - motion->constants[5] -
+        motion->constants[10])) - (motion->constants[7] * sin_theta1 * sin_theta2)));
     energy[0] = t25;
     energy[1] = t40;
 }

@@ -313,7 +313,7 @@ void double_pendulum_f64_with_respect_to(const double_pendulum_f64_derivatives_t
  */
 typedef struct {
     /** In an order of their own. */
-    double constants[9U];
+    double constants[12U];
 } double_pendulum_f64_motion_t;
 
 /**
@@ -567,7 +567,7 @@ void double_pendulum_f32_with_respect_to(const double_pendulum_f32_derivatives_t
  */
 typedef struct {
     /** In an order of their own. */
-    float constants[9U];
+    float constants[12U];
 } double_pendulum_f32_motion_t;
 
 /**

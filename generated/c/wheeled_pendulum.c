@@ -483,55 +483,59 @@ void wheeled_pendulum_f64_with_respect_to(const wheeled_pendulum_f64_derivatives
 void wheeled_pendulum_f64_motion(const wheeled_pendulum_f64_t *p,
     wheeled_pendulum_f64_motion_t *motion)
 {
-    const double t3 = p->b + p->b;
-    const double t7 = p->r - p->r - p->l;
-    const double t8 = p->m * t7;
-    const double t10 = t7 * t8;
-    const double t11 = p->Iyy + t10;
-    const double t12 = p->b * p->m;
-    const double t13 = t7 * t12;
+    const double t6 = p->b + p->b;
+    const double t8 = p->r - p->r - p->l;
+    const double t9 = p->m * t8;
+    const double t11 = t8 * t9;
+    const double t12 = p->Iyy + t11;
+    const double t13 = p->b * p->m;
+    const double t14 = t8 * t13;
     const double t16 = p->m + p->mW + p->mW;
-    const double t17 = t3 * p->mW;
-    const double t18 = t12 + t17;
-    const double t24 = p->Ir + p->Ir + (t3 * t17) + (p->b * t12);
-    const double t25 = t10 + t24;
+    const double t17 = p->mW * t6;
+    const double t18 = t13 + t17;
+    const double t24 = p->Ir + p->Ir + (t6 * t17) + (p->b * t13);
+    const double t25 = t11 + t24;
     const double t27 = t24 + p->Izz;
     const double t29 = t27 - t25;
     const double t30 = p->r * t16;
     const double t31 = p->r * t30;
     const double t32 = p->r * t18;
     const double t34 = p->Ia + p->Ia + t31;
-    motion->constants[0] = p->r;
-    motion->constants[1] = p->Ia;
-    motion->constants[2] = t3;
-    motion->constants[3] = t8;
-    motion->constants[4] = t11;
-    motion->constants[5] = t13;
-    motion->constants[6] = t16;
-    motion->constants[7] = t18;
-    motion->constants[8] = t25;
-    motion->constants[9] = t27;
-    motion->constants[10] = p->g;
-    motion->constants[11] = t29;
-    motion->constants[12] = t30;
-    motion->constants[13] = t31;
-    motion->constants[14] = t32;
-    motion->constants[15] = t34;
+    motion->constants[0] = p->b;
+    motion->constants[1] = p->r;
+    motion->constants[2] = p->m;
+    motion->constants[3] = p->l;
+    motion->constants[4] = p->Ia;
+    motion->constants[5] = p->mW;
+    motion->constants[6] = t6;
+    motion->constants[7] = t9;
+    motion->constants[8] = t12;
+    motion->constants[9] = t14;
+    motion->constants[10] = t16;
+    motion->constants[11] = t18;
+    motion->constants[12] = t25;
+    motion->constants[13] = t27;
+    motion->constants[14] = p->g;
+    motion->constants[15] = t29;
+    motion->constants[16] = t30;
+    motion->constants[17] = t31;
+    motion->constants[18] = t32;
+    motion->constants[19] = t34;
 }
 
 static void wheeled_pendulum_f64_compute_rates(const wheeled_pendulum_f64_motion_t *motion,
     const double positions[WHEELED_PENDULUM_POSITIONS],
     const double speeds[WHEELED_PENDULUM_SPEEDS], double rates[WHEELED_PENDULUM_POSITIONS])
 {
-    const double t4 = motion->constants[0] * (speeds[1] + speeds[2]);
+    const double t4 = motion->constants[1] * (speeds[1] + speeds[2]);
     double sin_psi = 0.0;
     double cos_psi = 0.0;
     carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
     double sin_phi = 0.0;
     double cos_phi = 0.0;
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
-    const double t14 = motion->constants[0] * sin_phi;
-    const double t20 = (t14 + (cos_phi * motion->constants[2]) - t14) / motion->constants[0];
+    const double t14 = motion->constants[1] * sin_phi;
+    const double t20 = (t14 + (cos_phi * motion->constants[6]) - t14) / motion->constants[1];
     const double t25 = speeds[2] + (speeds[0] * t20) + (speeds[1] * sin_phi * t20);
     const double t26 = -(t4 * cos_psi);
     const double t27 = -(t4 * sin_psi);
@@ -564,16 +568,16 @@ static void wheeled_pendulum_f64_compute_derivatives(const wheeled_pendulum_f64_
     double rates[WHEELED_PENDULUM_POSITIONS], double speed_rates[WHEELED_PENDULUM_SPEEDS])
 {
     const double t3 = speeds[1] + speeds[2];
-    const double t4 = motion->constants[0] * t3;
+    const double t4 = motion->constants[1] * t3;
     double sin_psi = 0.0;
     double cos_psi = 0.0;
     carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
     double sin_phi = 0.0;
     double cos_phi = 0.0;
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
-    const double t14 = motion->constants[0] * sin_phi;
-    const double t19 = t14 + (cos_phi * motion->constants[2]) - t14;
-    const double t20 = 1.0 / motion->constants[0];
+    const double t14 = motion->constants[1] * sin_phi;
+    const double t19 = t14 + (cos_phi * motion->constants[6]) - t14;
+    const double t20 = 1.0 / motion->constants[1];
     const double t21 = t19 * t20;
     const double t23 = sin_phi * t21;
     const double t26 = speeds[2] + (speeds[0] * t21) + (speeds[1] * t23);
@@ -581,9 +585,9 @@ static void wheeled_pendulum_f64_compute_derivatives(const wheeled_pendulum_f64_
     double cos_theta = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_theta, &cos_theta);
     const double t30 = speeds[0] * sin_phi;
-    const double t32 = motion->constants[0] * t30;
+    const double t32 = motion->constants[1] * t30;
     const double t33 = (t3 + t30) * t32;
-    const double t36 = t33 - (cos_phi * motion->constants[10]);
+    const double t36 = t33 - (cos_phi * motion->constants[14]);
     const double t37 = sin_theta * t36;
     const double t40 = speeds[0] * cos_phi;
     const double t41 = sin_theta * t40;
@@ -591,64 +595,64 @@ static void wheeled_pendulum_f64_compute_derivatives(const wheeled_pendulum_f64_
     const double t43 = t3 * t40;
     const double t45 = t32 * t40;
     const double t47 = t40 * cos_theta;
-    const double t48 = motion->constants[2] * t47;
-    const double t50 = motion->constants[2] * t41;
+    const double t48 = motion->constants[6] * t47;
+    const double t50 = motion->constants[6] * t41;
     const double t52 = speeds[1] + t26;
-    const double t58 = t45 + (motion->constants[0] * t40 * t52) - (motion->constants[0] * t43) -
+    const double t58 = t45 + (motion->constants[1] * t40 * t52) - (motion->constants[1] * t43) -
         t45 - (t47 * t48);
     const double t62 = speeds[1] + t30;
     const double t64 = speeds[1] * t47;
-    const double t67 = (t33 * cos_theta) + (t48 * t62) - (motion->constants[2] * t64);
-    const double t73 = (motion->constants[2] * t42) - (sin_theta * t33) - (t50 * t62);
+    const double t67 = (t33 * cos_theta) + (t48 * t62) - (motion->constants[6] * t64);
+    const double t73 = (motion->constants[6] * t42) - (sin_theta * t33) - (t50 * t62);
     const double t81 = ((sin_phi * (t58 - (t41 * t50))) + (cos_phi * ((cos_theta * t67) -
         (sin_theta * t73) - (t32 * (t30 + t52))))) / t19;
     const double t83 = t42 + (sin_theta * t81);
-    const double t90 = t20 * motion->constants[1] * ((sin_theta * t67) + (cos_theta * t73));
-    const double t92 = t41 * motion->constants[8];
-    const double t97 = (t47 * motion->constants[9]) - (motion->constants[5] * t62);
+    const double t90 = t20 * motion->constants[4] * ((sin_theta * t67) + (cos_theta * t73));
+    const double t92 = t41 * motion->constants[12];
+    const double t97 = (t47 * motion->constants[13]) - (motion->constants[9] * t62);
     const double t100 = t36 * cos_theta;
     const double t104 = t64 + (cos_theta * t81);
-    const double t106 = motion->constants[3] * t41;
-    const double t125 = (sin_theta * ((motion->constants[6] * t100) - (motion->constants[7] *
-        t104) - (t41 * t106) - (t62 * ((motion->constants[3] * t62) - (t47 *
-        motion->constants[7]))))) + (cos_theta * ((t83 * motion->constants[7]) - (t37 *
-        motion->constants[6]) - (t41 * t62 * motion->constants[7]) - (t47 * t106)));
-    const double t126 = motion->constants[0] * t125;
-    const double t131 = (motion->constants[5] * t83) + (t41 * t97) - (motion->constants[3] * t37) -
+    const double t106 = motion->constants[7] * t41;
+    const double t125 = (sin_theta * ((motion->constants[10] * t100) - (motion->constants[11] *
+        t104) - (t41 * t106) - (t62 * ((motion->constants[7] * t62) - (t47 *
+        motion->constants[11]))))) + (cos_theta * ((t83 * motion->constants[11]) - (t37 *
+        motion->constants[10]) - (t41 * t62 * motion->constants[11]) - (t47 * t106)));
+    const double t126 = motion->constants[1] * t125;
+    const double t131 = (motion->constants[9] * t83) + (t41 * t97) - (motion->constants[7] * t37) -
         t90 - (t47 * t92) - t126;
-    const double t144 = (t62 * motion->constants[4]) + (motion->constants[1] * (speeds[2] + t62)) +
-        (motion->constants[1] * (t26 + t62)) - (motion->constants[5] * t47);
-    const double t162 = (t100 * motion->constants[7]) + (motion->constants[3] * (t45 + (sin_phi *
-        motion->constants[10]) + (motion->constants[0] * (t43 + t81)))) + (t62 * t97);
-    const double t166 = (cos_theta * ((t37 * motion->constants[7]) + (t62 * t92) - (t83 *
-        motion->constants[9]) - (t41 * t144))) - (sin_theta * (t162 - (motion->constants[8] *
+    const double t144 = (t62 * motion->constants[8]) + (motion->constants[4] * (speeds[2] + t62)) +
+        (motion->constants[4] * (t26 + t62)) - (motion->constants[9] * t47);
+    const double t162 = (t100 * motion->constants[11]) + (motion->constants[7] * (t45 + (sin_phi *
+        motion->constants[14]) + (motion->constants[1] * (t43 + t81)))) + (t62 * t97);
+    const double t166 = (cos_theta * ((t37 * motion->constants[11]) + (t62 * t92) - (t83 *
+        motion->constants[13]) - (t41 * t144))) - (sin_theta * (t162 - (motion->constants[12] *
         t104) - (t47 * t144)));
     const double t169 = t90 + forces[1];
     const double t172 = (t21 * t169) - (sin_phi * t131) - (cos_phi * t166);
-    const double t173 = motion->constants[3] * cos_theta;
-    const double t174 = motion->constants[0] * t173;
-    const double t178 = motion->constants[4] + motion->constants[13] - t174 - t174;
-    const double t182 = motion->constants[14] - (motion->constants[5] * cos_theta);
+    const double t173 = motion->constants[7] * cos_theta;
+    const double t174 = motion->constants[1] * t173;
+    const double t178 = motion->constants[8] + motion->constants[17] - t174 - t174;
+    const double t182 = motion->constants[18] - (motion->constants[9] * cos_theta);
     const double t184 = (sin_phi * t178) + (cos_phi * t182);
-    const double t193 = cos_phi * ((sin_phi * t182) + (cos_phi * (motion->constants[9] -
-        (sin_theta * sin_theta * motion->constants[11]))));
-    const double t194 = sin_phi * motion->constants[1];
+    const double t193 = cos_phi * ((sin_phi * t182) + (cos_phi * (motion->constants[13] -
+        (sin_theta * sin_theta * motion->constants[15]))));
+    const double t194 = sin_phi * motion->constants[4];
     const double t196 = sin_phi + t21;
-    const double t197 = motion->constants[1] * t196;
+    const double t197 = motion->constants[4] * t196;
     const double t201 = (sin_phi * t184) + t193 + (sin_phi * t194) + (t196 * t197);
     const double t202 = 1.0 / t201;
     const double t205 = t23 + 1.0;
     const double t209 = t202 * (t184 + t194 + (t197 * t205));
-    const double t210 = motion->constants[1] * t205;
+    const double t210 = motion->constants[4] * t205;
     const double t212 = t201 * t209;
-    const double t216 = motion->constants[1] + t178 + (t205 * t210) - (t209 * t212);
+    const double t216 = motion->constants[4] + t178 + (t205 * t210) - (t209 * t212);
     const double t217 = 1.0 / t216;
     const double t221 = (t23 * t169) - t131 - (t172 * t209);
-    const double t225 = motion->constants[0] * (t173 - motion->constants[12]);
-    const double t231 = t202 * (t194 + t197 + (cos_phi * motion->constants[14]) - (sin_phi * t225));
-    const double t236 = t217 * (motion->constants[1] + t210 - t225 - (t212 * t231));
+    const double t225 = motion->constants[1] * (t173 - motion->constants[16]);
+    const double t231 = t202 * (t194 + t197 + (cos_phi * motion->constants[18]) - (sin_phi * t225));
+    const double t236 = t217 * (motion->constants[4] + t210 - t225 - (t212 * t231));
     const double t251 = (t126 + t169 + forces[0] - (t172 * t231) - (t221 * t236)) /
-        (motion->constants[15] - (t201 * t231 * t231) - (t216 * t236 * t236));
+        (motion->constants[19] - (t201 * t231 * t231) - (t216 * t236 * t236));
     const double t253 = (t217 * t221) - (t236 * t251);
     const double t257 = (t172 * t202) - (t209 * t253) - (t231 * t251);
     const double t258 = -(t4 * cos_psi);
@@ -699,84 +703,84 @@ static void wheeled_pendulum_f64_compute_accelerations(const wheeled_pendulum_f6
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
     const double t11 = speeds[0] * sin_phi;
     const double t14 = speeds[1] + speeds[2];
-    const double t16 = motion->constants[0] * t11;
+    const double t16 = motion->constants[1] * t11;
     const double t17 = (t11 + t14) * t16;
-    const double t21 = t17 - (cos_phi * motion->constants[10]);
+    const double t21 = t17 - (cos_phi * motion->constants[14]);
     const double t22 = cos_theta * t21;
     const double t25 = speeds[0] * cos_phi;
     const double t26 = cos_theta * t25;
     const double t27 = speeds[1] * t26;
     const double t28 = t14 * t25;
     const double t30 = t16 * t25;
-    const double t32 = t26 * motion->constants[2];
+    const double t32 = t26 * motion->constants[6];
     const double t34 = sin_theta * t25;
-    const double t35 = motion->constants[2] * t34;
-    const double t37 = motion->constants[0] * sin_phi;
-    const double t40 = t37 + (cos_phi * motion->constants[2]) - t37;
-    const double t41 = 1.0 / motion->constants[0];
+    const double t35 = motion->constants[6] * t34;
+    const double t37 = motion->constants[1] * sin_phi;
+    const double t40 = t37 + (cos_phi * motion->constants[6]) - t37;
+    const double t41 = 1.0 / motion->constants[1];
     const double t42 = t40 * t41;
     const double t44 = sin_phi * t42;
     const double t47 = speeds[2] + (speeds[0] * t42) + (speeds[1] * t44);
     const double t48 = speeds[1] + t47;
-    const double t54 = t30 + (motion->constants[0] * t25 * t48) - (motion->constants[0] * t28) -
+    const double t54 = t30 + (motion->constants[1] * t25 * t48) - (motion->constants[1] * t28) -
         t30 - (t26 * t32);
     const double t58 = t11 + speeds[1];
-    const double t62 = (cos_theta * t17) + (t32 * t58) - (t27 * motion->constants[2]);
+    const double t62 = (cos_theta * t17) + (t32 * t58) - (t27 * motion->constants[6]);
     const double t66 = speeds[1] * t34;
-    const double t69 = (motion->constants[2] * t66) - (sin_theta * t17) - (t35 * t58);
+    const double t69 = (motion->constants[6] * t66) - (sin_theta * t17) - (t35 * t58);
     const double t77 = ((sin_phi * (t54 - (t34 * t35))) + (cos_phi * ((cos_theta * t62) -
         (sin_theta * t69) - (t16 * (t11 + t48))))) / t40;
     const double t79 = t27 + (cos_theta * t77);
-    const double t82 = t34 * motion->constants[3];
+    const double t82 = t34 * motion->constants[7];
     const double t92 = sin_theta * t21;
     const double t95 = t66 + (sin_theta * t77);
-    const double t104 = (sin_theta * ((motion->constants[6] * t22) - (motion->constants[7] * t79) -
-        (t34 * t82) - (t58 * ((t58 * motion->constants[3]) - (motion->constants[7] * t26))))) +
-        (cos_theta * ((motion->constants[7] * t95) - (motion->constants[6] * t92) -
-        (motion->constants[7] * t34 * t58) - (t26 * t82)));
-    const double t105 = motion->constants[0] * t104;
+    const double t104 = (sin_theta * ((motion->constants[10] * t22) - (motion->constants[11] *
+        t79) - (t34 * t82) - (t58 * ((t58 * motion->constants[7]) - (motion->constants[11] *
+        t26))))) + (cos_theta * ((motion->constants[11] * t95) - (motion->constants[10] * t92) -
+        (motion->constants[11] * t34 * t58) - (t26 * t82)));
+    const double t105 = motion->constants[1] * t104;
     const double t111 = t41 * ((sin_theta * t62) + (cos_theta * t69));
-    const double t112 = motion->constants[1] * t111;
+    const double t112 = motion->constants[4] * t111;
     const double t113 = forces[1] + t112;
-    const double t118 = t34 * motion->constants[8];
-    const double t123 = (t26 * motion->constants[9]) - (t58 * motion->constants[5]);
-    const double t129 = (t95 * motion->constants[5]) + (t34 * t123) - t105 - t112 -
-        (motion->constants[3] * t92) - (t26 * t118);
-    const double t142 = (t58 * motion->constants[4]) + (motion->constants[1] * (speeds[2] + t58)) +
-        (motion->constants[1] * (t47 + t58)) - (t26 * motion->constants[5]);
-    const double t160 = (t22 * motion->constants[7]) + (motion->constants[3] * (t30 + (sin_phi *
-        motion->constants[10]) + (motion->constants[0] * (t28 + t77)))) + (t58 * t123);
-    const double t164 = (cos_theta * ((motion->constants[7] * t92) + (t58 * t118) - (t95 *
-        motion->constants[9]) - (t34 * t142))) - (sin_theta * (t160 - (t79 * motion->constants[8]) -
-        (t26 * t142)));
+    const double t118 = t34 * motion->constants[12];
+    const double t123 = (t26 * motion->constants[13]) - (t58 * motion->constants[9]);
+    const double t129 = (t95 * motion->constants[9]) + (t34 * t123) - t105 - t112 -
+        (motion->constants[7] * t92) - (t26 * t118);
+    const double t142 = (t58 * motion->constants[8]) + (motion->constants[4] * (speeds[2] + t58)) +
+        (motion->constants[4] * (t47 + t58)) - (t26 * motion->constants[9]);
+    const double t160 = (t22 * motion->constants[11]) + (motion->constants[7] * (t30 + (sin_phi *
+        motion->constants[14]) + (motion->constants[1] * (t28 + t77)))) + (t58 * t123);
+    const double t164 = (cos_theta * ((motion->constants[11] * t92) + (t58 * t118) - (t95 *
+        motion->constants[13]) - (t34 * t142))) - (sin_theta * (t160 - (t79 *
+        motion->constants[12]) - (t26 * t142)));
     const double t168 = (t42 * t113) - (sin_phi * t129) - (cos_phi * t164);
-    const double t169 = sin_phi * motion->constants[1];
-    const double t170 = cos_theta * motion->constants[3];
-    const double t173 = motion->constants[0] * (t170 - motion->constants[12]);
+    const double t169 = sin_phi * motion->constants[4];
+    const double t170 = cos_theta * motion->constants[7];
+    const double t173 = motion->constants[1] * (t170 - motion->constants[16]);
     const double t177 = sin_phi + t42;
-    const double t178 = motion->constants[1] * t177;
-    const double t182 = motion->constants[0] * t170;
-    const double t186 = motion->constants[4] + motion->constants[13] - t182 - t182;
-    const double t189 = motion->constants[14] - (cos_theta * motion->constants[5]);
+    const double t178 = motion->constants[4] * t177;
+    const double t182 = motion->constants[1] * t170;
+    const double t186 = motion->constants[8] + motion->constants[17] - t182 - t182;
+    const double t189 = motion->constants[18] - (cos_theta * motion->constants[9]);
     const double t191 = (sin_phi * t186) + (cos_phi * t189);
-    const double t200 = cos_phi * ((sin_phi * t189) + (cos_phi * (motion->constants[9] -
-        (sin_theta * sin_theta * motion->constants[11]))));
+    const double t200 = cos_phi * ((sin_phi * t189) + (cos_phi * (motion->constants[13] -
+        (sin_theta * sin_theta * motion->constants[15]))));
     const double t205 = (sin_phi * t191) + t200 + (sin_phi * t169) + (t177 * t178);
     const double t206 = 1.0 / t205;
-    const double t207 = (t169 + (cos_phi * motion->constants[14]) + t178 - (sin_phi * t173)) * t206;
+    const double t207 = (t169 + (cos_phi * motion->constants[18]) + t178 - (sin_phi * t173)) * t206;
     const double t210 = t44 + 1.0;
-    const double t211 = motion->constants[1] * t210;
+    const double t211 = motion->constants[4] * t210;
     const double t215 = t206 * (t169 + t191 + (t178 * t210));
     const double t216 = t205 * t215;
-    const double t225 = motion->constants[1] + t186 + (t210 * t211) - (t215 * t216);
+    const double t225 = motion->constants[4] + t186 + (t210 * t211) - (t215 * t216);
     const double t226 = 1.0 / t225;
-    const double t227 = (motion->constants[1] + t211 - t173 - (t207 * t216)) * t226;
+    const double t227 = (motion->constants[4] + t211 - t173 - (t207 * t216)) * t226;
     const double t231 = (t44 * t113) - t129 - (t168 * t215);
     const double t244 = (forces[0] + t105 + t113 - (t168 * t207) - (t227 * t231)) /
-        (motion->constants[15] - (t205 * t207 * t207) - (t225 * t227 * t227));
+        (motion->constants[19] - (t205 * t207 * t207) - (t225 * t227 * t227));
     const double t247 = (t226 * t231) - (t227 * t244);
-    const double t249 = motion->constants[0] * (t244 + t247);
-    const double t253 = motion->constants[0] * speeds[0] * t14;
+    const double t249 = motion->constants[1] * (t244 + t247);
+    const double t253 = motion->constants[1] * speeds[0] * t14;
     const double t255 = (sin_psi * t253) - (cos_psi * t249);
     const double t263 = (t168 * t206) - (t215 * t247) - (t207 * t244);
     const double t268 = t244 + (t42 * t263) + (t44 * t247) - t111;
@@ -818,32 +822,32 @@ static void wheeled_pendulum_f64_compute_energy(const wheeled_pendulum_f64_motio
     double sin_theta = 0.0;
     double cos_theta = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_theta, &cos_theta);
-    const double t8 = cos_theta * motion->constants[3];
-    const double t9 = motion->constants[0] * t8;
-    const double t13 = motion->constants[4] + motion->constants[13] - t9 - t9;
-    const double t19 = motion->constants[14] - (cos_theta * motion->constants[5]);
+    const double t8 = cos_theta * motion->constants[7];
+    const double t9 = motion->constants[1] * t8;
+    const double t13 = motion->constants[8] + motion->constants[17] - t9 - t9;
+    const double t19 = motion->constants[18] - (cos_theta * motion->constants[9]);
     const double t21 = (sin_phi * t13) + (cos_phi * t19);
-    const double t32 = cos_phi * ((sin_phi * t19) + (cos_phi * (motion->constants[9] - (sin_theta *
-        sin_theta * motion->constants[11]))));
-    const double t34 = sin_phi * motion->constants[1];
-    const double t36 = sin_phi * motion->constants[0];
-    const double t41 = (t36 + (cos_phi * motion->constants[2]) - t36) / motion->constants[0];
+    const double t32 = cos_phi * ((sin_phi * t19) + (cos_phi * (motion->constants[13] - (sin_theta *
+        sin_theta * motion->constants[15]))));
+    const double t34 = sin_phi * motion->constants[4];
+    const double t36 = sin_phi * motion->constants[1];
+    const double t41 = (t36 + (cos_phi * motion->constants[6]) - t36) / motion->constants[1];
     const double t42 = sin_phi + t41;
-    const double t43 = motion->constants[1] * t42;
+    const double t43 = motion->constants[4] * t42;
     const double t52 = 1.0 + (sin_phi * t41);
     const double t55 = t21 + t34 + (t43 * t52);
-    const double t59 = t8 - motion->constants[12];
-    const double t60 = motion->constants[0] * t59;
-    const double t65 = t34 + t43 + (cos_phi * motion->constants[14]) - (sin_phi * t60);
+    const double t59 = t8 - motion->constants[16];
+    const double t60 = motion->constants[1] * t59;
+    const double t65 = t34 + t43 + (cos_phi * motion->constants[18]) - (sin_phi * t60);
     const double t67 = (speeds[0] * ((sin_phi * t21) + t32 + (sin_phi * t34) + (t42 * t43))) +
         (speeds[1] * t55);
-    const double t71 = motion->constants[1] * t52;
-    const double t77 = motion->constants[1] + t71 - t60;
-    const double t81 = speeds[1] * ((speeds[0] * t55) + (speeds[1] * (t13 + motion->constants[1] +
+    const double t71 = motion->constants[4] * t52;
+    const double t77 = motion->constants[4] + t71 - t60;
+    const double t81 = speeds[1] * ((speeds[0] * t55) + (speeds[1] * (t13 + motion->constants[4] +
         (t52 * t71))) + (speeds[2] * t77));
     const double t92 = ((speeds[0] * (t67 + (speeds[2] * t65))) + t81 + (speeds[2] * ((speeds[0] *
-        t65) + (speeds[1] * t77) + (speeds[2] * motion->constants[15])))) * 0.5;
-    const double t99 = -(motion->constants[10] * ((sin_phi * motion->constants[7]) + (cos_phi *
+        t65) + (speeds[1] * t77) + (speeds[2] * motion->constants[19])))) * 0.5;
+    const double t99 = -(motion->constants[14] * ((sin_phi * motion->constants[11]) + (cos_phi *
         t59)));
     energy[0] = t92;
     energy[1] = t99;
@@ -870,10 +874,10 @@ static void wheeled_pendulum_f64_compute_closure(const wheeled_pendulum_f64_moti
     double sin_phi = 0.0;
     double cos_phi = 0.0;
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
-    const double t3 = motion->constants[0] * cos_phi;
-    const double t8 = t3 + (sin_phi * motion->constants[2]) - t3;
-    const double t9 = motion->constants[0] * sin_phi;
-    const double t14 = -(t8 / (t9 + (cos_phi * motion->constants[2]) - t9));
+    const double t3 = motion->constants[1] * cos_phi;
+    const double t8 = t3 + (sin_phi * motion->constants[6]) - t3;
+    const double t9 = motion->constants[1] * sin_phi;
+    const double t14 = -(t8 / (t9 + (cos_phi * motion->constants[6]) - t9));
     below[0] = t8;
     steps[0] = t14;
 }
@@ -962,113 +966,113 @@ static void wheeled_pendulum_f64_compute_contact_forces(const wheeled_pendulum_f
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
     const double t7 = speeds[0] * cos_phi;
     const double t8 = sin_theta * t7;
-    const double t10 = t8 * motion->constants[3];
+    const double t10 = t8 * motion->constants[7];
     const double t14 = speeds[0] * sin_phi;
     const double t15 = speeds[1] + t14;
     const double t18 = t7 * cos_theta;
-    const double t21 = (motion->constants[3] * t15) - (t18 * motion->constants[7]);
+    const double t21 = (motion->constants[7] * t15) - (t18 * motion->constants[11]);
     const double t23 = (t8 * t10) + (t15 * t21);
     const double t26 = speeds[1] + speeds[2];
-    const double t29 = t14 * motion->constants[0];
+    const double t29 = t14 * motion->constants[1];
     const double t30 = (t14 + t26) * t29;
-    const double t33 = t30 - (cos_phi * motion->constants[10]);
+    const double t33 = t30 - (cos_phi * motion->constants[14]);
     const double t34 = cos_theta * t33;
     const double t37 = speeds[1] * t18;
     const double t38 = t7 * t26;
     const double t40 = t7 * t29;
-    const double t42 = t18 * motion->constants[2];
-    const double t44 = t8 * motion->constants[2];
-    const double t46 = sin_phi * motion->constants[0];
-    const double t49 = t46 + (cos_phi * motion->constants[2]) - t46;
-    const double t50 = 1.0 / motion->constants[0];
+    const double t42 = t18 * motion->constants[6];
+    const double t44 = t8 * motion->constants[6];
+    const double t46 = sin_phi * motion->constants[1];
+    const double t49 = t46 + (cos_phi * motion->constants[6]) - t46;
+    const double t50 = 1.0 / motion->constants[1];
     const double t51 = t49 * t50;
     const double t53 = sin_phi * t51;
     const double t56 = speeds[2] + (speeds[0] * t51) + (speeds[1] * t53);
     const double t57 = speeds[1] + t56;
-    const double t63 = t40 + (t7 * motion->constants[0] * t57) - (motion->constants[0] * t38) -
+    const double t63 = t40 + (t7 * motion->constants[1] * t57) - (motion->constants[1] * t38) -
         t40 - (t18 * t42);
-    const double t70 = (cos_theta * t30) + (t15 * t42) - (t37 * motion->constants[2]);
+    const double t70 = (cos_theta * t30) + (t15 * t42) - (t37 * motion->constants[6]);
     const double t74 = t8 * speeds[1];
-    const double t77 = (motion->constants[2] * t74) - (sin_theta * t30) - (t15 * t44);
+    const double t77 = (motion->constants[6] * t74) - (sin_theta * t30) - (t15 * t44);
     const double t85 = 1.0 / t49;
     const double t86 = ((sin_phi * (t63 - (t8 * t44))) + (cos_phi * ((cos_theta * t70) -
         (sin_theta * t77) - (t29 * (t14 + t57))))) * t85;
     const double t88 = t37 + (cos_theta * t86);
     const double t93 = sin_theta * t33;
     const double t96 = t74 + (sin_theta * t86);
-    const double t98 = t8 * motion->constants[7];
+    const double t98 = t8 * motion->constants[11];
     const double t101 = (t15 * t98) + (t10 * t18);
-    const double t106 = motion->constants[0] * ((sin_theta * ((motion->constants[6] * t34) - t23 -
-        (motion->constants[7] * t88))) + (cos_theta * ((motion->constants[7] * t96) -
-        (motion->constants[6] * t93) - t101)));
+    const double t106 = motion->constants[1] * ((sin_theta * ((motion->constants[10] * t34) - t23 -
+        (motion->constants[11] * t88))) + (cos_theta * ((motion->constants[11] * t96) -
+        (motion->constants[10] * t93) - t101)));
     const double t112 = t50 * ((sin_theta * t70) + (cos_theta * t77));
-    const double t113 = motion->constants[1] * t112;
+    const double t113 = motion->constants[4] * t112;
     const double t114 = forces[1] + t113;
-    const double t119 = t8 * motion->constants[8];
-    const double t124 = (t18 * motion->constants[9]) - (t15 * motion->constants[5]);
-    const double t130 = (t96 * motion->constants[5]) + (t8 * t124) - t106 - t113 -
-        (motion->constants[3] * t93) - (t18 * t119);
-    const double t143 = (t15 * motion->constants[4]) + (motion->constants[1] * (t15 + speeds[2])) +
-        (motion->constants[1] * (t15 + t56)) - (t18 * motion->constants[5]);
+    const double t119 = t8 * motion->constants[12];
+    const double t124 = (t18 * motion->constants[13]) - (t15 * motion->constants[9]);
+    const double t130 = (t96 * motion->constants[9]) + (t8 * t124) - t106 - t113 -
+        (motion->constants[7] * t93) - (t18 * t119);
+    const double t143 = (t15 * motion->constants[8]) + (motion->constants[4] * (t15 + speeds[2])) +
+        (motion->constants[4] * (t15 + t56)) - (t18 * motion->constants[9]);
     const double t146 = (t15 * t119) - (t8 * t143);
-    const double t156 = t40 + (sin_phi * motion->constants[10]) + (motion->constants[0] * (t38 +
+    const double t156 = t40 + (sin_phi * motion->constants[14]) + (motion->constants[1] * (t38 +
         t86));
-    const double t161 = (motion->constants[3] * t156) + (t15 * t124) - (t18 * t143);
-    const double t166 = cos_phi * ((cos_theta * ((motion->constants[7] * t93) + t146 - (t96 *
-        motion->constants[9]))) - (sin_theta * ((motion->constants[7] * t34) + t161 - (t88 *
-        motion->constants[8]))));
+    const double t161 = (motion->constants[7] * t156) + (t15 * t124) - (t18 * t143);
+    const double t166 = cos_phi * ((cos_theta * ((motion->constants[11] * t93) + t146 - (t96 *
+        motion->constants[13]))) - (sin_theta * ((motion->constants[11] * t34) + t161 - (t88 *
+        motion->constants[12]))));
     const double t169 = (t51 * t114) - (sin_phi * t130) - t166;
-    const double t170 = sin_phi * motion->constants[1];
-    const double t171 = motion->constants[3] * cos_theta;
-    const double t174 = motion->constants[0] * (t171 - motion->constants[12]);
+    const double t170 = sin_phi * motion->constants[4];
+    const double t171 = motion->constants[7] * cos_theta;
+    const double t174 = motion->constants[1] * (t171 - motion->constants[16]);
     const double t178 = sin_phi + t51;
-    const double t179 = motion->constants[1] * t178;
-    const double t183 = motion->constants[0] * t171;
-    const double t187 = motion->constants[4] + motion->constants[13] - t183 - t183;
-    const double t190 = motion->constants[14] - (cos_theta * motion->constants[5]);
+    const double t179 = motion->constants[4] * t178;
+    const double t183 = motion->constants[1] * t171;
+    const double t187 = motion->constants[8] + motion->constants[17] - t183 - t183;
+    const double t190 = motion->constants[18] - (cos_theta * motion->constants[9]);
     const double t192 = (sin_phi * t187) + (cos_phi * t190);
-    const double t201 = cos_phi * ((sin_phi * t190) + (cos_phi * (motion->constants[9] -
-        (sin_theta * sin_theta * motion->constants[11]))));
+    const double t201 = cos_phi * ((sin_phi * t190) + (cos_phi * (motion->constants[13] -
+        (sin_theta * sin_theta * motion->constants[15]))));
     const double t206 = (sin_phi * t192) + t201 + (sin_phi * t170) + (t178 * t179);
     const double t207 = 1.0 / t206;
-    const double t208 = (t170 + (cos_phi * motion->constants[14]) + t179 - (sin_phi * t174)) * t207;
+    const double t208 = (t170 + (cos_phi * motion->constants[18]) + t179 - (sin_phi * t174)) * t207;
     const double t211 = t53 + 1.0;
-    const double t212 = motion->constants[1] * t211;
+    const double t212 = motion->constants[4] * t211;
     const double t216 = t207 * (t170 + t192 + (t179 * t211));
     const double t217 = t206 * t216;
-    const double t226 = motion->constants[1] + t187 + (t211 * t212) - (t216 * t217);
+    const double t226 = motion->constants[4] + t187 + (t211 * t212) - (t216 * t217);
     const double t227 = 1.0 / t226;
-    const double t228 = (motion->constants[1] + t212 - t174 - (t208 * t217)) * t227;
+    const double t228 = (motion->constants[4] + t212 - t174 - (t208 * t217)) * t227;
     const double t232 = (t53 * t114) - t130 - (t169 * t216);
     const double t245 = (forces[0] + t106 + t114 - (t169 * t208) - (t228 * t232)) /
-        (motion->constants[15] - (t206 * t208 * t208) - (t226 * t228 * t228));
+        (motion->constants[19] - (t206 * t208 * t208) - (t226 * t228 * t228));
     const double t248 = (t227 * t232) - (t228 * t245);
     const double t253 = (t169 * t207) - (t216 * t248) - (t208 * t245);
     const double t255 = t248 + (sin_phi * t253);
     const double t256 = t245 + t255;
-    const double t257 = motion->constants[0] * t256;
+    const double t257 = motion->constants[1] * t256;
     const double t259 = t34 - (sin_theta * t257);
     const double t261 = cos_phi * t253;
     const double t263 = t88 + (sin_theta * t261);
-    const double t266 = (motion->constants[6] * t259) - t23 - (motion->constants[7] * t263);
+    const double t266 = (motion->constants[10] * t259) - t23 - (motion->constants[11] * t263);
     const double t269 = t93 + (cos_theta * t257);
     const double t273 = (cos_theta * t261) - t96;
-    const double t277 = (motion->constants[3] * t255) - t101 - (motion->constants[6] * t269) -
-        (motion->constants[7] * t273);
-    const double t285 = (motion->constants[1] * ((t51 * t253) + (t53 * t248) + t256 - t112)) -
+    const double t277 = (motion->constants[7] * t255) - t101 - (motion->constants[10] * t269) -
+        (motion->constants[11] * t273);
+    const double t285 = (motion->constants[4] * ((t51 * t253) + (t53 * t248) + t256 - t112)) -
         forces[1];
     const double t286 = t50 * t285;
     const double t288 = (sin_theta * t266) + (cos_theta * t277) - t286;
-    const double t297 = (t18 * t21) + (motion->constants[3] * t263) - (motion->constants[6] *
+    const double t297 = (t18 * t21) + (motion->constants[7] * t263) - (motion->constants[10] *
         t156) - (t8 * t98);
     const double t301 = (cos_theta * t266) - (sin_theta * t277);
     const double t303 = (cos_phi * t297) - (sin_phi * t301);
     const double t305 = (cos_psi * t288) - (sin_psi * t303);
     const double t308 = (t288 * sin_psi) + (cos_psi * t303);
-    const double t322 = (sin_theta * (t146 + (motion->constants[7] * t269) + (motion->constants[9] *
-        t273) - (motion->constants[5] * t255))) + (cos_theta * (t161 + (motion->constants[7] *
-        t259) - (motion->constants[8] * t263)));
-    const double t324 = t85 * (t322 + (motion->constants[0] * t297));
+    const double t322 = (sin_theta * (t146 + (motion->constants[11] * t269) +
+        (motion->constants[13] * t273) - (motion->constants[9] * t255))) + (cos_theta * (t161 +
+        (motion->constants[11] * t259) - (motion->constants[12] * t263)));
+    const double t324 = t85 * (t322 + (motion->constants[1] * t297));
     const double t328 = (sin_phi * t297) + (cos_phi * t301) - t324;
     const double t329 = cos_psi * t286;
     const double t330 = t286 * sin_psi;
@@ -1441,55 +1445,59 @@ void wheeled_pendulum_f32_with_respect_to(const wheeled_pendulum_f32_derivatives
 void wheeled_pendulum_f32_motion(const wheeled_pendulum_f32_t *p,
     wheeled_pendulum_f32_motion_t *motion)
 {
-    const float t3 = p->b + p->b;
-    const float t7 = p->r - p->r - p->l;
-    const float t8 = p->m * t7;
-    const float t10 = t7 * t8;
-    const float t11 = p->Iyy + t10;
-    const float t12 = p->b * p->m;
-    const float t13 = t7 * t12;
+    const float t6 = p->b + p->b;
+    const float t8 = p->r - p->r - p->l;
+    const float t9 = p->m * t8;
+    const float t11 = t8 * t9;
+    const float t12 = p->Iyy + t11;
+    const float t13 = p->b * p->m;
+    const float t14 = t8 * t13;
     const float t16 = p->m + p->mW + p->mW;
-    const float t17 = t3 * p->mW;
-    const float t18 = t12 + t17;
-    const float t24 = p->Ir + p->Ir + (t3 * t17) + (p->b * t12);
-    const float t25 = t10 + t24;
+    const float t17 = p->mW * t6;
+    const float t18 = t13 + t17;
+    const float t24 = p->Ir + p->Ir + (t6 * t17) + (p->b * t13);
+    const float t25 = t11 + t24;
     const float t27 = t24 + p->Izz;
     const float t29 = t27 - t25;
     const float t30 = p->r * t16;
     const float t31 = p->r * t30;
     const float t32 = p->r * t18;
     const float t34 = p->Ia + p->Ia + t31;
-    motion->constants[0] = p->r;
-    motion->constants[1] = p->Ia;
-    motion->constants[2] = t3;
-    motion->constants[3] = t8;
-    motion->constants[4] = t11;
-    motion->constants[5] = t13;
-    motion->constants[6] = t16;
-    motion->constants[7] = t18;
-    motion->constants[8] = t25;
-    motion->constants[9] = t27;
-    motion->constants[10] = p->g;
-    motion->constants[11] = t29;
-    motion->constants[12] = t30;
-    motion->constants[13] = t31;
-    motion->constants[14] = t32;
-    motion->constants[15] = t34;
+    motion->constants[0] = p->b;
+    motion->constants[1] = p->r;
+    motion->constants[2] = p->m;
+    motion->constants[3] = p->l;
+    motion->constants[4] = p->Ia;
+    motion->constants[5] = p->mW;
+    motion->constants[6] = t6;
+    motion->constants[7] = t9;
+    motion->constants[8] = t12;
+    motion->constants[9] = t14;
+    motion->constants[10] = t16;
+    motion->constants[11] = t18;
+    motion->constants[12] = t25;
+    motion->constants[13] = t27;
+    motion->constants[14] = p->g;
+    motion->constants[15] = t29;
+    motion->constants[16] = t30;
+    motion->constants[17] = t31;
+    motion->constants[18] = t32;
+    motion->constants[19] = t34;
 }
 
 static void wheeled_pendulum_f32_compute_rates(const wheeled_pendulum_f32_motion_t *motion,
     const float positions[WHEELED_PENDULUM_POSITIONS], const float speeds[WHEELED_PENDULUM_SPEEDS],
     float rates[WHEELED_PENDULUM_POSITIONS])
 {
-    const float t4 = motion->constants[0] * (speeds[1] + speeds[2]);
+    const float t4 = motion->constants[1] * (speeds[1] + speeds[2]);
     float sin_psi = 0.0F;
     float cos_psi = 0.0F;
     carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
-    const float t14 = motion->constants[0] * sin_phi;
-    const float t20 = (t14 + (cos_phi * motion->constants[2]) - t14) / motion->constants[0];
+    const float t14 = motion->constants[1] * sin_phi;
+    const float t20 = (t14 + (cos_phi * motion->constants[6]) - t14) / motion->constants[1];
     const float t25 = speeds[2] + (speeds[0] * t20) + (speeds[1] * sin_phi * t20);
     const float t26 = -(t4 * cos_psi);
     const float t27 = -(t4 * sin_psi);
@@ -1522,16 +1530,16 @@ static void wheeled_pendulum_f32_compute_derivatives(const wheeled_pendulum_f32_
     float speed_rates[WHEELED_PENDULUM_SPEEDS])
 {
     const float t3 = speeds[1] + speeds[2];
-    const float t4 = motion->constants[0] * t3;
+    const float t4 = motion->constants[1] * t3;
     float sin_psi = 0.0F;
     float cos_psi = 0.0F;
     carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
-    const float t14 = motion->constants[0] * sin_phi;
-    const float t19 = t14 + (cos_phi * motion->constants[2]) - t14;
-    const float t20 = 1.0F / motion->constants[0];
+    const float t14 = motion->constants[1] * sin_phi;
+    const float t19 = t14 + (cos_phi * motion->constants[6]) - t14;
+    const float t20 = 1.0F / motion->constants[1];
     const float t21 = t19 * t20;
     const float t23 = sin_phi * t21;
     const float t26 = speeds[2] + (speeds[0] * t21) + (speeds[1] * t23);
@@ -1539,9 +1547,9 @@ static void wheeled_pendulum_f32_compute_derivatives(const wheeled_pendulum_f32_
     float cos_theta = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_theta, &cos_theta);
     const float t30 = speeds[0] * sin_phi;
-    const float t32 = motion->constants[0] * t30;
+    const float t32 = motion->constants[1] * t30;
     const float t33 = (t3 + t30) * t32;
-    const float t36 = t33 - (cos_phi * motion->constants[10]);
+    const float t36 = t33 - (cos_phi * motion->constants[14]);
     const float t37 = sin_theta * t36;
     const float t40 = speeds[0] * cos_phi;
     const float t41 = sin_theta * t40;
@@ -1549,64 +1557,64 @@ static void wheeled_pendulum_f32_compute_derivatives(const wheeled_pendulum_f32_
     const float t43 = t3 * t40;
     const float t45 = t32 * t40;
     const float t47 = t40 * cos_theta;
-    const float t48 = motion->constants[2] * t47;
-    const float t50 = motion->constants[2] * t41;
+    const float t48 = motion->constants[6] * t47;
+    const float t50 = motion->constants[6] * t41;
     const float t52 = speeds[1] + t26;
-    const float t58 = t45 + (motion->constants[0] * t40 * t52) - (motion->constants[0] * t43) -
+    const float t58 = t45 + (motion->constants[1] * t40 * t52) - (motion->constants[1] * t43) -
         t45 - (t47 * t48);
     const float t62 = speeds[1] + t30;
     const float t64 = speeds[1] * t47;
-    const float t67 = (t33 * cos_theta) + (t48 * t62) - (motion->constants[2] * t64);
-    const float t73 = (motion->constants[2] * t42) - (sin_theta * t33) - (t50 * t62);
+    const float t67 = (t33 * cos_theta) + (t48 * t62) - (motion->constants[6] * t64);
+    const float t73 = (motion->constants[6] * t42) - (sin_theta * t33) - (t50 * t62);
     const float t81 = ((sin_phi * (t58 - (t41 * t50))) + (cos_phi * ((cos_theta * t67) -
         (sin_theta * t73) - (t32 * (t30 + t52))))) / t19;
     const float t83 = t42 + (sin_theta * t81);
-    const float t90 = t20 * motion->constants[1] * ((sin_theta * t67) + (cos_theta * t73));
-    const float t92 = t41 * motion->constants[8];
-    const float t97 = (t47 * motion->constants[9]) - (motion->constants[5] * t62);
+    const float t90 = t20 * motion->constants[4] * ((sin_theta * t67) + (cos_theta * t73));
+    const float t92 = t41 * motion->constants[12];
+    const float t97 = (t47 * motion->constants[13]) - (motion->constants[9] * t62);
     const float t100 = t36 * cos_theta;
     const float t104 = t64 + (cos_theta * t81);
-    const float t106 = motion->constants[3] * t41;
-    const float t125 = (sin_theta * ((motion->constants[6] * t100) - (motion->constants[7] * t104) -
-        (t41 * t106) - (t62 * ((motion->constants[3] * t62) - (t47 * motion->constants[7]))))) +
-        (cos_theta * ((t83 * motion->constants[7]) - (t37 * motion->constants[6]) - (t41 * t62 *
-        motion->constants[7]) - (t47 * t106)));
-    const float t126 = motion->constants[0] * t125;
-    const float t131 = (motion->constants[5] * t83) + (t41 * t97) - (motion->constants[3] * t37) -
+    const float t106 = motion->constants[7] * t41;
+    const float t125 = (sin_theta * ((motion->constants[10] * t100) - (motion->constants[11] *
+        t104) - (t41 * t106) - (t62 * ((motion->constants[7] * t62) - (t47 *
+        motion->constants[11]))))) + (cos_theta * ((t83 * motion->constants[11]) - (t37 *
+        motion->constants[10]) - (t41 * t62 * motion->constants[11]) - (t47 * t106)));
+    const float t126 = motion->constants[1] * t125;
+    const float t131 = (motion->constants[9] * t83) + (t41 * t97) - (motion->constants[7] * t37) -
         t90 - (t47 * t92) - t126;
-    const float t144 = (t62 * motion->constants[4]) + (motion->constants[1] * (speeds[2] + t62)) +
-        (motion->constants[1] * (t26 + t62)) - (motion->constants[5] * t47);
-    const float t162 = (t100 * motion->constants[7]) + (motion->constants[3] * (t45 + (sin_phi *
-        motion->constants[10]) + (motion->constants[0] * (t43 + t81)))) + (t62 * t97);
-    const float t166 = (cos_theta * ((t37 * motion->constants[7]) + (t62 * t92) - (t83 *
-        motion->constants[9]) - (t41 * t144))) - (sin_theta * (t162 - (motion->constants[8] *
+    const float t144 = (t62 * motion->constants[8]) + (motion->constants[4] * (speeds[2] + t62)) +
+        (motion->constants[4] * (t26 + t62)) - (motion->constants[9] * t47);
+    const float t162 = (t100 * motion->constants[11]) + (motion->constants[7] * (t45 + (sin_phi *
+        motion->constants[14]) + (motion->constants[1] * (t43 + t81)))) + (t62 * t97);
+    const float t166 = (cos_theta * ((t37 * motion->constants[11]) + (t62 * t92) - (t83 *
+        motion->constants[13]) - (t41 * t144))) - (sin_theta * (t162 - (motion->constants[12] *
         t104) - (t47 * t144)));
     const float t169 = t90 + forces[1];
     const float t172 = (t21 * t169) - (sin_phi * t131) - (cos_phi * t166);
-    const float t173 = motion->constants[3] * cos_theta;
-    const float t174 = motion->constants[0] * t173;
-    const float t178 = motion->constants[4] + motion->constants[13] - t174 - t174;
-    const float t182 = motion->constants[14] - (motion->constants[5] * cos_theta);
+    const float t173 = motion->constants[7] * cos_theta;
+    const float t174 = motion->constants[1] * t173;
+    const float t178 = motion->constants[8] + motion->constants[17] - t174 - t174;
+    const float t182 = motion->constants[18] - (motion->constants[9] * cos_theta);
     const float t184 = (sin_phi * t178) + (cos_phi * t182);
-    const float t193 = cos_phi * ((sin_phi * t182) + (cos_phi * (motion->constants[9] - (sin_theta *
-        sin_theta * motion->constants[11]))));
-    const float t194 = sin_phi * motion->constants[1];
+    const float t193 = cos_phi * ((sin_phi * t182) + (cos_phi * (motion->constants[13] -
+        (sin_theta * sin_theta * motion->constants[15]))));
+    const float t194 = sin_phi * motion->constants[4];
     const float t196 = sin_phi + t21;
-    const float t197 = motion->constants[1] * t196;
+    const float t197 = motion->constants[4] * t196;
     const float t201 = (sin_phi * t184) + t193 + (sin_phi * t194) + (t196 * t197);
     const float t202 = 1.0F / t201;
     const float t205 = t23 + 1.0F;
     const float t209 = t202 * (t184 + t194 + (t197 * t205));
-    const float t210 = motion->constants[1] * t205;
+    const float t210 = motion->constants[4] * t205;
     const float t212 = t201 * t209;
-    const float t216 = motion->constants[1] + t178 + (t205 * t210) - (t209 * t212);
+    const float t216 = motion->constants[4] + t178 + (t205 * t210) - (t209 * t212);
     const float t217 = 1.0F / t216;
     const float t221 = (t23 * t169) - t131 - (t172 * t209);
-    const float t225 = motion->constants[0] * (t173 - motion->constants[12]);
-    const float t231 = t202 * (t194 + t197 + (cos_phi * motion->constants[14]) - (sin_phi * t225));
-    const float t236 = t217 * (motion->constants[1] + t210 - t225 - (t212 * t231));
+    const float t225 = motion->constants[1] * (t173 - motion->constants[16]);
+    const float t231 = t202 * (t194 + t197 + (cos_phi * motion->constants[18]) - (sin_phi * t225));
+    const float t236 = t217 * (motion->constants[4] + t210 - t225 - (t212 * t231));
     const float t251 = (t126 + t169 + forces[0] - (t172 * t231) - (t221 * t236)) /
-        (motion->constants[15] - (t201 * t231 * t231) - (t216 * t236 * t236));
+        (motion->constants[19] - (t201 * t231 * t231) - (t216 * t236 * t236));
     const float t253 = (t217 * t221) - (t236 * t251);
     const float t257 = (t172 * t202) - (t209 * t253) - (t231 * t251);
     const float t258 = -(t4 * cos_psi);
@@ -1656,84 +1664,84 @@ static void wheeled_pendulum_f32_compute_accelerations(const wheeled_pendulum_f3
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
     const float t11 = speeds[0] * sin_phi;
     const float t14 = speeds[1] + speeds[2];
-    const float t16 = motion->constants[0] * t11;
+    const float t16 = motion->constants[1] * t11;
     const float t17 = (t11 + t14) * t16;
-    const float t21 = t17 - (cos_phi * motion->constants[10]);
+    const float t21 = t17 - (cos_phi * motion->constants[14]);
     const float t22 = cos_theta * t21;
     const float t25 = speeds[0] * cos_phi;
     const float t26 = cos_theta * t25;
     const float t27 = speeds[1] * t26;
     const float t28 = t14 * t25;
     const float t30 = t16 * t25;
-    const float t32 = t26 * motion->constants[2];
+    const float t32 = t26 * motion->constants[6];
     const float t34 = sin_theta * t25;
-    const float t35 = motion->constants[2] * t34;
-    const float t37 = motion->constants[0] * sin_phi;
-    const float t40 = t37 + (cos_phi * motion->constants[2]) - t37;
-    const float t41 = 1.0F / motion->constants[0];
+    const float t35 = motion->constants[6] * t34;
+    const float t37 = motion->constants[1] * sin_phi;
+    const float t40 = t37 + (cos_phi * motion->constants[6]) - t37;
+    const float t41 = 1.0F / motion->constants[1];
     const float t42 = t40 * t41;
     const float t44 = sin_phi * t42;
     const float t47 = speeds[2] + (speeds[0] * t42) + (speeds[1] * t44);
     const float t48 = speeds[1] + t47;
-    const float t54 = t30 + (motion->constants[0] * t25 * t48) - (motion->constants[0] * t28) -
+    const float t54 = t30 + (motion->constants[1] * t25 * t48) - (motion->constants[1] * t28) -
         t30 - (t26 * t32);
     const float t58 = t11 + speeds[1];
-    const float t62 = (cos_theta * t17) + (t32 * t58) - (t27 * motion->constants[2]);
+    const float t62 = (cos_theta * t17) + (t32 * t58) - (t27 * motion->constants[6]);
     const float t66 = speeds[1] * t34;
-    const float t69 = (motion->constants[2] * t66) - (sin_theta * t17) - (t35 * t58);
+    const float t69 = (motion->constants[6] * t66) - (sin_theta * t17) - (t35 * t58);
     const float t77 = ((sin_phi * (t54 - (t34 * t35))) + (cos_phi * ((cos_theta * t62) -
         (sin_theta * t69) - (t16 * (t11 + t48))))) / t40;
     const float t79 = t27 + (cos_theta * t77);
-    const float t82 = t34 * motion->constants[3];
+    const float t82 = t34 * motion->constants[7];
     const float t92 = sin_theta * t21;
     const float t95 = t66 + (sin_theta * t77);
-    const float t104 = (sin_theta * ((motion->constants[6] * t22) - (motion->constants[7] * t79) -
-        (t34 * t82) - (t58 * ((t58 * motion->constants[3]) - (motion->constants[7] * t26))))) +
-        (cos_theta * ((motion->constants[7] * t95) - (motion->constants[6] * t92) -
-        (motion->constants[7] * t34 * t58) - (t26 * t82)));
-    const float t105 = motion->constants[0] * t104;
+    const float t104 = (sin_theta * ((motion->constants[10] * t22) - (motion->constants[11] * t79) -
+        (t34 * t82) - (t58 * ((t58 * motion->constants[7]) - (motion->constants[11] * t26))))) +
+        (cos_theta * ((motion->constants[11] * t95) - (motion->constants[10] * t92) -
+        (motion->constants[11] * t34 * t58) - (t26 * t82)));
+    const float t105 = motion->constants[1] * t104;
     const float t111 = t41 * ((sin_theta * t62) + (cos_theta * t69));
-    const float t112 = motion->constants[1] * t111;
+    const float t112 = motion->constants[4] * t111;
     const float t113 = forces[1] + t112;
-    const float t118 = t34 * motion->constants[8];
-    const float t123 = (t26 * motion->constants[9]) - (t58 * motion->constants[5]);
-    const float t129 = (t95 * motion->constants[5]) + (t34 * t123) - t105 - t112 -
-        (motion->constants[3] * t92) - (t26 * t118);
-    const float t142 = (t58 * motion->constants[4]) + (motion->constants[1] * (speeds[2] + t58)) +
-        (motion->constants[1] * (t47 + t58)) - (t26 * motion->constants[5]);
-    const float t160 = (t22 * motion->constants[7]) + (motion->constants[3] * (t30 + (sin_phi *
-        motion->constants[10]) + (motion->constants[0] * (t28 + t77)))) + (t58 * t123);
-    const float t164 = (cos_theta * ((motion->constants[7] * t92) + (t58 * t118) - (t95 *
-        motion->constants[9]) - (t34 * t142))) - (sin_theta * (t160 - (t79 * motion->constants[8]) -
-        (t26 * t142)));
+    const float t118 = t34 * motion->constants[12];
+    const float t123 = (t26 * motion->constants[13]) - (t58 * motion->constants[9]);
+    const float t129 = (t95 * motion->constants[9]) + (t34 * t123) - t105 - t112 -
+        (motion->constants[7] * t92) - (t26 * t118);
+    const float t142 = (t58 * motion->constants[8]) + (motion->constants[4] * (speeds[2] + t58)) +
+        (motion->constants[4] * (t47 + t58)) - (t26 * motion->constants[9]);
+    const float t160 = (t22 * motion->constants[11]) + (motion->constants[7] * (t30 + (sin_phi *
+        motion->constants[14]) + (motion->constants[1] * (t28 + t77)))) + (t58 * t123);
+    const float t164 = (cos_theta * ((motion->constants[11] * t92) + (t58 * t118) - (t95 *
+        motion->constants[13]) - (t34 * t142))) - (sin_theta * (t160 - (t79 *
+        motion->constants[12]) - (t26 * t142)));
     const float t168 = (t42 * t113) - (sin_phi * t129) - (cos_phi * t164);
-    const float t169 = sin_phi * motion->constants[1];
-    const float t170 = cos_theta * motion->constants[3];
-    const float t173 = motion->constants[0] * (t170 - motion->constants[12]);
+    const float t169 = sin_phi * motion->constants[4];
+    const float t170 = cos_theta * motion->constants[7];
+    const float t173 = motion->constants[1] * (t170 - motion->constants[16]);
     const float t177 = sin_phi + t42;
-    const float t178 = motion->constants[1] * t177;
-    const float t182 = motion->constants[0] * t170;
-    const float t186 = motion->constants[4] + motion->constants[13] - t182 - t182;
-    const float t189 = motion->constants[14] - (cos_theta * motion->constants[5]);
+    const float t178 = motion->constants[4] * t177;
+    const float t182 = motion->constants[1] * t170;
+    const float t186 = motion->constants[8] + motion->constants[17] - t182 - t182;
+    const float t189 = motion->constants[18] - (cos_theta * motion->constants[9]);
     const float t191 = (sin_phi * t186) + (cos_phi * t189);
-    const float t200 = cos_phi * ((sin_phi * t189) + (cos_phi * (motion->constants[9] - (sin_theta *
-        sin_theta * motion->constants[11]))));
+    const float t200 = cos_phi * ((sin_phi * t189) + (cos_phi * (motion->constants[13] -
+        (sin_theta * sin_theta * motion->constants[15]))));
     const float t205 = (sin_phi * t191) + t200 + (sin_phi * t169) + (t177 * t178);
     const float t206 = 1.0F / t205;
-    const float t207 = (t169 + (cos_phi * motion->constants[14]) + t178 - (sin_phi * t173)) * t206;
+    const float t207 = (t169 + (cos_phi * motion->constants[18]) + t178 - (sin_phi * t173)) * t206;
     const float t210 = t44 + 1.0F;
-    const float t211 = motion->constants[1] * t210;
+    const float t211 = motion->constants[4] * t210;
     const float t215 = t206 * (t169 + t191 + (t178 * t210));
     const float t216 = t205 * t215;
-    const float t225 = motion->constants[1] + t186 + (t210 * t211) - (t215 * t216);
+    const float t225 = motion->constants[4] + t186 + (t210 * t211) - (t215 * t216);
     const float t226 = 1.0F / t225;
-    const float t227 = (motion->constants[1] + t211 - t173 - (t207 * t216)) * t226;
+    const float t227 = (motion->constants[4] + t211 - t173 - (t207 * t216)) * t226;
     const float t231 = (t44 * t113) - t129 - (t168 * t215);
     const float t244 = (forces[0] + t105 + t113 - (t168 * t207) - (t227 * t231)) /
-        (motion->constants[15] - (t205 * t207 * t207) - (t225 * t227 * t227));
+        (motion->constants[19] - (t205 * t207 * t207) - (t225 * t227 * t227));
     const float t247 = (t226 * t231) - (t227 * t244);
-    const float t249 = motion->constants[0] * (t244 + t247);
-    const float t253 = motion->constants[0] * speeds[0] * t14;
+    const float t249 = motion->constants[1] * (t244 + t247);
+    const float t253 = motion->constants[1] * speeds[0] * t14;
     const float t255 = (sin_psi * t253) - (cos_psi * t249);
     const float t263 = (t168 * t206) - (t215 * t247) - (t207 * t244);
     const float t268 = t244 + (t42 * t263) + (t44 * t247) - t111;
@@ -1774,32 +1782,32 @@ static void wheeled_pendulum_f32_compute_energy(const wheeled_pendulum_f32_motio
     float sin_theta = 0.0F;
     float cos_theta = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_theta, &cos_theta);
-    const float t8 = cos_theta * motion->constants[3];
-    const float t9 = motion->constants[0] * t8;
-    const float t13 = motion->constants[4] + motion->constants[13] - t9 - t9;
-    const float t19 = motion->constants[14] - (cos_theta * motion->constants[5]);
+    const float t8 = cos_theta * motion->constants[7];
+    const float t9 = motion->constants[1] * t8;
+    const float t13 = motion->constants[8] + motion->constants[17] - t9 - t9;
+    const float t19 = motion->constants[18] - (cos_theta * motion->constants[9]);
     const float t21 = (sin_phi * t13) + (cos_phi * t19);
-    const float t32 = cos_phi * ((sin_phi * t19) + (cos_phi * (motion->constants[9] - (sin_theta *
-        sin_theta * motion->constants[11]))));
-    const float t34 = sin_phi * motion->constants[1];
-    const float t36 = sin_phi * motion->constants[0];
-    const float t41 = (t36 + (cos_phi * motion->constants[2]) - t36) / motion->constants[0];
+    const float t32 = cos_phi * ((sin_phi * t19) + (cos_phi * (motion->constants[13] - (sin_theta *
+        sin_theta * motion->constants[15]))));
+    const float t34 = sin_phi * motion->constants[4];
+    const float t36 = sin_phi * motion->constants[1];
+    const float t41 = (t36 + (cos_phi * motion->constants[6]) - t36) / motion->constants[1];
     const float t42 = sin_phi + t41;
-    const float t43 = motion->constants[1] * t42;
+    const float t43 = motion->constants[4] * t42;
     const float t52 = 1.0F + (sin_phi * t41);
     const float t55 = t21 + t34 + (t43 * t52);
-    const float t59 = t8 - motion->constants[12];
-    const float t60 = motion->constants[0] * t59;
-    const float t65 = t34 + t43 + (cos_phi * motion->constants[14]) - (sin_phi * t60);
+    const float t59 = t8 - motion->constants[16];
+    const float t60 = motion->constants[1] * t59;
+    const float t65 = t34 + t43 + (cos_phi * motion->constants[18]) - (sin_phi * t60);
     const float t67 = (speeds[0] * ((sin_phi * t21) + t32 + (sin_phi * t34) + (t42 * t43))) +
         (speeds[1] * t55);
-    const float t71 = motion->constants[1] * t52;
-    const float t77 = motion->constants[1] + t71 - t60;
-    const float t81 = speeds[1] * ((speeds[0] * t55) + (speeds[1] * (t13 + motion->constants[1] +
+    const float t71 = motion->constants[4] * t52;
+    const float t77 = motion->constants[4] + t71 - t60;
+    const float t81 = speeds[1] * ((speeds[0] * t55) + (speeds[1] * (t13 + motion->constants[4] +
         (t52 * t71))) + (speeds[2] * t77));
     const float t92 = ((speeds[0] * (t67 + (speeds[2] * t65))) + t81 + (speeds[2] * ((speeds[0] *
-        t65) + (speeds[1] * t77) + (speeds[2] * motion->constants[15])))) * 0.5F;
-    const float t99 = -(motion->constants[10] * ((sin_phi * motion->constants[7]) + (cos_phi *
+        t65) + (speeds[1] * t77) + (speeds[2] * motion->constants[19])))) * 0.5F;
+    const float t99 = -(motion->constants[14] * ((sin_phi * motion->constants[11]) + (cos_phi *
         t59)));
     energy[0] = t92;
     energy[1] = t99;
@@ -1826,10 +1834,10 @@ static void wheeled_pendulum_f32_compute_closure(const wheeled_pendulum_f32_moti
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
-    const float t3 = motion->constants[0] * cos_phi;
-    const float t8 = t3 + (sin_phi * motion->constants[2]) - t3;
-    const float t9 = motion->constants[0] * sin_phi;
-    const float t14 = -(t8 / (t9 + (cos_phi * motion->constants[2]) - t9));
+    const float t3 = motion->constants[1] * cos_phi;
+    const float t8 = t3 + (sin_phi * motion->constants[6]) - t3;
+    const float t9 = motion->constants[1] * sin_phi;
+    const float t14 = -(t8 / (t9 + (cos_phi * motion->constants[6]) - t9));
     below[0] = t8;
     steps[0] = t14;
 }
@@ -1917,113 +1925,113 @@ static void wheeled_pendulum_f32_compute_contact_forces(const wheeled_pendulum_f
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
     const float t7 = speeds[0] * cos_phi;
     const float t8 = sin_theta * t7;
-    const float t10 = t8 * motion->constants[3];
+    const float t10 = t8 * motion->constants[7];
     const float t14 = speeds[0] * sin_phi;
     const float t15 = speeds[1] + t14;
     const float t18 = t7 * cos_theta;
-    const float t21 = (motion->constants[3] * t15) - (t18 * motion->constants[7]);
+    const float t21 = (motion->constants[7] * t15) - (t18 * motion->constants[11]);
     const float t23 = (t8 * t10) + (t15 * t21);
     const float t26 = speeds[1] + speeds[2];
-    const float t29 = t14 * motion->constants[0];
+    const float t29 = t14 * motion->constants[1];
     const float t30 = (t14 + t26) * t29;
-    const float t33 = t30 - (cos_phi * motion->constants[10]);
+    const float t33 = t30 - (cos_phi * motion->constants[14]);
     const float t34 = cos_theta * t33;
     const float t37 = speeds[1] * t18;
     const float t38 = t7 * t26;
     const float t40 = t7 * t29;
-    const float t42 = t18 * motion->constants[2];
-    const float t44 = t8 * motion->constants[2];
-    const float t46 = sin_phi * motion->constants[0];
-    const float t49 = t46 + (cos_phi * motion->constants[2]) - t46;
-    const float t50 = 1.0F / motion->constants[0];
+    const float t42 = t18 * motion->constants[6];
+    const float t44 = t8 * motion->constants[6];
+    const float t46 = sin_phi * motion->constants[1];
+    const float t49 = t46 + (cos_phi * motion->constants[6]) - t46;
+    const float t50 = 1.0F / motion->constants[1];
     const float t51 = t49 * t50;
     const float t53 = sin_phi * t51;
     const float t56 = speeds[2] + (speeds[0] * t51) + (speeds[1] * t53);
     const float t57 = speeds[1] + t56;
-    const float t63 = t40 + (t7 * motion->constants[0] * t57) - (motion->constants[0] * t38) - t40 -
+    const float t63 = t40 + (t7 * motion->constants[1] * t57) - (motion->constants[1] * t38) - t40 -
         (t18 * t42);
-    const float t70 = (cos_theta * t30) + (t15 * t42) - (t37 * motion->constants[2]);
+    const float t70 = (cos_theta * t30) + (t15 * t42) - (t37 * motion->constants[6]);
     const float t74 = t8 * speeds[1];
-    const float t77 = (motion->constants[2] * t74) - (sin_theta * t30) - (t15 * t44);
+    const float t77 = (motion->constants[6] * t74) - (sin_theta * t30) - (t15 * t44);
     const float t85 = 1.0F / t49;
     const float t86 = ((sin_phi * (t63 - (t8 * t44))) + (cos_phi * ((cos_theta * t70) - (sin_theta *
         t77) - (t29 * (t14 + t57))))) * t85;
     const float t88 = t37 + (cos_theta * t86);
     const float t93 = sin_theta * t33;
     const float t96 = t74 + (sin_theta * t86);
-    const float t98 = t8 * motion->constants[7];
+    const float t98 = t8 * motion->constants[11];
     const float t101 = (t15 * t98) + (t10 * t18);
-    const float t106 = motion->constants[0] * ((sin_theta * ((motion->constants[6] * t34) - t23 -
-        (motion->constants[7] * t88))) + (cos_theta * ((motion->constants[7] * t96) -
-        (motion->constants[6] * t93) - t101)));
+    const float t106 = motion->constants[1] * ((sin_theta * ((motion->constants[10] * t34) - t23 -
+        (motion->constants[11] * t88))) + (cos_theta * ((motion->constants[11] * t96) -
+        (motion->constants[10] * t93) - t101)));
     const float t112 = t50 * ((sin_theta * t70) + (cos_theta * t77));
-    const float t113 = motion->constants[1] * t112;
+    const float t113 = motion->constants[4] * t112;
     const float t114 = forces[1] + t113;
-    const float t119 = t8 * motion->constants[8];
-    const float t124 = (t18 * motion->constants[9]) - (t15 * motion->constants[5]);
-    const float t130 = (t96 * motion->constants[5]) + (t8 * t124) - t106 - t113 -
-        (motion->constants[3] * t93) - (t18 * t119);
-    const float t143 = (t15 * motion->constants[4]) + (motion->constants[1] * (t15 + speeds[2])) +
-        (motion->constants[1] * (t15 + t56)) - (t18 * motion->constants[5]);
+    const float t119 = t8 * motion->constants[12];
+    const float t124 = (t18 * motion->constants[13]) - (t15 * motion->constants[9]);
+    const float t130 = (t96 * motion->constants[9]) + (t8 * t124) - t106 - t113 -
+        (motion->constants[7] * t93) - (t18 * t119);
+    const float t143 = (t15 * motion->constants[8]) + (motion->constants[4] * (t15 + speeds[2])) +
+        (motion->constants[4] * (t15 + t56)) - (t18 * motion->constants[9]);
     const float t146 = (t15 * t119) - (t8 * t143);
-    const float t156 = t40 + (sin_phi * motion->constants[10]) + (motion->constants[0] * (t38 +
+    const float t156 = t40 + (sin_phi * motion->constants[14]) + (motion->constants[1] * (t38 +
         t86));
-    const float t161 = (motion->constants[3] * t156) + (t15 * t124) - (t18 * t143);
-    const float t166 = cos_phi * ((cos_theta * ((motion->constants[7] * t93) + t146 - (t96 *
-        motion->constants[9]))) - (sin_theta * ((motion->constants[7] * t34) + t161 - (t88 *
-        motion->constants[8]))));
+    const float t161 = (motion->constants[7] * t156) + (t15 * t124) - (t18 * t143);
+    const float t166 = cos_phi * ((cos_theta * ((motion->constants[11] * t93) + t146 - (t96 *
+        motion->constants[13]))) - (sin_theta * ((motion->constants[11] * t34) + t161 - (t88 *
+        motion->constants[12]))));
     const float t169 = (t51 * t114) - (sin_phi * t130) - t166;
-    const float t170 = sin_phi * motion->constants[1];
-    const float t171 = motion->constants[3] * cos_theta;
-    const float t174 = motion->constants[0] * (t171 - motion->constants[12]);
+    const float t170 = sin_phi * motion->constants[4];
+    const float t171 = motion->constants[7] * cos_theta;
+    const float t174 = motion->constants[1] * (t171 - motion->constants[16]);
     const float t178 = sin_phi + t51;
-    const float t179 = motion->constants[1] * t178;
-    const float t183 = motion->constants[0] * t171;
-    const float t187 = motion->constants[4] + motion->constants[13] - t183 - t183;
-    const float t190 = motion->constants[14] - (cos_theta * motion->constants[5]);
+    const float t179 = motion->constants[4] * t178;
+    const float t183 = motion->constants[1] * t171;
+    const float t187 = motion->constants[8] + motion->constants[17] - t183 - t183;
+    const float t190 = motion->constants[18] - (cos_theta * motion->constants[9]);
     const float t192 = (sin_phi * t187) + (cos_phi * t190);
-    const float t201 = cos_phi * ((sin_phi * t190) + (cos_phi * (motion->constants[9] - (sin_theta *
-        sin_theta * motion->constants[11]))));
+    const float t201 = cos_phi * ((sin_phi * t190) + (cos_phi * (motion->constants[13] -
+        (sin_theta * sin_theta * motion->constants[15]))));
     const float t206 = (sin_phi * t192) + t201 + (sin_phi * t170) + (t178 * t179);
     const float t207 = 1.0F / t206;
-    const float t208 = (t170 + (cos_phi * motion->constants[14]) + t179 - (sin_phi * t174)) * t207;
+    const float t208 = (t170 + (cos_phi * motion->constants[18]) + t179 - (sin_phi * t174)) * t207;
     const float t211 = t53 + 1.0F;
-    const float t212 = motion->constants[1] * t211;
+    const float t212 = motion->constants[4] * t211;
     const float t216 = t207 * (t170 + t192 + (t179 * t211));
     const float t217 = t206 * t216;
-    const float t226 = motion->constants[1] + t187 + (t211 * t212) - (t216 * t217);
+    const float t226 = motion->constants[4] + t187 + (t211 * t212) - (t216 * t217);
     const float t227 = 1.0F / t226;
-    const float t228 = (motion->constants[1] + t212 - t174 - (t208 * t217)) * t227;
+    const float t228 = (motion->constants[4] + t212 - t174 - (t208 * t217)) * t227;
     const float t232 = (t53 * t114) - t130 - (t169 * t216);
     const float t245 = (forces[0] + t106 + t114 - (t169 * t208) - (t228 * t232)) /
-        (motion->constants[15] - (t206 * t208 * t208) - (t226 * t228 * t228));
+        (motion->constants[19] - (t206 * t208 * t208) - (t226 * t228 * t228));
     const float t248 = (t227 * t232) - (t228 * t245);
     const float t253 = (t169 * t207) - (t216 * t248) - (t208 * t245);
     const float t255 = t248 + (sin_phi * t253);
     const float t256 = t245 + t255;
-    const float t257 = motion->constants[0] * t256;
+    const float t257 = motion->constants[1] * t256;
     const float t259 = t34 - (sin_theta * t257);
     const float t261 = cos_phi * t253;
     const float t263 = t88 + (sin_theta * t261);
-    const float t266 = (motion->constants[6] * t259) - t23 - (motion->constants[7] * t263);
+    const float t266 = (motion->constants[10] * t259) - t23 - (motion->constants[11] * t263);
     const float t269 = t93 + (cos_theta * t257);
     const float t273 = (cos_theta * t261) - t96;
-    const float t277 = (motion->constants[3] * t255) - t101 - (motion->constants[6] * t269) -
-        (motion->constants[7] * t273);
-    const float t285 = (motion->constants[1] * ((t51 * t253) + (t53 * t248) + t256 - t112)) -
+    const float t277 = (motion->constants[7] * t255) - t101 - (motion->constants[10] * t269) -
+        (motion->constants[11] * t273);
+    const float t285 = (motion->constants[4] * ((t51 * t253) + (t53 * t248) + t256 - t112)) -
         forces[1];
     const float t286 = t50 * t285;
     const float t288 = (sin_theta * t266) + (cos_theta * t277) - t286;
-    const float t297 = (t18 * t21) + (motion->constants[3] * t263) - (motion->constants[6] * t156) -
-        (t8 * t98);
+    const float t297 = (t18 * t21) + (motion->constants[7] * t263) - (motion->constants[10] *
+        t156) - (t8 * t98);
     const float t301 = (cos_theta * t266) - (sin_theta * t277);
     const float t303 = (cos_phi * t297) - (sin_phi * t301);
     const float t305 = (cos_psi * t288) - (sin_psi * t303);
     const float t308 = (t288 * sin_psi) + (cos_psi * t303);
-    const float t322 = (sin_theta * (t146 + (motion->constants[7] * t269) + (motion->constants[9] *
-        t273) - (motion->constants[5] * t255))) + (cos_theta * (t161 + (motion->constants[7] *
-        t259) - (motion->constants[8] * t263)));
-    const float t324 = t85 * (t322 + (motion->constants[0] * t297));
+    const float t322 = (sin_theta * (t146 + (motion->constants[11] * t269) +
+        (motion->constants[13] * t273) - (motion->constants[9] * t255))) + (cos_theta * (t161 +
+        (motion->constants[11] * t259) - (motion->constants[12] * t263)));
+    const float t324 = t85 * (t322 + (motion->constants[1] * t297));
     const float t328 = (sin_phi * t297) + (cos_phi * t301) - t324;
     const float t329 = cos_psi * t286;
     const float t330 = t286 * sin_psi;

@@ -366,7 +366,7 @@ void wheeled_pendulum_f64_with_respect_to(const wheeled_pendulum_f64_derivatives
  */
 typedef struct {
     /** In an order of their own. */
-    double constants[16U];
+    double constants[20U];
 } wheeled_pendulum_f64_motion_t;
 
 /**
@@ -665,7 +665,7 @@ void wheeled_pendulum_f32_with_respect_to(const wheeled_pendulum_f32_derivatives
  */
 typedef struct {
     /** In an order of their own. */
-    float constants[16U];
+    float constants[20U];
 } wheeled_pendulum_f32_motion_t;
 
 /**

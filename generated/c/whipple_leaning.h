@@ -492,7 +492,7 @@ void whipple_leaning_f64_with_respect_to(const whipple_leaning_f64_derivatives_t
  */
 typedef struct {
     /** In an order of their own. */
-    double constants[59U];
+    double constants[80U];
 } whipple_leaning_f64_motion_t;
 
 /**
@@ -862,7 +862,7 @@ void whipple_leaning_f32_with_respect_to(const whipple_leaning_f32_derivatives_t
  */
 typedef struct {
     /** In an order of their own. */
-    float constants[59U];
+    float constants[80U];
 } whipple_leaning_f32_motion_t;
 
 /**

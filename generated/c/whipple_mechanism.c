@@ -1062,101 +1062,116 @@ void whipple_mechanism_f64_with_respect_to(const whipple_mechanism_f64_derivativ
 void whipple_mechanism_f64_motion(const whipple_mechanism_f64_t *p,
     whipple_mechanism_f64_motion_t *motion)
 {
-    const double t2 = p->mR + p->mB;
-    const double t7 = p->mH + p->mF;
+    const double t2 = p->mB + p->mR;
+    const double t18 = p->mH + p->mF;
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t15 = p->w + p->c;
-    const double t18 = (cos_lam * t15) - (p->rR * sin_lam);
-    const double t21 = (sin_lam * t15) + (p->rR * cos_lam);
-    const double t22 = p->w - t15;
-    const double t25 = (cos_lam * t22) + (p->rF * sin_lam);
-    const double t28 = (sin_lam * t22) - (p->rF * cos_lam);
-    const double t29 = t21 + t28;
-    const double t33 = p->rR + p->zB;
-    const double t35 = (cos_lam * p->xB) - (sin_lam * t33);
-    const double t36 = p->mB * t35;
-    const double t39 = (sin_lam * p->xB) + (cos_lam * t33);
-    const double t40 = p->mB * t39;
-    const double t44 = cos_lam * p->IBxz;
-    const double t45 = (sin_lam * p->IBxx) + t44;
-    const double t47 = sin_lam * p->IBxz;
-    const double t50 = t47 + (cos_lam * p->IBzz);
-    const double t54 = (cos_lam * t45) - (sin_lam * t50) - (t36 * t39);
-    const double t56 = t39 * t40;
-    const double t57 = t35 * t36;
-    const double t59 = p->IByy + t56 + t57;
-    const double t69 = t56 + p->IRxx + (cos_lam * ((cos_lam * p->IBxx) - t47)) - (sin_lam * (t44 -
-        (sin_lam * p->IBzz)));
-    const double t74 = t57 + p->IRxx + (sin_lam * t45) + (cos_lam * t50);
-    const double t76 = p->xH - t15;
-    const double t80 = (cos_lam * t76) - (sin_lam * p->zH);
-    const double t81 = p->mH * t80;
-    const double t82 = p->mF * t25;
-    const double t83 = t81 + t82;
-    const double t86 = (sin_lam * t76) + (cos_lam * p->zH);
-    const double t87 = p->mH * t86;
-    const double t88 = p->mF * t28;
-    const double t89 = t87 + t88;
-    const double t94 = sin_lam * p->IHxz;
-    const double t97 = cos_lam * p->IHxz;
-    const double t104 = (t86 * t87) + (t28 * t88);
-    const double t107 = p->IFxx + (cos_lam * ((cos_lam * p->IHxx) - t94)) + t104 - (sin_lam * (t97 -
-        (sin_lam * p->IHzz)));
-    const double t109 = t97 + (sin_lam * p->IHxx);
-    const double t112 = t94 + (cos_lam * p->IHzz);
-    const double t118 = (cos_lam * t109) - (sin_lam * t112) - (t81 * t86) - (t28 * t82);
-    const double t122 = (t80 * t81) + (t25 * t82);
+    const double t25 = p->w + p->c;
+    const double t28 = (cos_lam * t25) - (p->rR * sin_lam);
+    const double t31 = (sin_lam * t25) + (p->rR * cos_lam);
+    const double t32 = p->w - t25;
+    const double t35 = (cos_lam * t32) + (p->rF * sin_lam);
+    const double t38 = (sin_lam * t32) - (p->rF * cos_lam);
+    const double t39 = t31 + t38;
+    const double t41 = p->rR + p->zB;
+    const double t43 = (p->xB * cos_lam) - (sin_lam * t41);
+    const double t44 = p->mB * t43;
+    const double t47 = (p->xB * sin_lam) + (cos_lam * t41);
+    const double t48 = p->mB * t47;
+    const double t50 = p->IBxz * cos_lam;
+    const double t51 = (p->IBxx * sin_lam) + t50;
+    const double t53 = p->IBxz * sin_lam;
+    const double t55 = t53 + (p->IBzz * cos_lam);
+    const double t59 = (cos_lam * t51) - (sin_lam * t55) - (t44 * t47);
+    const double t61 = t47 * t48;
+    const double t62 = t43 * t44;
+    const double t64 = p->IByy + t61 + t62;
+    const double t74 = t61 + p->IRxx + (cos_lam * ((p->IBxx * cos_lam) - t53)) - (sin_lam * (t50 -
+        (p->IBzz * sin_lam)));
+    const double t79 = t62 + p->IRxx + (sin_lam * t51) + (cos_lam * t55);
+    const double t80 = p->xH - t25;
+    const double t83 = (cos_lam * t80) - (p->zH * sin_lam);
+    const double t84 = p->mH * t83;
+    const double t85 = p->mF * t35;
+    const double t86 = t84 + t85;
+    const double t89 = (sin_lam * t80) + (p->zH * cos_lam);
+    const double t90 = p->mH * t89;
+    const double t91 = p->mF * t38;
+    const double t92 = t90 + t91;
+    const double t95 = p->IHxz * sin_lam;
+    const double t98 = p->IHxz * cos_lam;
+    const double t104 = (t89 * t90) + (t38 * t91);
+    const double t107 = p->IFxx + (cos_lam * ((p->IHxx * cos_lam) - t95)) + t104 - (sin_lam * (t98 -
+        (p->IHzz * sin_lam)));
+    const double t109 = t98 + (p->IHxx * sin_lam);
+    const double t112 = t95 + (p->IHzz * cos_lam);
+    const double t118 = (cos_lam * t109) - (sin_lam * t112) - (t84 * t89) - (t38 * t85);
+    const double t122 = (t83 * t84) + (t35 * t85);
     const double t124 = t104 + p->IHyy + t122;
     const double t129 = p->IFxx + t122 + (sin_lam * t109) + (cos_lam * t112);
     const double t131 = t107 - t124;
-    const double t132 = t7 * t18;
-    const double t133 = t21 * t89;
-    const double t134 = t7 * t21;
-    const double t137 = t133 + t133 + (t21 * t134);
-    const double t138 = t18 * t89;
-    const double t139 = t21 * t132;
-    const double t140 = t18 * t132;
-    const double t142 = t40 + t89 + t134;
-    const double t144 = p->rR * (t2 + t7);
+    const double t132 = t18 * t28;
+    const double t133 = t31 * t92;
+    const double t134 = t18 * t31;
+    const double t137 = t133 + t133 + (t31 * t134);
+    const double t138 = t28 * t92;
+    const double t139 = t31 * t132;
+    const double t140 = t28 * t132;
+    const double t142 = t48 + t92 + t134;
+    const double t144 = p->rR * (t2 + t18);
     const double t145 = p->rR * t144;
-    motion->constants[0] = t2;
-    motion->constants[1] = p->rR;
-    motion->constants[2] = p->rF;
-    motion->constants[3] = t7;
-    motion->constants[4] = cos_lam;
-    motion->constants[5] = sin_lam;
-    motion->constants[6] = p->IRyy;
-    motion->constants[7] = p->IFyy;
-    motion->constants[8] = t18;
-    motion->constants[9] = t21;
-    motion->constants[10] = t25;
-    motion->constants[11] = t28;
-    motion->constants[12] = t29;
-    motion->constants[13] = t36;
-    motion->constants[14] = t40;
-    motion->constants[15] = t54;
-    motion->constants[16] = t59;
-    motion->constants[17] = t69;
-    motion->constants[18] = t74;
-    motion->constants[19] = t83;
-    motion->constants[20] = t89;
-    motion->constants[21] = t107;
-    motion->constants[22] = t118;
-    motion->constants[23] = t124;
-    motion->constants[24] = t129;
-    motion->constants[25] = p->g;
-    motion->constants[26] = t131;
-    motion->constants[27] = t132;
-    motion->constants[28] = t137;
-    motion->constants[29] = t138;
-    motion->constants[30] = t139;
-    motion->constants[31] = t140;
-    motion->constants[32] = t142;
-    motion->constants[33] = t144;
-    motion->constants[34] = t145;
-    motion->constants[35] = t145;
+    motion->constants[0] = p->mB;
+    motion->constants[1] = t2;
+    motion->constants[2] = p->mH;
+    motion->constants[3] = p->mF;
+    motion->constants[4] = p->xB;
+    motion->constants[5] = p->xH;
+    motion->constants[6] = p->w;
+    motion->constants[7] = p->rR;
+    motion->constants[8] = p->zB;
+    motion->constants[9] = p->zH;
+    motion->constants[10] = p->rF;
+    motion->constants[11] = p->IBxx;
+    motion->constants[12] = p->IHxx;
+    motion->constants[13] = p->IBxz;
+    motion->constants[14] = p->IHxz;
+    motion->constants[15] = p->IBzz;
+    motion->constants[16] = p->IHzz;
+    motion->constants[17] = t18;
+    motion->constants[18] = p->c;
+    motion->constants[19] = cos_lam;
+    motion->constants[20] = sin_lam;
+    motion->constants[21] = p->IRyy;
+    motion->constants[22] = p->IFyy;
+    motion->constants[23] = t28;
+    motion->constants[24] = t31;
+    motion->constants[25] = t35;
+    motion->constants[26] = t38;
+    motion->constants[27] = t39;
+    motion->constants[28] = t44;
+    motion->constants[29] = t48;
+    motion->constants[30] = t59;
+    motion->constants[31] = t64;
+    motion->constants[32] = t74;
+    motion->constants[33] = t79;
+    motion->constants[34] = t86;
+    motion->constants[35] = t92;
+    motion->constants[36] = t107;
+    motion->constants[37] = t118;
+    motion->constants[38] = t124;
+    motion->constants[39] = t129;
+    motion->constants[40] = p->g;
+    motion->constants[41] = t131;
+    motion->constants[42] = t132;
+    motion->constants[43] = t137;
+    motion->constants[44] = t138;
+    motion->constants[45] = t139;
+    motion->constants[46] = t140;
+    motion->constants[47] = t142;
+    motion->constants[48] = t144;
+    motion->constants[49] = t145;
+    motion->constants[50] = t145;
 }
 
 static void whipple_mechanism_f64_compute_rates(const whipple_mechanism_f64_motion_t *motion,
@@ -1169,13 +1184,13 @@ static void whipple_mechanism_f64_compute_rates(const whipple_mechanism_f64_moti
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t13 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
+    const double t13 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
     double sin_delta = 0.0;
     double cos_delta = 0.0;
     carvallo_sin_cos_f64(positions[5], &sin_delta, &cos_delta);
     const double t17 = t13 * cos_phi;
     const double t21 = (sin_phi * sin_delta) - (cos_delta * t17);
-    const double t25 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const double t25 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     const double t26 = cos_phi * t25;
     const double t29 = sqrt((t21 * t21) + (t26 * t26));
     const double t30 = 1.0 / t29;
@@ -1183,23 +1198,23 @@ static void whipple_mechanism_f64_compute_rates(const whipple_mechanism_f64_moti
     const double t33 = t26 * t30;
     const double t34 = cos_delta * t33;
     const double t36 = (t25 * t34) - (t13 * t31);
-    const double t41 = motion->constants[2] * ((sin_phi * cos_delta) + (t17 * sin_delta));
-    const double t44 = sin_delta * motion->constants[10];
-    const double t50 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const double t52 = (t25 * motion->constants[12]) - (t13 * t50);
+    const double t41 = motion->constants[10] * ((sin_phi * cos_delta) + (t17 * sin_delta));
+    const double t44 = sin_delta * motion->constants[25];
+    const double t50 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const double t52 = (t25 * motion->constants[27]) - (t13 * t50);
     const double t55 = (cos_phi * t44) - (t36 * t41) - (sin_phi * t52);
-    const double t56 = (motion->constants[1] * sin_phi) + t55;
+    const double t56 = (motion->constants[7] * sin_phi) + t55;
     const double t63 = (cos_phi * sin_delta * t33) + (sin_phi * ((t25 * t31) + (t13 * t34)));
-    const double t68 = (t41 * t63) + (t13 * motion->constants[12]) + (t25 * t50);
+    const double t68 = (t41 * t63) + (t13 * motion->constants[27]) + (t25 * t50);
     const double t70 = 1.0 / (cos_phi * t68);
     const double t71 = t56 * t70;
-    const double t77 = (t25 * motion->constants[9]) - (t13 * motion->constants[8]);
+    const double t77 = (t25 * motion->constants[24]) - (t13 * motion->constants[23]);
     const double t79 = t55 + (sin_phi * t77);
     const double t81 = sin_phi * t25;
-    const double t85 = t68 - (t13 * motion->constants[9]) - (t25 * motion->constants[8]);
+    const double t85 = t68 - (t13 * motion->constants[24]) - (t25 * motion->constants[23]);
     const double t88 = t70 * ((t13 * t79) + (t81 * t85));
     const double t90 = (speeds[0] * t71) + (speeds[1] * t88);
-    const double t92 = motion->constants[1] * (speeds[2] + t90);
+    const double t92 = motion->constants[7] * (speeds[2] + t90);
     double sin_psi = 0.0;
     double cos_psi = 0.0;
     carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
@@ -1208,18 +1223,18 @@ static void whipple_mechanism_f64_compute_rates(const whipple_mechanism_f64_moti
     const double t102 = (t36 * t98) + (t63 * t100);
     const double t106 = 1.0 / ((t36 * t68) + (t56 * t63));
     const double t108 = t71 * t102 * t106;
-    const double t117 = (t29 * motion->constants[2]) + (sin_phi * t44) + (cos_phi * t52) -
+    const double t117 = (t29 * motion->constants[10]) + (sin_phi * t44) + (cos_phi * t52) -
         (cos_phi * t77);
     const double t119 = (t26 * t85) - (t13 * t117);
     const double t123 = (t81 * t117) + (t26 * t79);
     const double t128 = t106 * ((t36 * t119) + (t63 * t123) + (t88 * t102));
-    const double t131 = motion->constants[1] * t63 * t106;
+    const double t131 = motion->constants[7] * t63 * t106;
     const double t137 = (t63 * t98) - (t36 * t100);
     const double t141 = (t63 * t68) - (t36 * t56);
-    const double t144 = 1.0 / motion->constants[2];
+    const double t144 = 1.0 / motion->constants[10];
     const double t161 = (speeds[0] * ((t108 * t141) - (t71 * t137)) * t144) + (speeds[1] * t144 *
         ((t36 * t123) + (t128 * t141) - (t63 * t119) - (t88 * t137)));
-    const double t162 = t161 + (speeds[2] * t144 * ((motion->constants[1] * t36) + (t131 * t141)));
+    const double t162 = t161 + (speeds[2] * t144 * ((motion->constants[7] * t36) + (t131 * t141)));
     const double t163 = -(t92 * cos_psi);
     const double t164 = -(t92 * sin_psi);
     const double t165 = -((speeds[0] * t108) + (speeds[1] * t128) + (speeds[2] * t131));
@@ -1258,13 +1273,13 @@ static void whipple_mechanism_f64_compute_derivatives(const whipple_mechanism_f6
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t13 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
+    const double t13 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
     double sin_delta = 0.0;
     double cos_delta = 0.0;
     carvallo_sin_cos_f64(positions[5], &sin_delta, &cos_delta);
     const double t17 = t13 * cos_phi;
     const double t21 = (sin_phi * sin_delta) - (cos_delta * t17);
-    const double t25 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const double t25 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     const double t26 = cos_phi * t25;
     const double t29 = sqrt((t21 * t21) + (t26 * t26));
     const double t30 = 1.0 / t29;
@@ -1273,24 +1288,24 @@ static void whipple_mechanism_f64_compute_derivatives(const whipple_mechanism_f6
     const double t34 = cos_delta * t33;
     const double t36 = (t25 * t34) - (t13 * t31);
     const double t40 = (sin_phi * cos_delta) + (t17 * sin_delta);
-    const double t41 = motion->constants[2] * t40;
-    const double t44 = sin_delta * motion->constants[10];
-    const double t50 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const double t52 = (t25 * motion->constants[12]) - (t13 * t50);
+    const double t41 = motion->constants[10] * t40;
+    const double t44 = sin_delta * motion->constants[25];
+    const double t50 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const double t52 = (t25 * motion->constants[27]) - (t13 * t50);
     const double t55 = (cos_phi * t44) - (t36 * t41) - (sin_phi * t52);
-    const double t56 = (motion->constants[1] * sin_phi) + t55;
+    const double t56 = (motion->constants[7] * sin_phi) + t55;
     const double t63 = (cos_phi * sin_delta * t33) + (sin_phi * ((t25 * t31) + (t13 * t34)));
-    const double t68 = (t41 * t63) + (t13 * motion->constants[12]) + (t25 * t50);
+    const double t68 = (t41 * t63) + (t13 * motion->constants[27]) + (t25 * t50);
     const double t70 = 1.0 / (cos_phi * t68);
     const double t71 = t56 * t70;
-    const double t77 = (t25 * motion->constants[9]) - (t13 * motion->constants[8]);
+    const double t77 = (t25 * motion->constants[24]) - (t13 * motion->constants[23]);
     const double t79 = t55 + (sin_phi * t77);
     const double t81 = sin_phi * t25;
-    const double t85 = t68 - (t13 * motion->constants[9]) - (t25 * motion->constants[8]);
+    const double t85 = t68 - (t13 * motion->constants[24]) - (t25 * motion->constants[23]);
     const double t88 = t70 * ((t13 * t79) + (t81 * t85));
     const double t90 = (speeds[0] * t71) + (speeds[1] * t88);
     const double t91 = speeds[2] + t90;
-    const double t92 = motion->constants[1] * t91;
+    const double t92 = motion->constants[7] * t91;
     double sin_psi = 0.0;
     double cos_psi = 0.0;
     carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
@@ -1299,73 +1314,74 @@ static void whipple_mechanism_f64_compute_derivatives(const whipple_mechanism_f6
     const double t102 = (t36 * t98) + (t63 * t100);
     const double t106 = 1.0 / ((t36 * t68) + (t56 * t63));
     const double t108 = t71 * t102 * t106;
-    const double t117 = (t29 * motion->constants[2]) + (sin_phi * t44) + (cos_phi * t52) -
+    const double t117 = (t29 * motion->constants[10]) + (sin_phi * t44) + (cos_phi * t52) -
         (cos_phi * t77);
     const double t119 = (t26 * t85) - (t13 * t117);
     const double t123 = (t81 * t117) + (t26 * t79);
     const double t128 = t106 * ((t36 * t119) + (t63 * t123) + (t88 * t102));
-    const double t131 = motion->constants[1] * t63 * t106;
+    const double t131 = motion->constants[7] * t63 * t106;
     const double t134 = (speeds[0] * t108) + (speeds[1] * t128) + (speeds[2] * t131);
     const double t137 = (t63 * t98) - (t36 * t100);
     const double t141 = (t63 * t68) - (t36 * t56);
-    const double t144 = 1.0 / motion->constants[2];
+    const double t144 = 1.0 / motion->constants[10];
     const double t145 = ((t108 * t141) - (t71 * t137)) * t144;
     const double t154 = t144 * ((t36 * t123) + (t128 * t141) - (t63 * t119) - (t88 * t137));
-    const double t159 = t144 * ((motion->constants[1] * t36) + (t131 * t141));
+    const double t159 = t144 * ((motion->constants[7] * t36) + (t131 * t141));
     const double t162 = (speeds[0] * t145) + (speeds[1] * t154) + (speeds[2] * t159);
     const double t165 = cos_phi * t134;
     const double t167 = sin_phi * t134;
-    const double t168 = motion->constants[1] * t167;
+    const double t168 = motion->constants[7] * t167;
     const double t170 = (t165 * t168) - (t92 * t165);
-    const double t173 = t170 + (sin_phi * motion->constants[25]);
+    const double t173 = t170 + (sin_phi * motion->constants[40]);
     const double t178 = (speeds[0] * t13) - (t25 * t165);
     const double t179 = t90 * t178;
     const double t180 = speeds[0] * t167;
     const double t181 = t90 - t167;
-    const double t182 = motion->constants[9] * t181;
+    const double t182 = motion->constants[24] * t181;
     const double t186 = (speeds[0] * t25) + (t13 * t165);
-    const double t187 = motion->constants[8] * t181;
+    const double t187 = motion->constants[23] * t181;
     const double t189 = (t178 * t182) + (t186 * t187);
     const double t191 = t90 * t186;
     const double t192 = (t25 * t180) + t191;
     const double t195 = t179 + (t13 * t180);
-    const double t199 = t189 + (motion->constants[8] * t192) + (motion->constants[9] * t195) - t170;
-    const double t204 = (motion->constants[8] * t178) - (motion->constants[9] * t186);
+    const double t199 = t189 + (motion->constants[23] * t192) + (motion->constants[24] * t195) -
+        t170;
+    const double t204 = (motion->constants[23] * t178) - (motion->constants[24] * t186);
     const double t206 = (t181 * t187) + (t178 * t204);
     const double t207 = speeds[0] * t165;
-    const double t210 = motion->constants[1] * speeds[0];
+    const double t210 = motion->constants[7] * speeds[0];
     const double t211 = t165 * t210;
-    const double t212 = (motion->constants[1] * t207) + t211;
+    const double t212 = (motion->constants[7] * t207) + t211;
     const double t217 = (t168 * (t91 - t167)) - (speeds[0] * t210);
-    const double t221 = (t25 * t212) + (t13 * t217) - t206 - (motion->constants[9] * t207);
+    const double t221 = (t25 * t212) + (t13 * t217) - t206 - (motion->constants[24] * t207);
     const double t223 = speeds[1] + t178;
     const double t227 = (cos_delta * t181) - (sin_delta * t186);
-    const double t228 = motion->constants[11] * t227;
+    const double t228 = motion->constants[26] * t227;
     const double t232 = (cos_delta * t186) + (sin_delta * t181);
-    const double t233 = motion->constants[10] * t227;
+    const double t233 = motion->constants[25] * t227;
     const double t238 = speeds[1] * t227;
     const double t240 = t238 - (cos_delta * t195) - (sin_delta * t207);
-    const double t242 = t31 * motion->constants[2];
-    const double t246 = t33 * motion->constants[2];
+    const double t242 = t31 * motion->constants[10];
+    const double t246 = t33 * motion->constants[10];
     const double t254 = t30 * t40 * ((t31 * t232) + (t33 * t223));
     const double t255 = t246 * t254;
     const double t257 = t242 * t254;
     const double t263 = (cos_delta * t199) + (t223 * t228) + (t232 * t233) +
-        (motion->constants[10] * t192) + (t242 * (t192 + (t162 * t232))) + (t223 * t255);
-    const double t267 = t263 + (t232 * t257) - (sin_delta * t221) - (motion->constants[11] * t240) -
+        (motion->constants[25] * t192) + (t242 * (t192 + (t162 * t232))) + (t223 * t255);
+    const double t267 = t263 + (t232 * t257) - (sin_delta * t221) - (motion->constants[26] * t240) -
         (t246 * (t240 - (t162 * t223)));
-    const double t274 = (motion->constants[10] * t223) - (motion->constants[11] * t232);
+    const double t274 = (motion->constants[25] * t223) - (motion->constants[26] * t232);
     const double t278 = speeds[1] * t232;
     const double t280 = (sin_delta * t195) - (cos_delta * t207) - t278;
     const double t283 = t162 + t227;
-    const double t288 = motion->constants[2] * ((t31 * t223) - (t33 * t232));
-    const double t294 = (cos_delta * t221) + (sin_delta * t199) + (motion->constants[11] * t280) +
+    const double t288 = motion->constants[10] * ((t31 * t223) - (t33 * t232));
+    const double t294 = (cos_delta * t221) + (sin_delta * t199) + (motion->constants[26] * t280) +
         (t246 * t280) - (t227 * t233) - (t223 * t274);
     const double t296 = t294 - (t257 * t283) - (t223 * t288);
     const double t300 = (t186 * t204) - (t181 * t182);
-    const double t314 = t300 + (motion->constants[8] * t207) + (t13 * t212) + (t232 * t274) +
+    const double t314 = t300 + (motion->constants[23] * t207) + (t13 * t212) + (t232 * t274) +
         (t232 * t288) - (t25 * t217);
-    const double t318 = t314 - (t227 * t228) - (motion->constants[10] * t280) - (t242 * t280) -
+    const double t318 = t314 - (t227 * t228) - (motion->constants[25] * t280) - (t242 * t280) -
         (t255 * t283);
     const double t320 = (t31 * t296) + (t33 * t318);
     const double t325 = t70 * ((t40 * t267) + (t29 * t320));
@@ -1373,113 +1389,114 @@ static void whipple_mechanism_f64_compute_derivatives(const whipple_mechanism_f6
     const double t331 = t180 - (cos_phi * t329);
     const double t333 = t179 + (t13 * t331);
     const double t337 = t191 + (t25 * t331);
-    const double t344 = (t181 * motion->constants[16]) + (motion->constants[6] * (speeds[2] +
+    const double t344 = (t181 * motion->constants[31]) + (motion->constants[21] * (speeds[2] +
         t181));
-    const double t349 = (t186 * motion->constants[17]) + (motion->constants[15] * t178);
-    const double t356 = t189 + (motion->constants[8] * t337) + (motion->constants[9] * t333) - t173;
+    const double t349 = (t186 * motion->constants[32]) + (motion->constants[30] * t178);
+    const double t356 = t189 + (motion->constants[23] * t337) + (motion->constants[24] * t333) -
+        t173;
     const double t360 = t325 - t207 - (sin_phi * t329);
-    const double t363 = (motion->constants[1] * t360) - t211;
-    const double t366 = t217 + (cos_phi * motion->constants[25]);
+    const double t363 = (motion->constants[7] * t360) - t211;
+    const double t366 = t217 + (cos_phi * motion->constants[40]);
     const double t368 = (t13 * t366) - (t25 * t363);
-    const double t370 = (motion->constants[9] * t360) + t368 - t206;
+    const double t370 = (motion->constants[24] * t360) + t368 - t206;
     const double t372 = (cos_delta * t356) - (sin_delta * t370);
     const double t378 = t238 + (sin_delta * t360) - (cos_delta * t333);
-    const double t386 = (t227 * motion->constants[23]) + (t283 * motion->constants[7]);
-    const double t391 = (t232 * motion->constants[21]) + (t223 * motion->constants[22]);
-    const double t396 = (motion->constants[19] * t372) + (motion->constants[22] * t378) + (t337 *
-        motion->constants[24]) + (t232 * t386) - (t227 * t391);
+    const double t386 = (t227 * motion->constants[38]) + (t283 * motion->constants[22]);
+    const double t391 = (t232 * motion->constants[36]) + (t223 * motion->constants[37]);
+    const double t396 = (motion->constants[34] * t372) + (motion->constants[37] * t378) + (t337 *
+        motion->constants[39]) + (t232 * t386) - (t227 * t391);
     const double t400 = (cos_delta * t370) + (sin_delta * t356);
     const double t406 = (cos_delta * t360) + (sin_delta * t333) - t278;
-    const double t408 = t227 * motion->constants[19];
-    const double t412 = (t223 * motion->constants[19]) - (t232 * motion->constants[20]);
-    const double t416 = (motion->constants[3] * t400) + (motion->constants[20] * t406) - (t227 *
+    const double t408 = t227 * motion->constants[34];
+    const double t412 = (t223 * motion->constants[34]) - (t232 * motion->constants[35]);
+    const double t416 = (motion->constants[17] * t400) + (motion->constants[35] * t406) - (t227 *
         t408) - (t223 * t412);
-    const double t421 = t227 * motion->constants[20];
-    const double t427 = (t372 * motion->constants[3]) + (t337 * motion->constants[19]) + (t223 *
-        t421) + (t232 * t408) - (t378 * motion->constants[20]);
+    const double t421 = t227 * motion->constants[35];
+    const double t427 = (t372 * motion->constants[17]) + (t337 * motion->constants[34]) + (t223 *
+        t421) + (t232 * t408) - (t378 * motion->constants[35]);
     const double t429 = (sin_delta * t416) + (cos_delta * t427);
-    const double t435 = (motion->constants[18] * t337) + (t186 * t344) + t396 +
-        (motion->constants[8] * t429) - (motion->constants[13] * t173) - (motion->constants[15] *
+    const double t435 = (motion->constants[33] * t337) + (t186 * t344) + t396 +
+        (motion->constants[23] * t429) - (motion->constants[28] * t173) - (motion->constants[30] *
         t333);
     const double t436 = t435 - (t181 * t349);
-    const double t444 = (motion->constants[15] * t186) + (t178 * motion->constants[18]);
-    const double t452 = (t232 * motion->constants[22]) + (t223 * motion->constants[24]);
-    const double t458 = (t378 * motion->constants[21]) + (t337 * motion->constants[22]) + (t227 *
-        t452) - (t372 * motion->constants[20]) - (t223 * t386);
+    const double t444 = (motion->constants[30] * t186) + (t178 * motion->constants[33]);
+    const double t452 = (t232 * motion->constants[37]) + (t223 * motion->constants[39]);
+    const double t458 = (t378 * motion->constants[36]) + (t337 * motion->constants[37]) + (t227 *
+        t452) - (t372 * motion->constants[35]) - (t223 * t386);
     const double t464 = (t25 * t366) + (t13 * t363);
-    const double t466 = t300 - (motion->constants[8] * t360) - t464;
+    const double t466 = t300 - (motion->constants[23] * t360) - t464;
     const double t477 = t406 + (t144 * ((t31 * t318) + (t141 * t329) - (t33 * t296) - (t137 *
         t325)));
-    const double t478 = motion->constants[7] * t477;
-    const double t485 = (t400 * motion->constants[20]) + (motion->constants[23] * t406) + t478 +
-        (t223 * t391) - (motion->constants[19] * t466) - (t232 * t452);
-    const double t492 = (t173 * motion->constants[14]) + (motion->constants[15] * t337) + (t181 *
-        t444) + (cos_delta * t458) - (t333 * motion->constants[17]) - (t178 * t344);
-    const double t494 = t492 - (sin_delta * t485) - (motion->constants[9] * t429);
-    const double t500 = t181 * motion->constants[14];
-    const double t502 = motion->constants[13] * t181;
-    const double t508 = t429 + (motion->constants[13] * t337) + (t333 * motion->constants[14]) +
-        (t178 * t500) + (t186 * t502) - (t173 * motion->constants[0]);
+    const double t478 = motion->constants[22] * t477;
+    const double t485 = (t400 * motion->constants[35]) + (motion->constants[38] * t406) + t478 +
+        (t223 * t391) - (motion->constants[34] * t466) - (t232 * t452);
+    const double t492 = (t173 * motion->constants[29]) + (motion->constants[30] * t337) + (t181 *
+        t444) + (cos_delta * t458) - (t333 * motion->constants[32]) - (t178 * t344);
+    const double t494 = t492 - (sin_delta * t485) - (motion->constants[24] * t429);
+    const double t500 = t181 * motion->constants[29];
+    const double t502 = motion->constants[28] * t181;
+    const double t508 = t429 + (motion->constants[28] * t337) + (t333 * motion->constants[29]) +
+        (t178 * t500) + (t186 * t502) - (t173 * motion->constants[1]);
     const double t511 = t71 - (sin_phi * t108);
     const double t521 = (cos_delta * t416) - (sin_delta * t427);
-    const double t529 = (motion->constants[3] * t466) + (t232 * t412) - (motion->constants[19] *
+    const double t529 = (motion->constants[17] * t466) + (t232 * t412) - (motion->constants[34] *
         t406) - (t227 * t421);
-    const double t536 = (motion->constants[13] * t178) - (t186 * motion->constants[14]);
-    const double t543 = t13 * (t529 + (t186 * t536) - (t464 * motion->constants[0]) -
-        (motion->constants[13] * t360) - (t181 * t500));
-    const double t552 = t25 * (t521 + (t368 * motion->constants[0]) + (t360 *
-        motion->constants[14]) - (t181 * t502) - (t178 * t536));
-    const double t555 = (motion->constants[6] * t360) - (motion->constants[1] * (t543 + t552));
-    const double t560 = (t368 * motion->constants[14]) + (motion->constants[13] * t464) +
-        (motion->constants[16] * t360) + (t178 * t349) + (sin_delta * t458) + (cos_delta * t485);
-    const double t564 = t560 + (motion->constants[9] * t521) + t555 - (t186 * t444) -
-        (motion->constants[8] * t529);
+    const double t536 = (motion->constants[28] * t178) - (t186 * motion->constants[29]);
+    const double t543 = t13 * (t529 + (t186 * t536) - (t464 * motion->constants[1]) -
+        (motion->constants[28] * t360) - (t181 * t500));
+    const double t552 = t25 * (t521 + (t368 * motion->constants[1]) + (t360 *
+        motion->constants[29]) - (t181 * t502) - (t178 * t536));
+    const double t555 = (motion->constants[21] * t360) - (motion->constants[7] * (t543 + t552));
+    const double t560 = (t368 * motion->constants[29]) + (motion->constants[28] * t464) +
+        (motion->constants[31] * t360) + (t178 * t349) + (sin_delta * t458) + (cos_delta * t485);
+    const double t564 = t560 + (motion->constants[24] * t521) + t555 - (t186 * t444) -
+        (motion->constants[23] * t529);
     const double t566 = cos_phi * t108;
     const double t569 = (t25 * t436) - (t13 * t494);
     const double t576 = forces[0] + (t566 * t569) - (t13 * t436) - (t25 * t494) -
-        (motion->constants[1] * t508) - (t511 * t564);
+        (motion->constants[7] * t508) - (t511 * t564);
     const double t577 = t576 - (t145 * t478);
-    const double t579 = sin_delta * motion->constants[26];
+    const double t579 = sin_delta * motion->constants[41];
     const double t580 = sin_delta * t579;
-    const double t584 = motion->constants[17] + motion->constants[21] + motion->constants[28] -
+    const double t584 = motion->constants[32] + motion->constants[36] + motion->constants[43] -
         t580;
-    const double t585 = cos_delta * motion->constants[19];
-    const double t586 = motion->constants[8] * t585;
-    const double t589 = t586 + t586 + motion->constants[31];
-    const double t591 = motion->constants[18] + motion->constants[24] + t589;
+    const double t585 = cos_delta * motion->constants[34];
+    const double t586 = motion->constants[23] * t585;
+    const double t589 = t586 + t586 + motion->constants[46];
+    const double t591 = motion->constants[33] + motion->constants[39] + t589;
     const double t592 = t591 - t584;
     const double t593 = t13 * t13;
     const double t595 = t13 * t25;
-    const double t600 = (cos_delta * motion->constants[22]) - (motion->constants[9] * t585);
-    const double t603 = motion->constants[15] + t600 - motion->constants[29] -
-        motion->constants[30];
+    const double t600 = (cos_delta * motion->constants[37]) - (motion->constants[24] * t585);
+    const double t603 = motion->constants[30] + t600 - motion->constants[44] -
+        motion->constants[45];
     const double t604 = t603 + t603;
     const double t606 = (t592 * t593) + (t595 * t604);
-    const double t611 = motion->constants[13] + t585 + motion->constants[27];
-    const double t613 = (t25 * motion->constants[32]) - (t13 * t611);
-    const double t614 = motion->constants[1] * t613;
-    const double t617 = motion->constants[34] - t614 - t614;
-    const double t619 = sin_delta * motion->constants[19];
-    const double t621 = (sin_delta * motion->constants[22]) - (motion->constants[9] * t619);
-    const double t625 = (cos_delta * t579) - (motion->constants[8] * t619);
+    const double t611 = motion->constants[28] + t585 + motion->constants[42];
+    const double t613 = (t25 * motion->constants[47]) - (t13 * t611);
+    const double t614 = motion->constants[7] * t613;
+    const double t617 = motion->constants[49] - t614 - t614;
+    const double t619 = sin_delta * motion->constants[34];
+    const double t621 = (sin_delta * motion->constants[37]) - (motion->constants[24] * t619);
+    const double t625 = (cos_delta * t579) - (motion->constants[23] * t619);
     const double t627 = (t13 * t621) + (t25 * t625);
-    const double t637 = t603 + (t592 * t595) + (motion->constants[1] * ((t13 *
-        motion->constants[32]) + (t25 * t611))) - (t593 * t604);
-    const double t643 = motion->constants[16] + motion->constants[23] + t580 +
-        motion->constants[28] + t589 + t617;
-    const double t647 = motion->constants[1] * t619;
+    const double t637 = t603 + (t592 * t595) + (motion->constants[7] * ((t13 *
+        motion->constants[47]) + (t25 * t611))) - (t593 * t604);
+    const double t643 = motion->constants[31] + motion->constants[38] + t580 +
+        motion->constants[43] + t589 + t617;
+    const double t647 = motion->constants[7] * t619;
     const double t649 = (t25 * t621) + t647 - (t13 * t625);
     const double t655 = t591 - t606;
-    const double t660 = motion->constants[6] * t511;
+    const double t660 = motion->constants[21] * t511;
     const double t664 = t13 * sin_delta;
     const double t668 = t145 + (cos_delta * t511) - (sin_delta * t25) - (t566 * t664);
-    const double t669 = motion->constants[7] * t668;
+    const double t669 = motion->constants[22] * t668;
     const double t675 = t584 + t606 + t617 + (t511 * t627) + (t511 * (t627 + (t511 * t643) - (t566 *
         t649))) + (t511 * t660);
     const double t678 = t675 + (t668 * t669) - (t566 * t637) - (t566 * (t637 + (t511 * t649) -
         (t566 * t655)));
     const double t679 = 1.0 / t678;
-    const double t681 = motion->constants[24] + t586;
+    const double t681 = motion->constants[39] + t586;
     const double t686 = t88 - (sin_phi * t128);
     const double t688 = cos_phi * t128;
     const double t690 = t25 * t647;
@@ -1488,19 +1505,19 @@ static void whipple_mechanism_f64_compute_derivatives(const whipple_mechanism_f6
     const double t699 = (t25 * t681) - (t13 * t600);
     const double t703 = t699 + (t649 * t686) - (t655 * t688);
     const double t709 = t154 + (cos_delta * t686) - (t664 * t688);
-    const double t715 = (t13 * t681) + (t25 * t600) + (motion->constants[1] * t585) + (t627 *
+    const double t715 = (t13 * t681) + (t25 * t600) + (motion->constants[7] * t585) + (t627 *
         t686) + (t511 * t695) + (t660 * t686);
     const double t719 = t679 * (t715 + (t669 * t709) - (t637 * t688) - (t566 * t703));
-    const double t724 = motion->constants[6] * t686;
-    const double t726 = motion->constants[7] * t709;
+    const double t724 = motion->constants[21] * t686;
+    const double t726 = motion->constants[22] * t709;
     const double t728 = t678 * t719;
-    const double t734 = motion->constants[24] + (t686 * t695) + (t686 * t691) + (t686 * t724) +
+    const double t734 = motion->constants[39] + (t686 * t695) + (t686 * t691) + (t686 * t724) +
         (t709 * t726) - (t688 * t703);
     const double t736 = t734 - (t688 * t699) - (t719 * t728);
     const double t737 = 1.0 / t736;
     const double t747 = forces[1] + (t569 * t688) - t396 - (t564 * t686) - (t154 * t478) - (t577 *
         t719);
-    const double t751 = motion->constants[1] * (t613 - motion->constants[33]);
+    const double t751 = motion->constants[7] * (t613 - motion->constants[48]);
     const double t752 = sin_phi * t131;
     const double t754 = cos_phi * t131;
     const double t757 = t751 + (t643 * t752) + (t649 * t754);
@@ -1515,8 +1532,9 @@ static void whipple_mechanism_f64_compute_derivatives(const whipple_mechanism_f6
     const double t794 = t737 * (t791 - (t699 * t754) - (t728 * t785));
     const double t804 = (t564 * t752) + (t569 * t754) - t555 - (t159 * t478) - (t577 * t785) -
         (t747 * t794);
-    const double t822 = (t752 * t757) + (t751 * t752) + motion->constants[35] +
-        (motion->constants[6] * t767 * t767) + (motion->constants[7] * t772 * t772) - (t754 * t762);
+    const double t822 = (t752 * t757) + (t751 * t752) + motion->constants[50] +
+        (motion->constants[21] * t767 * t767) + (motion->constants[22] * t772 * t772) - (t754 *
+        t762);
     const double t826 = t804 / (t822 - (t647 * t754) - (t678 * t785 * t785) - (t736 * t794 * t794));
     const double t828 = (t737 * t747) - (t794 * t826);
     const double t832 = (t577 * t679) - (t719 * t828) - (t785 * t826);
@@ -1568,13 +1586,13 @@ static void whipple_mechanism_f64_compute_accelerations(const whipple_mechanism_
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t13 = (motion->constants[4] * sin_pitch) + (cos_pitch * motion->constants[5]);
+    const double t13 = (motion->constants[19] * sin_pitch) + (cos_pitch * motion->constants[20]);
     double sin_delta = 0.0;
     double cos_delta = 0.0;
     carvallo_sin_cos_f64(positions[5], &sin_delta, &cos_delta);
     const double t16 = cos_phi * t13;
     const double t21 = (sin_phi * sin_delta) - (cos_delta * t16);
-    const double t25 = (motion->constants[4] * cos_pitch) - (motion->constants[5] * sin_pitch);
+    const double t25 = (motion->constants[19] * cos_pitch) - (motion->constants[20] * sin_pitch);
     const double t26 = cos_phi * t25;
     const double t29 = sqrt((t21 * t21) + (t26 * t26));
     const double t30 = 1.0 / t29;
@@ -1584,13 +1602,13 @@ static void whipple_mechanism_f64_compute_accelerations(const whipple_mechanism_
     const double t36 = (t25 * t34) - (t13 * t31);
     const double t43 = (cos_phi * sin_delta * t33) + (sin_phi * ((t25 * t31) + (t13 * t34)));
     const double t47 = (sin_phi * cos_delta) + (sin_delta * t16);
-    const double t48 = motion->constants[2] * t47;
-    const double t55 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const double t58 = (t43 * t48) + (t13 * motion->constants[12]) + (t25 * t55);
-    const double t62 = sin_delta * motion->constants[10];
-    const double t66 = (t25 * motion->constants[12]) - (t13 * t55);
+    const double t48 = motion->constants[10] * t47;
+    const double t55 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const double t58 = (t43 * t48) + (t13 * motion->constants[27]) + (t25 * t55);
+    const double t62 = sin_delta * motion->constants[25];
+    const double t66 = (t25 * motion->constants[27]) - (t13 * t55);
     const double t69 = (cos_phi * t62) - (t36 * t48) - (sin_phi * t66);
-    const double t70 = (motion->constants[1] * sin_phi) + t69;
+    const double t70 = (motion->constants[7] * sin_phi) + t69;
     const double t73 = 1.0 / ((t36 * t58) + (t43 * t70));
     const double t74 = sin_phi * t58;
     const double t76 = sin_phi * t70;
@@ -1598,9 +1616,9 @@ static void whipple_mechanism_f64_compute_accelerations(const whipple_mechanism_
     const double t80 = 1.0 / (cos_phi * t58);
     const double t81 = t70 * t80;
     const double t83 = t73 * t78 * t81;
-    const double t90 = t58 - (t13 * motion->constants[9]) - (t25 * motion->constants[8]);
-    const double t97 = (t25 * motion->constants[9]) - (t13 * motion->constants[8]);
-    const double t101 = (t29 * motion->constants[2]) + (sin_phi * t62) + (cos_phi * t66) -
+    const double t90 = t58 - (t13 * motion->constants[24]) - (t25 * motion->constants[23]);
+    const double t97 = (t25 * motion->constants[24]) - (t13 * motion->constants[23]);
+    const double t101 = (t29 * motion->constants[10]) + (sin_phi * t62) + (cos_phi * t66) -
         (cos_phi * t97);
     const double t103 = (t26 * t90) - (t13 * t101);
     const double t105 = sin_phi * t25;
@@ -1608,7 +1626,7 @@ static void whipple_mechanism_f64_compute_accelerations(const whipple_mechanism_
     const double t110 = (t101 * t105) + (t26 * t108);
     const double t115 = t80 * ((t13 * t108) + (t90 * t105));
     const double t119 = t73 * ((t36 * t103) + (t43 * t110) + (t78 * t115));
-    const double t122 = motion->constants[1] * t43 * t73;
+    const double t122 = motion->constants[7] * t43 * t73;
     const double t126 = (speeds[0] * t83) + (speeds[1] * t119) + (t122 * speeds[2]);
     const double t127 = cos_phi * t126;
     const double t128 = speeds[0] * t127;
@@ -1616,9 +1634,9 @@ static void whipple_mechanism_f64_compute_accelerations(const whipple_mechanism_
     const double t134 = (speeds[0] * t81) + (speeds[1] * t115);
     const double t135 = sin_phi * t126;
     const double t136 = t134 - t135;
-    const double t137 = motion->constants[9] * t136;
+    const double t137 = motion->constants[24] * t136;
     const double t141 = (t25 * speeds[0]) + (t13 * t127);
-    const double t142 = motion->constants[8] * t136;
+    const double t142 = motion->constants[23] * t136;
     const double t144 = (t131 * t137) + (t141 * t142);
     const double t145 = speeds[0] * t135;
     const double t147 = t134 * t141;
@@ -1626,167 +1644,169 @@ static void whipple_mechanism_f64_compute_accelerations(const whipple_mechanism_
     const double t151 = t131 * t134;
     const double t152 = (t13 * t145) + t151;
     const double t154 = speeds[2] + t134;
-    const double t155 = motion->constants[1] * t154;
-    const double t157 = motion->constants[1] * t135;
+    const double t155 = motion->constants[7] * t154;
+    const double t157 = motion->constants[7] * t135;
     const double t159 = (t127 * t157) - (t127 * t155);
-    const double t162 = t144 + (motion->constants[8] * t148) + (motion->constants[9] * t152) - t159;
-    const double t167 = (motion->constants[8] * t131) - (motion->constants[9] * t141);
+    const double t162 = t144 + (motion->constants[23] * t148) + (motion->constants[24] * t152) -
+        t159;
+    const double t167 = (motion->constants[23] * t131) - (motion->constants[24] * t141);
     const double t169 = (t136 * t142) + (t131 * t167);
-    const double t171 = motion->constants[1] * speeds[0];
+    const double t171 = motion->constants[7] * speeds[0];
     const double t172 = t127 * t171;
-    const double t174 = t172 + (motion->constants[1] * t128);
+    const double t174 = t172 + (motion->constants[7] * t128);
     const double t179 = (t157 * (t154 - t135)) - (speeds[0] * t171);
-    const double t183 = (t25 * t174) + (t13 * t179) - t169 - (motion->constants[9] * t128);
+    const double t183 = (t25 * t174) + (t13 * t179) - t169 - (motion->constants[24] * t128);
     const double t185 = speeds[1] + t131;
     const double t189 = (cos_delta * t136) - (sin_delta * t141);
-    const double t190 = motion->constants[11] * t189;
+    const double t190 = motion->constants[26] * t189;
     const double t194 = (cos_delta * t141) + (sin_delta * t136);
-    const double t195 = motion->constants[10] * t189;
+    const double t195 = motion->constants[25] * t189;
     const double t200 = speeds[1] * t189;
     const double t202 = t200 - (cos_delta * t152) - (sin_delta * t128);
-    const double t204 = t31 * motion->constants[2];
+    const double t204 = t31 * motion->constants[10];
     const double t207 = (t43 * t74) - (t36 * t76);
     const double t211 = (t43 * t58) - (t36 * t70);
-    const double t214 = 1.0 / motion->constants[2];
+    const double t214 = 1.0 / motion->constants[10];
     const double t215 = ((t83 * t211) - (t81 * t207)) * t214;
     const double t224 = t214 * ((t36 * t110) + (t119 * t211) - (t43 * t103) - (t115 * t207));
-    const double t229 = t214 * ((motion->constants[1] * t36) + (t122 * t211));
+    const double t229 = t214 * ((motion->constants[7] * t36) + (t122 * t211));
     const double t232 = (speeds[0] * t215) + (speeds[1] * t224) + (speeds[2] * t229);
-    const double t236 = t33 * motion->constants[2];
+    const double t236 = t33 * motion->constants[10];
     const double t244 = t30 * t47 * ((t31 * t194) + (t33 * t185));
     const double t245 = t236 * t244;
     const double t247 = t204 * t244;
     const double t253 = (cos_delta * t162) + (t185 * t190) + (t194 * t195) +
-        (motion->constants[10] * t148) + (t204 * (t148 + (t194 * t232))) + (t185 * t245);
-    const double t257 = t253 + (t194 * t247) - (sin_delta * t183) - (motion->constants[11] * t202) -
+        (motion->constants[25] * t148) + (t204 * (t148 + (t194 * t232))) + (t185 * t245);
+    const double t257 = t253 + (t194 * t247) - (sin_delta * t183) - (motion->constants[26] * t202) -
         (t236 * (t202 - (t185 * t232)));
-    const double t264 = (motion->constants[10] * t185) - (motion->constants[11] * t194);
+    const double t264 = (motion->constants[25] * t185) - (motion->constants[26] * t194);
     const double t268 = speeds[1] * t194;
     const double t270 = (sin_delta * t152) - (cos_delta * t128) - t268;
     const double t273 = t189 + t232;
-    const double t278 = motion->constants[2] * ((t31 * t185) - (t33 * t194));
-    const double t284 = (cos_delta * t183) + (sin_delta * t162) + (motion->constants[11] * t270) +
+    const double t278 = motion->constants[10] * ((t31 * t185) - (t33 * t194));
+    const double t284 = (cos_delta * t183) + (sin_delta * t162) + (motion->constants[26] * t270) +
         (t236 * t270) - (t189 * t195) - (t185 * t264);
     const double t286 = t284 - (t247 * t273) - (t185 * t278);
     const double t290 = (t141 * t167) - (t136 * t137);
-    const double t304 = t290 + (motion->constants[8] * t128) + (t13 * t174) + (t194 * t264) +
+    const double t304 = t290 + (motion->constants[23] * t128) + (t13 * t174) + (t194 * t264) +
         (t194 * t278) - (t25 * t179);
-    const double t308 = t304 - (t189 * t190) - (motion->constants[10] * t270) - (t204 * t270) -
+    const double t308 = t304 - (t189 * t190) - (motion->constants[25] * t270) - (t204 * t270) -
         (t245 * t273);
     const double t310 = (t31 * t286) + (t33 * t308);
     const double t313 = t80 * ((t47 * t257) + (t29 * t310));
     const double t319 = t73 * ((t29 * t257) + (t78 * t313) - (t47 * t310));
     const double t322 = t313 - t128 - (sin_phi * t319);
-    const double t327 = t179 + (cos_phi * motion->constants[25]);
-    const double t330 = (motion->constants[1] * t322) - t172;
+    const double t327 = t179 + (cos_phi * motion->constants[40]);
+    const double t330 = (motion->constants[7] * t322) - t172;
     const double t332 = (t25 * t327) + (t13 * t330);
-    const double t335 = t290 - t332 - (motion->constants[8] * t322);
+    const double t335 = t290 - t332 - (motion->constants[23] * t322);
     const double t341 = t145 - (cos_phi * t319);
     const double t343 = t151 + (t13 * t341);
     const double t346 = (cos_delta * t322) + (sin_delta * t343) - t268;
-    const double t351 = (t185 * motion->constants[19]) - (t194 * motion->constants[20]);
-    const double t353 = t189 * motion->constants[20];
-    const double t357 = (t335 * motion->constants[3]) + (t194 * t351) - (motion->constants[19] *
+    const double t351 = (t185 * motion->constants[34]) - (t194 * motion->constants[35]);
+    const double t353 = t189 * motion->constants[35];
+    const double t357 = (t335 * motion->constants[17]) + (t194 * t351) - (motion->constants[34] *
         t346) - (t189 * t353);
-    const double t365 = (t131 * motion->constants[13]) - (motion->constants[14] * t141);
-    const double t367 = motion->constants[14] * t136;
-    const double t373 = t13 * (t357 + (t141 * t365) - (t332 * motion->constants[0]) - (t322 *
-        motion->constants[13]) - (t136 * t367));
+    const double t365 = (t131 * motion->constants[28]) - (motion->constants[29] * t141);
+    const double t367 = motion->constants[29] * t136;
+    const double t373 = t13 * (t357 + (t141 * t365) - (t332 * motion->constants[1]) - (t322 *
+        motion->constants[28]) - (t136 * t367));
     const double t376 = (t13 * t327) - (t25 * t330);
-    const double t379 = t376 + (motion->constants[9] * t322) - t169;
+    const double t379 = t376 + (motion->constants[24] * t322) - t169;
     const double t382 = t147 + (t25 * t341);
-    const double t386 = t159 + (sin_phi * motion->constants[25]);
-    const double t389 = t144 + (motion->constants[8] * t382) + (motion->constants[9] * t343) - t386;
+    const double t386 = t159 + (sin_phi * motion->constants[40]);
+    const double t389 = t144 + (motion->constants[23] * t382) + (motion->constants[24] * t343) -
+        t386;
     const double t391 = (cos_delta * t379) + (sin_delta * t389);
-    const double t394 = t189 * motion->constants[19];
-    const double t399 = (t391 * motion->constants[3]) + (motion->constants[20] * t346) - (t189 *
+    const double t394 = t189 * motion->constants[34];
+    const double t399 = (t391 * motion->constants[17]) + (motion->constants[35] * t346) - (t189 *
         t394) - (t185 * t351);
     const double t403 = (cos_delta * t389) - (sin_delta * t379);
     const double t409 = t200 + (sin_delta * t322) - (cos_delta * t343);
-    const double t416 = (t403 * motion->constants[3]) + (t382 * motion->constants[19]) + (t185 *
-        t353) + (t194 * t394) - (motion->constants[20] * t409);
+    const double t416 = (t403 * motion->constants[17]) + (t382 * motion->constants[34]) + (t185 *
+        t353) + (t194 * t394) - (motion->constants[35] * t409);
     const double t418 = (cos_delta * t399) - (sin_delta * t416);
-    const double t421 = t136 * motion->constants[13];
-    const double t428 = t25 * (t418 + (t376 * motion->constants[0]) + (motion->constants[14] *
+    const double t421 = t136 * motion->constants[28];
+    const double t428 = t25 * (t418 + (t376 * motion->constants[1]) + (motion->constants[29] *
         t322) - (t136 * t421) - (t131 * t365));
-    const double t431 = (t322 * motion->constants[6]) - (motion->constants[1] * (t373 + t428));
+    const double t431 = (t322 * motion->constants[21]) - (motion->constants[7] * (t373 + t428));
     const double t432 = sin_phi * t122;
-    const double t441 = (t141 * motion->constants[17]) + (t131 * motion->constants[15]);
-    const double t446 = (t141 * motion->constants[15]) + (t131 * motion->constants[18]);
-    const double t456 = (t194 * motion->constants[22]) + (t185 * motion->constants[24]);
-    const double t462 = (t189 * motion->constants[23]) + (t273 * motion->constants[7]);
-    const double t467 = (motion->constants[21] * t409) + (t382 * motion->constants[22]) + (t189 *
-        t456) - (motion->constants[20] * t403) - (t185 * t462);
+    const double t441 = (t141 * motion->constants[32]) + (t131 * motion->constants[30]);
+    const double t446 = (t141 * motion->constants[30]) + (t131 * motion->constants[33]);
+    const double t456 = (t194 * motion->constants[37]) + (t185 * motion->constants[39]);
+    const double t462 = (t189 * motion->constants[38]) + (t273 * motion->constants[22]);
+    const double t467 = (motion->constants[36] * t409) + (t382 * motion->constants[37]) + (t189 *
+        t456) - (motion->constants[35] * t403) - (t185 * t462);
     const double t479 = t214 * ((t31 * t308) + (t211 * t319) - (t33 * t286) - (t207 * t313));
-    const double t481 = motion->constants[7] * (t346 + t479);
-    const double t484 = (t194 * motion->constants[21]) + (t185 * motion->constants[22]);
-    const double t491 = (motion->constants[20] * t391) + (motion->constants[23] * t346) + t481 +
-        (t185 * t484) - (motion->constants[19] * t335) - (t194 * t456);
-    const double t499 = (motion->constants[14] * t376) + (motion->constants[13] * t332) + (t322 *
-        motion->constants[16]) + (t131 * t441) + (sin_delta * t467) + (cos_delta * t491);
-    const double t503 = t499 + (motion->constants[9] * t418) + t431 - (t141 * t446) -
-        (motion->constants[8] * t357);
+    const double t481 = motion->constants[22] * (t346 + t479);
+    const double t484 = (t194 * motion->constants[36]) + (t185 * motion->constants[37]);
+    const double t491 = (motion->constants[35] * t391) + (motion->constants[38] * t346) + t481 +
+        (t185 * t484) - (motion->constants[34] * t335) - (t194 * t456);
+    const double t499 = (motion->constants[29] * t376) + (motion->constants[28] * t332) + (t322 *
+        motion->constants[31]) + (t131 * t441) + (sin_delta * t467) + (cos_delta * t491);
+    const double t503 = t499 + (motion->constants[24] * t418) + t431 - (t141 * t446) -
+        (motion->constants[23] * t357);
     const double t505 = cos_phi * t122;
-    const double t512 = (t136 * motion->constants[16]) + (motion->constants[6] * (speeds[2] +
+    const double t512 = (t136 * motion->constants[31]) + (motion->constants[21] * (speeds[2] +
         t136));
-    const double t523 = (t403 * motion->constants[19]) + (t409 * motion->constants[22]) + (t382 *
-        motion->constants[24]) + (t194 * t462) - (t189 * t484);
+    const double t523 = (t403 * motion->constants[34]) + (t409 * motion->constants[37]) + (t382 *
+        motion->constants[39]) + (t194 * t462) - (t189 * t484);
     const double t526 = (sin_delta * t399) + (cos_delta * t416);
-    const double t532 = (motion->constants[18] * t382) + (t141 * t512) + t523 +
-        (motion->constants[8] * t526) - (motion->constants[13] * t386) - (motion->constants[15] *
+    const double t532 = (motion->constants[33] * t382) + (t141 * t512) + t523 +
+        (motion->constants[23] * t526) - (motion->constants[28] * t386) - (motion->constants[30] *
         t343);
     const double t533 = t532 - (t136 * t441);
-    const double t547 = (motion->constants[14] * t386) + (motion->constants[15] * t382) + (t136 *
-        t446) + (cos_delta * t467) - (motion->constants[17] * t343) - (t131 * t512);
-    const double t549 = t547 - (sin_delta * t491) - (motion->constants[9] * t526);
+    const double t547 = (motion->constants[29] * t386) + (motion->constants[30] * t382) + (t136 *
+        t446) + (cos_delta * t467) - (motion->constants[32] * t343) - (t131 * t512);
+    const double t549 = t547 - (sin_delta * t491) - (motion->constants[24] * t526);
     const double t551 = (t25 * t533) - (t13 * t549);
-    const double t566 = t526 + (motion->constants[13] * t382) + (motion->constants[14] * t343) +
-        (t131 * t367) + (t141 * t421) - (t386 * motion->constants[0]);
+    const double t566 = t526 + (motion->constants[28] * t382) + (motion->constants[29] * t343) +
+        (t131 * t367) + (t141 * t421) - (t386 * motion->constants[1]);
     const double t569 = t81 - (sin_phi * t83);
     const double t571 = cos_phi * t83;
     const double t578 = forces[0] + (t551 * t571) - (t13 * t533) - (t25 * t549) -
-        (motion->constants[1] * t566) - (t503 * t569);
+        (motion->constants[7] * t566) - (t503 * t569);
     const double t579 = t578 - (t215 * t481);
-    const double t581 = sin_delta * motion->constants[19];
-    const double t583 = (sin_delta * motion->constants[22]) - (motion->constants[9] * t581);
-    const double t586 = sin_delta * motion->constants[26];
-    const double t589 = (cos_delta * t586) - (motion->constants[8] * t581);
+    const double t581 = sin_delta * motion->constants[34];
+    const double t583 = (sin_delta * motion->constants[37]) - (motion->constants[24] * t581);
+    const double t586 = sin_delta * motion->constants[41];
+    const double t589 = (cos_delta * t586) - (motion->constants[23] * t581);
     const double t591 = (t13 * t583) + (t25 * t589);
-    const double t596 = cos_delta * motion->constants[19];
-    const double t598 = (cos_delta * motion->constants[22]) - (motion->constants[9] * t596);
-    const double t601 = motion->constants[15] + t598 - motion->constants[29] -
-        motion->constants[30];
+    const double t596 = cos_delta * motion->constants[34];
+    const double t598 = (cos_delta * motion->constants[37]) - (motion->constants[24] * t596);
+    const double t601 = motion->constants[30] + t598 - motion->constants[44] -
+        motion->constants[45];
     const double t602 = sin_delta * t586;
-    const double t606 = motion->constants[17] + motion->constants[21] + motion->constants[28] -
+    const double t606 = motion->constants[32] + motion->constants[36] + motion->constants[43] -
         t602;
-    const double t607 = motion->constants[8] * t596;
-    const double t610 = t607 + t607 + motion->constants[31];
-    const double t612 = motion->constants[18] + motion->constants[24] + t610;
+    const double t607 = motion->constants[23] * t596;
+    const double t610 = t607 + t607 + motion->constants[46];
+    const double t612 = motion->constants[33] + motion->constants[39] + t610;
     const double t613 = t612 - t606;
     const double t614 = t25 * t13;
     const double t616 = t13 * t13;
     const double t617 = t601 + t601;
-    const double t623 = motion->constants[13] + t596 + motion->constants[27];
-    const double t629 = t601 + (t613 * t614) + (motion->constants[1] * ((t13 *
-        motion->constants[32]) + (t25 * t623))) - (t616 * t617);
-    const double t633 = (t25 * motion->constants[32]) - (t13 * t623);
-    const double t636 = motion->constants[1] * (t633 - motion->constants[33]);
-    const double t637 = motion->constants[1] * t633;
-    const double t640 = motion->constants[34] - t637 - t637;
-    const double t645 = motion->constants[16] + motion->constants[23] + t602 +
-        motion->constants[28] + t610 + t640;
-    const double t649 = motion->constants[1] * t581;
+    const double t623 = motion->constants[28] + t596 + motion->constants[42];
+    const double t629 = t601 + (t613 * t614) + (motion->constants[7] * ((t13 *
+        motion->constants[47]) + (t25 * t623))) - (t616 * t617);
+    const double t633 = (t25 * motion->constants[47]) - (t13 * t623);
+    const double t636 = motion->constants[7] * (t633 - motion->constants[48]);
+    const double t637 = motion->constants[7] * t633;
+    const double t640 = motion->constants[49] - t637 - t637;
+    const double t645 = motion->constants[31] + motion->constants[38] + t602 +
+        motion->constants[43] + t610 + t640;
+    const double t649 = motion->constants[7] * t581;
     const double t651 = (t25 * t583) + t649 - (t13 * t589);
     const double t654 = t636 + (t432 * t645) + (t505 * t651);
     const double t659 = (t613 * t616) + (t614 * t617);
     const double t660 = t612 - t659;
     const double t663 = t649 - (t432 * t651) - (t505 * t660);
     const double t666 = 1.0 - t432;
-    const double t667 = motion->constants[6] * t569;
+    const double t667 = motion->constants[21] * t569;
     const double t670 = sin_delta * t13;
     const double t673 = t229 - (cos_delta * t432) - (t505 * t670);
     const double t679 = t215 + (cos_delta * t569) - (sin_delta * t25) - (t571 * t670);
-    const double t680 = motion->constants[7] * t679;
+    const double t680 = motion->constants[22] * t679;
     const double t686 = (t666 * t667) + (t673 * t680) - (t432 * t591) - (t505 * t629) - (t569 *
         t654) - (t571 * t663);
     const double t705 = t606 + t640 + t659 + (t569 * t591) + (t569 * (t591 + (t569 * t645) - (t571 *
@@ -1799,20 +1819,20 @@ static void whipple_mechanism_f64_compute_accelerations(const whipple_mechanism_
     const double t714 = t115 - (sin_phi * t119);
     const double t716 = cos_phi * t119;
     const double t718 = t583 + t712;
-    const double t720 = motion->constants[24] + t607;
+    const double t720 = motion->constants[39] + t607;
     const double t723 = (t25 * t720) - (t13 * t598);
-    const double t725 = motion->constants[6] * t714;
+    const double t725 = motion->constants[21] * t714;
     const double t730 = t224 + (cos_delta * t714) - (t670 * t716);
-    const double t731 = motion->constants[7] * t730;
+    const double t731 = motion->constants[22] * t730;
     const double t741 = t718 + (t645 * t714) - (t651 * t716);
     const double t746 = t723 + (t651 * t714) - (t660 * t716);
-    const double t754 = (t13 * t720) + (t25 * t598) + (motion->constants[1] * t596) + (t591 *
+    const double t754 = (t13 * t720) + (t25 * t598) + (motion->constants[7] * t596) + (t591 *
         t714) + (t569 * t741) + (t667 * t714);
     const double t758 = t709 * (t754 + (t680 * t730) - (t629 * t716) - (t571 * t746));
     const double t759 = t708 * t758;
     const double t765 = t712 + (t666 * t725) + (t673 * t731) - (t654 * t714) - (t663 * t716) -
         (t432 * t718);
-    const double t779 = motion->constants[24] + (t714 * t741) + (t714 * t718) + (t714 * t725) +
+    const double t779 = motion->constants[39] + (t714 * t741) + (t714 * t718) + (t714 * t725) +
         (t730 * t731) - (t716 * t746);
     const double t781 = t779 - (t716 * t723) - (t758 * t759);
     const double t782 = 1.0 / t781;
@@ -1821,13 +1841,14 @@ static void whipple_mechanism_f64_compute_accelerations(const whipple_mechanism_
         t758);
     const double t799 = (t432 * t503) + (t505 * t551) - t431 - (t229 * t481) - (t579 * t710) -
         (t783 * t793);
-    const double t817 = (t432 * t654) + (t432 * t636) + motion->constants[35] +
-        (motion->constants[6] * t666 * t666) + (motion->constants[7] * t673 * t673) - (t505 * t663);
+    const double t817 = (t432 * t654) + (t432 * t636) + motion->constants[50] +
+        (motion->constants[21] * t666 * t666) + (motion->constants[22] * t673 * t673) - (t505 *
+        t663);
     const double t821 = t799 / (t817 - (t505 * t649) - (t708 * t710 * t710) - (t781 * t783 * t783));
     const double t825 = (t782 * t793) - (t783 * t821);
     const double t829 = (t579 * t709) - (t758 * t825) - (t710 * t821);
     const double t833 = t313 + (t81 * t829) + (t115 * t825);
-    const double t835 = motion->constants[1] * (t821 + t833);
+    const double t835 = motion->constants[7] * (t821 + t833);
     const double t838 = t126 * t155;
     const double t843 = (cos_psi * t838) - (t835 * sin_psi);
     const double t855 = t479 + (t215 * t829) + (t224 * t825) + (t229 * t821);
@@ -1867,32 +1888,32 @@ static void whipple_mechanism_f64_compute_energy(const whipple_mechanism_f64_mot
     double sin_delta = 0.0;
     double cos_delta = 0.0;
     carvallo_sin_cos_f64(positions[5], &sin_delta, &cos_delta);
-    const double t6 = sin_delta * motion->constants[26];
+    const double t6 = sin_delta * motion->constants[41];
     const double t7 = sin_delta * t6;
-    const double t11 = motion->constants[17] + motion->constants[21] + motion->constants[28] - t7;
-    const double t17 = cos_delta * motion->constants[19];
-    const double t18 = motion->constants[8] * t17;
-    const double t21 = t18 + t18 + motion->constants[31];
-    const double t23 = motion->constants[18] + motion->constants[24] + t21;
+    const double t11 = motion->constants[32] + motion->constants[36] + motion->constants[43] - t7;
+    const double t17 = cos_delta * motion->constants[34];
+    const double t18 = motion->constants[23] * t17;
+    const double t21 = t18 + t18 + motion->constants[46];
+    const double t23 = motion->constants[33] + motion->constants[39] + t21;
     const double t24 = t23 - t11;
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t32 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
+    const double t32 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
     const double t33 = t32 * t32;
-    const double t37 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const double t37 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     const double t38 = t32 * t37;
-    const double t46 = (cos_delta * motion->constants[22]) - (t17 * motion->constants[9]);
-    const double t49 = motion->constants[15] + t46 - motion->constants[29] - motion->constants[30];
+    const double t46 = (cos_delta * motion->constants[37]) - (t17 * motion->constants[24]);
+    const double t49 = motion->constants[30] + t46 - motion->constants[44] - motion->constants[45];
     const double t50 = t49 + t49;
     const double t52 = (t24 * t33) + (t38 * t50);
-    const double t59 = t17 + motion->constants[13] + motion->constants[27];
-    const double t61 = (t37 * motion->constants[32]) - (t32 * t59);
-    const double t62 = motion->constants[1] * t61;
-    const double t65 = motion->constants[34] - t62 - t62;
-    const double t67 = sin_delta * motion->constants[19];
-    const double t69 = (sin_delta * motion->constants[22]) - (motion->constants[9] * t67);
-    const double t73 = (t6 * cos_delta) - (motion->constants[8] * t67);
+    const double t59 = t17 + motion->constants[28] + motion->constants[42];
+    const double t61 = (t37 * motion->constants[47]) - (t32 * t59);
+    const double t62 = motion->constants[7] * t61;
+    const double t65 = motion->constants[49] - t62 - t62;
+    const double t67 = sin_delta * motion->constants[34];
+    const double t69 = (sin_delta * motion->constants[37]) - (motion->constants[24] * t67);
+    const double t73 = (t6 * cos_delta) - (motion->constants[23] * t67);
     const double t75 = (t32 * t69) + (t37 * t73);
     double sin_phi = 0.0;
     double cos_phi = 0.0;
@@ -1906,14 +1927,14 @@ static void whipple_mechanism_f64_compute_energy(const whipple_mechanism_f64_mot
     const double t92 = t85 * t89;
     const double t93 = cos_delta * t92;
     const double t95 = (t37 * t93) - (t32 * t90);
-    const double t100 = motion->constants[2] * ((cos_delta * sin_phi) + (sin_delta * t80));
-    const double t103 = sin_delta * motion->constants[10];
-    const double t108 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const double t110 = (t37 * motion->constants[12]) - (t32 * t108);
+    const double t100 = motion->constants[10] * ((cos_delta * sin_phi) + (sin_delta * t80));
+    const double t103 = sin_delta * motion->constants[25];
+    const double t108 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const double t110 = (t37 * motion->constants[27]) - (t32 * t108);
     const double t113 = (cos_phi * t103) - (t95 * t100) - (sin_phi * t110);
-    const double t114 = (motion->constants[1] * sin_phi) + t113;
+    const double t114 = (motion->constants[7] * sin_phi) + t113;
     const double t121 = (sin_delta * cos_phi * t92) + (sin_phi * ((t37 * t90) + (t32 * t93)));
-    const double t126 = (t100 * t121) + (t32 * motion->constants[12]) + (t37 * t108);
+    const double t126 = (t100 * t121) + (t32 * motion->constants[27]) + (t37 * t108);
     const double t128 = 1.0 / (cos_phi * t126);
     const double t129 = t114 * t128;
     const double t130 = sin_phi * t126;
@@ -1922,33 +1943,33 @@ static void whipple_mechanism_f64_compute_energy(const whipple_mechanism_f64_mot
     const double t138 = 1.0 / ((t95 * t126) + (t114 * t121));
     const double t140 = t129 * t134 * t138;
     const double t142 = t129 - (sin_phi * t140);
-    const double t152 = t49 + (t24 * t38) + (motion->constants[1] * ((t32 * motion->constants[32]) +
+    const double t152 = t49 + (t24 * t38) + (motion->constants[7] * ((t32 * motion->constants[47]) +
         (t37 * t59))) - (t33 * t50);
     const double t153 = cos_phi * t140;
-    const double t161 = t7 + motion->constants[28] + t21 + t65 + motion->constants[16] +
-        motion->constants[23];
-    const double t165 = motion->constants[1] * t67;
+    const double t161 = t7 + motion->constants[43] + t21 + t65 + motion->constants[31] +
+        motion->constants[38];
+    const double t165 = motion->constants[7] * t67;
     const double t167 = (t37 * t69) + t165 - (t32 * t73);
     const double t173 = t23 - t52;
-    const double t179 = t142 * motion->constants[6];
+    const double t179 = t142 * motion->constants[21];
     const double t183 = (t121 * t130) - (t95 * t132);
     const double t187 = (t121 * t126) - (t95 * t114);
-    const double t190 = 1.0 / motion->constants[2];
+    const double t190 = 1.0 / motion->constants[10];
     const double t194 = sin_delta * t32;
     const double t198 = (((t140 * t187) - (t129 * t183)) * t190) + (cos_delta * t142) - (sin_delta *
         t37) - (t153 * t194);
-    const double t200 = t198 * motion->constants[7];
+    const double t200 = t198 * motion->constants[22];
     const double t206 = t11 + t52 + t65 + (t75 * t142) + (t142 * (t75 + (t142 * t161) - (t153 *
         t167))) + (t142 * t179);
     const double t210 = speeds[0] * (t206 + (t198 * t200) - (t152 * t153) - (t153 * (t152 + (t142 *
         t167) - (t153 * t173))));
-    const double t212 = motion->constants[24] + t18;
-    const double t218 = (t37 * motion->constants[9]) - (motion->constants[8] * t32);
+    const double t212 = motion->constants[39] + t18;
+    const double t218 = (t37 * motion->constants[24]) - (motion->constants[23] * t32);
     const double t220 = t113 + (sin_phi * t218);
     const double t222 = t37 * sin_phi;
-    const double t226 = t126 - (t32 * motion->constants[9]) - (motion->constants[8] * t37);
+    const double t226 = t126 - (t32 * motion->constants[24]) - (motion->constants[23] * t37);
     const double t229 = t128 * ((t32 * t220) + (t222 * t226));
-    const double t237 = (t88 * motion->constants[2]) + (sin_phi * t103) + (cos_phi * t110) -
+    const double t237 = (t88 * motion->constants[10]) + (sin_phi * t103) + (cos_phi * t110) -
         (cos_phi * t218);
     const double t239 = (t85 * t226) - (t32 * t237);
     const double t243 = (t222 * t237) + (t85 * t220);
@@ -1963,37 +1984,38 @@ static void whipple_mechanism_f64_compute_energy(const whipple_mechanism_f64_mot
     const double t280 = (t190 * ((t95 * t243) + (t187 * t248) - (t121 * t239) - (t183 * t229))) +
         (cos_delta * t250);
     const double t281 = t280 - (t194 * t252);
-    const double t287 = (t32 * t212) + (t37 * t46) + (t17 * motion->constants[1]) + (t75 * t250) +
+    const double t287 = (t32 * t212) + (t37 * t46) + (t17 * motion->constants[7]) + (t75 * t250) +
         (t142 * t259) + (t179 * t250);
     const double t290 = t287 + (t200 * t281) - (t152 * t252) - (t153 * t267);
-    const double t294 = motion->constants[1] * t121 * t138;
+    const double t294 = motion->constants[7] * t121 * t138;
     const double t295 = sin_phi * t294;
     const double t297 = cos_phi * t294;
-    const double t300 = t61 - motion->constants[33];
-    const double t301 = motion->constants[1] * t300;
+    const double t300 = t61 - motion->constants[48];
+    const double t301 = motion->constants[7] * t300;
     const double t305 = t301 + (t161 * t295) + (t167 * t297);
     const double t310 = t165 - (t167 * t295) - (t173 * t297);
     const double t313 = 1.0 - t295;
-    const double t322 = (t190 * ((motion->constants[1] * t95) + (t187 * t294))) - (cos_delta *
+    const double t322 = (t190 * ((motion->constants[7] * t95) + (t187 * t294))) - (cos_delta *
         t295) - (t194 * t297);
     const double t328 = (t179 * t313) + (t200 * t322) - (t75 * t295) - (t152 * t297) - (t142 *
         t305) - (t153 * t310);
-    const double t338 = motion->constants[6] * t250;
-    const double t340 = motion->constants[7] * t281;
-    const double t346 = motion->constants[24] + (t250 * t259) + (t250 * t255) + (t250 * t338) +
+    const double t338 = motion->constants[21] * t250;
+    const double t340 = motion->constants[22] * t281;
+    const double t346 = motion->constants[39] + (t250 * t259) + (t250 * t255) + (t250 * t338) +
         (t281 * t340) - (t252 * t267);
     const double t359 = t254 + (t313 * t338) + (t322 * t340) - (t250 * t305) - (t252 * t310) -
         (t255 * t295);
     const double t360 = t359 - (t263 * t297);
     const double t364 = speeds[1] * ((speeds[0] * t290) + (speeds[1] * (t346 - (t252 * t263))) +
         (speeds[2] * t360));
-    const double t380 = (t295 * t305) + (t295 * t301) + motion->constants[35] +
-        (motion->constants[6] * t313 * t313) + (motion->constants[7] * t322 * t322) - (t297 * t310);
+    const double t380 = (t295 * t305) + (t295 * t301) + motion->constants[50] +
+        (motion->constants[21] * t313 * t313) + (motion->constants[22] * t322 * t322) - (t297 *
+        t310);
     const double t387 = (speeds[0] * (t210 + (speeds[1] * t290) + (speeds[2] * t328))) + t364 +
         (speeds[2] * ((speeds[0] * t328) + (speeds[1] * t360) + (speeds[2] * (t380 - (t165 *
         t297)))));
     const double t389 = t387 * 0.5;
-    const double t395 = -(motion->constants[25] * ((t67 * sin_phi) + (cos_phi * t300)));
+    const double t395 = -(motion->constants[40] * ((t67 * sin_phi) + (cos_phi * t300)));
     energy[0] = t389;
     energy[1] = t395;
 }
@@ -2025,21 +2047,21 @@ static void whipple_mechanism_f64_compute_closure(const whipple_mechanism_f64_mo
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t14 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
+    const double t14 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
     const double t15 = cos_phi * t14;
     const double t19 = sin_phi * sin_delta;
     const double t20 = t19 - (cos_delta * t15);
-    const double t24 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const double t24 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     const double t25 = cos_phi * t24;
     const double t28 = sqrt((t20 * t20) + (t25 * t25));
-    const double t36 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const double t42 = (motion->constants[2] * t28) + (t19 * motion->constants[10]) + (cos_phi *
-        ((t24 * motion->constants[12]) - (t14 * t36))) - (motion->constants[1] * cos_phi);
+    const double t36 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const double t42 = (motion->constants[10] * t28) + (t19 * motion->constants[25]) + (cos_phi *
+        ((t24 * motion->constants[27]) - (t14 * t36))) - (motion->constants[7] * cos_phi);
     const double t46 = 1.0 / t28;
     const double t47 = t25 * t46;
-    const double t58 = motion->constants[2] * ((cos_delta * sin_phi) + (t15 * sin_delta)) *
+    const double t58 = motion->constants[10] * ((cos_delta * sin_phi) + (t15 * sin_delta)) *
         ((cos_phi * sin_delta * t47) + (sin_phi * ((t20 * t24 * t46) + (cos_delta * t14 * t47))));
-    const double t64 = t42 / (cos_phi * (t58 + (t14 * motion->constants[12]) + (t24 * t36)));
+    const double t64 = t42 / (cos_phi * (t58 + (t14 * motion->constants[27]) + (t24 * t36)));
     below[0] = t42;
     steps[0] = t64;
 }
@@ -2123,8 +2145,8 @@ static void whipple_mechanism_f64_compute_contact_forces(const whipple_mechanism
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t9 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
-    const double t13 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const double t9 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
+    const double t13 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     double sin_phi = 0.0;
     double cos_phi = 0.0;
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
@@ -2142,23 +2164,23 @@ static void whipple_mechanism_f64_compute_contact_forces(const whipple_mechanism
     const double t36 = (t13 * t34) - (t9 * t31);
     const double t43 = (cos_phi * sin_delta * t33) + (sin_phi * ((t13 * t31) + (t9 * t34)));
     const double t47 = (cos_delta * sin_phi) + (t19 * sin_delta);
-    const double t48 = motion->constants[2] * t47;
-    const double t55 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const double t58 = (t43 * t48) + (t9 * motion->constants[12]) + (t13 * t55);
+    const double t48 = motion->constants[10] * t47;
+    const double t55 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const double t58 = (t43 * t48) + (t9 * motion->constants[27]) + (t13 * t55);
     const double t59 = sin_phi * t58;
-    const double t64 = sin_delta * motion->constants[10];
-    const double t68 = (t13 * motion->constants[12]) - (t9 * t55);
+    const double t64 = sin_delta * motion->constants[25];
+    const double t68 = (t13 * motion->constants[27]) - (t9 * t55);
     const double t71 = (cos_phi * t64) - (t36 * t48) - (sin_phi * t68);
-    const double t72 = (sin_phi * motion->constants[1]) + t71;
+    const double t72 = (sin_phi * motion->constants[7]) + t71;
     const double t73 = sin_phi * t72;
     const double t75 = (t36 * t59) + (t43 * t73);
     const double t77 = 1.0 / (cos_phi * t58);
     const double t78 = t72 * t77;
     const double t82 = 1.0 / ((t36 * t58) + (t43 * t72));
     const double t84 = t75 * t78 * t82;
-    const double t91 = t58 - (t9 * motion->constants[9]) - (t13 * motion->constants[8]);
-    const double t98 = (t13 * motion->constants[9]) - (t9 * motion->constants[8]);
-    const double t102 = (t29 * motion->constants[2]) + (sin_phi * t64) + (cos_phi * t68) -
+    const double t91 = t58 - (t9 * motion->constants[24]) - (t13 * motion->constants[23]);
+    const double t98 = (t13 * motion->constants[24]) - (t9 * motion->constants[23]);
+    const double t102 = (t29 * motion->constants[10]) + (sin_phi * t64) + (cos_phi * t68) -
         (cos_phi * t98);
     const double t104 = (t26 * t91) - (t9 * t102);
     const double t106 = t13 * sin_phi;
@@ -2166,26 +2188,26 @@ static void whipple_mechanism_f64_compute_contact_forces(const whipple_mechanism
     const double t111 = (t102 * t106) + (t26 * t109);
     const double t116 = t77 * ((t9 * t109) + (t91 * t106));
     const double t120 = t82 * ((t36 * t104) + (t43 * t111) + (t75 * t116));
-    const double t124 = t43 * motion->constants[1] * t82;
+    const double t124 = t43 * motion->constants[7] * t82;
     const double t127 = (speeds[0] * t84) + (speeds[1] * t120) + (speeds[2] * t124);
     const double t128 = cos_phi * t127;
     const double t130 = (speeds[0] * t13) + (t9 * t128);
     const double t133 = (t9 * speeds[0]) - (t13 * t128);
-    const double t138 = (t133 * motion->constants[13]) - (t130 * motion->constants[14]);
+    const double t138 = (t133 * motion->constants[28]) - (t130 * motion->constants[29]);
     const double t142 = (speeds[0] * t78) + (speeds[1] * t116);
     const double t143 = sin_phi * t127;
     const double t144 = t142 - t143;
-    const double t145 = motion->constants[14] * t144;
+    const double t145 = motion->constants[29] * t144;
     const double t147 = (t130 * t138) - (t144 * t145);
-    const double t149 = speeds[0] * motion->constants[1];
+    const double t149 = speeds[0] * motion->constants[7];
     const double t151 = speeds[2] + t142;
-    const double t153 = motion->constants[1] * t143;
+    const double t153 = motion->constants[7] * t143;
     const double t155 = ((t151 - t143) * t153) - (speeds[0] * t149);
-    const double t158 = t155 + (cos_phi * motion->constants[25]);
+    const double t158 = t155 + (cos_phi * motion->constants[40]);
     const double t159 = t13 * t158;
     const double t160 = t128 * t149;
-    const double t161 = motion->constants[9] * t144;
-    const double t163 = motion->constants[8] * t144;
+    const double t161 = motion->constants[24] * t144;
+    const double t163 = motion->constants[23] * t144;
     const double t165 = (t133 * t161) + (t130 * t163);
     const double t166 = speeds[0] * t143;
     const double t168 = t130 * t142;
@@ -2194,168 +2216,171 @@ static void whipple_mechanism_f64_compute_contact_forces(const whipple_mechanism
     const double t173 = (t9 * t166) + t172;
     const double t175 = t128 * t151;
     const double t177 = t128 * t153;
-    const double t178 = t177 - (motion->constants[1] * t175);
-    const double t181 = t165 + (motion->constants[8] * t169) + (motion->constants[9] * t173) - t178;
-    const double t186 = (motion->constants[8] * t133) - (motion->constants[9] * t130);
+    const double t178 = t177 - (motion->constants[7] * t175);
+    const double t181 = t165 + (motion->constants[23] * t169) + (motion->constants[24] * t173) -
+        t178;
+    const double t186 = (motion->constants[23] * t133) - (motion->constants[24] * t130);
     const double t188 = (t144 * t163) + (t133 * t186);
     const double t189 = speeds[0] * t128;
-    const double t192 = t160 + (motion->constants[1] * t189);
-    const double t197 = (t13 * t192) + (t9 * t155) - t188 - (motion->constants[9] * t189);
+    const double t192 = t160 + (motion->constants[7] * t189);
+    const double t197 = (t13 * t192) + (t9 * t155) - t188 - (motion->constants[24] * t189);
     const double t199 = speeds[1] + t133;
     const double t203 = (cos_delta * t144) - (sin_delta * t130);
-    const double t204 = motion->constants[11] * t203;
+    const double t204 = motion->constants[26] * t203;
     const double t208 = (cos_delta * t130) + (sin_delta * t144);
-    const double t209 = motion->constants[10] * t203;
+    const double t209 = motion->constants[25] * t203;
     const double t214 = speeds[1] * t203;
     const double t216 = t214 - (cos_delta * t173) - (sin_delta * t189);
-    const double t218 = t31 * motion->constants[2];
+    const double t218 = t31 * motion->constants[10];
     const double t221 = (t43 * t59) - (t36 * t73);
     const double t225 = (t43 * t58) - (t36 * t72);
-    const double t228 = 1.0 / motion->constants[2];
+    const double t228 = 1.0 / motion->constants[10];
     const double t229 = ((t84 * t225) - (t78 * t221)) * t228;
     const double t238 = t228 * ((t36 * t111) + (t120 * t225) - (t43 * t104) - (t116 * t221));
-    const double t243 = t228 * ((t36 * motion->constants[1]) + (t124 * t225));
+    const double t243 = t228 * ((t36 * motion->constants[7]) + (t124 * t225));
     const double t246 = (speeds[0] * t229) + (speeds[1] * t238) + (speeds[2] * t243);
-    const double t250 = t33 * motion->constants[2];
+    const double t250 = t33 * motion->constants[10];
     const double t258 = t30 * t47 * ((t31 * t208) + (t33 * t199));
     const double t259 = t250 * t258;
     const double t261 = t218 * t258;
     const double t267 = (cos_delta * t181) + (t199 * t204) + (t208 * t209) +
-        (motion->constants[10] * t169) + (t218 * (t169 + (t208 * t246))) + (t199 * t259);
-    const double t271 = t267 + (t208 * t261) - (sin_delta * t197) - (motion->constants[11] * t216) -
+        (motion->constants[25] * t169) + (t218 * (t169 + (t208 * t246))) + (t199 * t259);
+    const double t271 = t267 + (t208 * t261) - (sin_delta * t197) - (motion->constants[26] * t216) -
         (t250 * (t216 - (t199 * t246)));
-    const double t278 = (motion->constants[10] * t199) - (motion->constants[11] * t208);
+    const double t278 = (motion->constants[25] * t199) - (motion->constants[26] * t208);
     const double t282 = speeds[1] * t208;
     const double t284 = (sin_delta * t173) - (cos_delta * t189) - t282;
     const double t287 = t203 + t246;
-    const double t292 = motion->constants[2] * ((t31 * t199) - (t33 * t208));
-    const double t298 = (cos_delta * t197) + (sin_delta * t181) + (motion->constants[11] * t284) +
+    const double t292 = motion->constants[10] * ((t31 * t199) - (t33 * t208));
+    const double t298 = (cos_delta * t197) + (sin_delta * t181) + (motion->constants[26] * t284) +
         (t250 * t284) - (t203 * t209) - (t199 * t278);
     const double t300 = t298 - (t261 * t287) - (t199 * t292);
     const double t304 = (t130 * t186) - (t144 * t161);
-    const double t318 = t304 + (motion->constants[8] * t189) + (t9 * t192) + (t208 * t278) + (t208 *
-        t292) - (t13 * t155);
-    const double t322 = t318 - (t203 * t204) - (motion->constants[10] * t284) - (t218 * t284) -
+    const double t318 = t304 + (motion->constants[23] * t189) + (t9 * t192) + (t208 * t278) +
+        (t208 * t292) - (t13 * t155);
+    const double t322 = t318 - (t203 * t204) - (motion->constants[25] * t284) - (t218 * t284) -
         (t259 * t287);
     const double t324 = (t31 * t300) + (t33 * t322);
     const double t329 = t77 * ((t47 * t271) + (t29 * t324));
     const double t333 = t82 * ((t29 * t271) + (t75 * t329) - (t47 * t324));
     const double t335 = t189 - t329;
     const double t336 = (sin_phi * t333) + t335;
-    const double t340 = (motion->constants[1] * t336) + t160;
+    const double t340 = (motion->constants[7] * t336) + t160;
     const double t342 = t159 - (t9 * t340);
-    const double t345 = t304 - t342 + (motion->constants[8] * t336);
+    const double t345 = t304 - t342 + (motion->constants[23] * t336);
     const double t351 = t166 - (cos_phi * t333);
     const double t353 = t172 + (t9 * t351);
     const double t356 = (sin_delta * t353) - (cos_delta * t336) - t282;
-    const double t361 = (t199 * motion->constants[19]) - (t208 * motion->constants[20]);
-    const double t363 = t203 * motion->constants[20];
+    const double t361 = (t199 * motion->constants[34]) - (t208 * motion->constants[35]);
+    const double t363 = t203 * motion->constants[35];
     const double t365 = (t208 * t361) - (t203 * t363);
-    const double t367 = (t345 * motion->constants[3]) + t365 - (motion->constants[19] * t356);
+    const double t367 = (t345 * motion->constants[17]) + t365 - (motion->constants[34] * t356);
     const double t375 = t9 * t158;
     const double t376 = t375 + (t13 * t340);
-    const double t379 = t376 - (motion->constants[9] * t336) - t188;
+    const double t379 = t376 - (motion->constants[24] * t336) - t188;
     const double t382 = t168 + (t13 * t351);
-    const double t385 = sin_phi * motion->constants[25];
+    const double t385 = sin_phi * motion->constants[40];
     const double t386 = t178 + t385;
-    const double t389 = t165 + (motion->constants[8] * t382) + (motion->constants[9] * t353) - t386;
+    const double t389 = t165 + (motion->constants[23] * t382) + (motion->constants[24] * t353) -
+        t386;
     const double t391 = (cos_delta * t379) + (sin_delta * t389);
-    const double t394 = t203 * motion->constants[19];
+    const double t394 = t203 * motion->constants[34];
     const double t397 = (t203 * t394) + (t199 * t361);
-    const double t399 = (t391 * motion->constants[3]) + (motion->constants[20] * t356) - t397;
+    const double t399 = (t391 * motion->constants[17]) + (motion->constants[35] * t356) - t397;
     const double t403 = (cos_delta * t389) - (sin_delta * t379);
     const double t409 = t214 - (sin_delta * t336) - (cos_delta * t353);
     const double t413 = (t199 * t363) + (t208 * t394);
-    const double t416 = (t403 * motion->constants[3]) + (t382 * motion->constants[19]) + t413 -
-        (motion->constants[20] * t409);
+    const double t416 = (t403 * motion->constants[17]) + (t382 * motion->constants[34]) + t413 -
+        (motion->constants[35] * t409);
     const double t418 = (cos_delta * t399) - (sin_delta * t416);
-    const double t421 = motion->constants[13] * t144;
+    const double t421 = motion->constants[28] * t144;
     const double t424 = (t144 * t421) + (t133 * t138);
-    const double t429 = (t9 * (t147 + t367 - (motion->constants[0] * t342) +
-        (motion->constants[13] * t336))) + (t13 * (t418 + (motion->constants[0] * t376) -
-        (motion->constants[14] * t336) - t424));
-    const double t431 = (t336 * motion->constants[6]) + (motion->constants[1] * t429);
+    const double t429 = (t9 * (t147 + t367 - (motion->constants[1] * t342) +
+        (motion->constants[28] * t336))) + (t13 * (t418 + (motion->constants[1] * t376) -
+        (motion->constants[29] * t336) - t424));
+    const double t431 = (t336 * motion->constants[21]) + (motion->constants[7] * t429);
     const double t432 = sin_phi * t124;
-    const double t441 = (t130 * motion->constants[17]) + (t133 * motion->constants[15]);
-    const double t446 = (t130 * motion->constants[15]) + (t133 * motion->constants[18]);
+    const double t441 = (t130 * motion->constants[32]) + (t133 * motion->constants[30]);
+    const double t446 = (t130 * motion->constants[30]) + (t133 * motion->constants[33]);
     const double t448 = (t133 * t441) - (t130 * t446);
-    const double t457 = (t208 * motion->constants[22]) + (t199 * motion->constants[24]);
-    const double t463 = (t203 * motion->constants[23]) + (t287 * motion->constants[7]);
+    const double t457 = (t208 * motion->constants[37]) + (t199 * motion->constants[39]);
+    const double t463 = (t203 * motion->constants[38]) + (t287 * motion->constants[22]);
     const double t465 = (t203 * t457) - (t199 * t463);
-    const double t468 = (motion->constants[21] * t409) + (t382 * motion->constants[22]) + t465 -
-        (motion->constants[20] * t403);
+    const double t468 = (motion->constants[36] * t409) + (t382 * motion->constants[37]) + t465 -
+        (motion->constants[35] * t403);
     const double t480 = t228 * ((t31 * t322) + (t225 * t333) - (t33 * t300) - (t221 * t329));
-    const double t482 = motion->constants[7] * (t356 + t480);
-    const double t485 = (t208 * motion->constants[21]) + (t199 * motion->constants[22]);
+    const double t482 = motion->constants[22] * (t356 + t480);
+    const double t485 = (t208 * motion->constants[36]) + (t199 * motion->constants[37]);
     const double t488 = (t199 * t485) - (t208 * t457);
-    const double t492 = (motion->constants[20] * t391) + (motion->constants[23] * t356) + t482 +
-        t488 - (motion->constants[19] * t345);
-    const double t500 = (motion->constants[14] * t376) + (motion->constants[13] * t342) - (t336 *
-        motion->constants[16]) + t448 + (sin_delta * t468) + (cos_delta * t492);
-    const double t503 = t500 + (motion->constants[9] * t418) - t431 - (motion->constants[8] * t367);
+    const double t492 = (motion->constants[35] * t391) + (motion->constants[38] * t356) + t482 +
+        t488 - (motion->constants[34] * t345);
+    const double t500 = (motion->constants[29] * t376) + (motion->constants[28] * t342) - (t336 *
+        motion->constants[31]) + t448 + (sin_delta * t468) + (cos_delta * t492);
+    const double t503 = t500 + (motion->constants[24] * t418) - t431 - (motion->constants[23] *
+        t367);
     const double t505 = cos_phi * t124;
-    const double t512 = (t144 * motion->constants[16]) + (motion->constants[6] * (speeds[2] +
+    const double t512 = (t144 * motion->constants[31]) + (motion->constants[21] * (speeds[2] +
         t144));
     const double t515 = (t130 * t512) - (t144 * t441);
     const double t521 = (t208 * t463) - (t203 * t485);
-    const double t524 = (t403 * motion->constants[19]) + (t409 * motion->constants[22]) + (t382 *
-        motion->constants[24]) + t521;
+    const double t524 = (t403 * motion->constants[34]) + (t409 * motion->constants[37]) + (t382 *
+        motion->constants[39]) + t521;
     const double t527 = (sin_delta * t399) + (cos_delta * t416);
-    const double t533 = (motion->constants[18] * t382) + t515 + t524 + (motion->constants[8] *
-        t527) - (motion->constants[13] * t386) - (motion->constants[15] * t353);
+    const double t533 = (motion->constants[33] * t382) + t515 + t524 + (motion->constants[23] *
+        t527) - (motion->constants[28] * t386) - (motion->constants[30] * t353);
     const double t540 = (t144 * t446) - (t133 * t512);
-    const double t548 = (motion->constants[14] * t386) + (motion->constants[15] * t382) + t540 +
-        (cos_delta * t468) - (motion->constants[17] * t353) - (sin_delta * t492);
-    const double t549 = t548 - (motion->constants[9] * t527);
+    const double t548 = (motion->constants[29] * t386) + (motion->constants[30] * t382) + t540 +
+        (cos_delta * t468) - (motion->constants[32] * t353) - (sin_delta * t492);
+    const double t549 = t548 - (motion->constants[24] * t527);
     const double t551 = (t13 * t533) - (t9 * t549);
     const double t562 = (t133 * t145) + (t130 * t421);
-    const double t567 = motion->constants[1] * (t527 + (motion->constants[13] * t382) +
-        (motion->constants[14] * t353) + t562 - (motion->constants[0] * t386));
+    const double t567 = motion->constants[7] * (t527 + (motion->constants[28] * t382) +
+        (motion->constants[29] * t353) + t562 - (motion->constants[1] * t386));
     const double t569 = t78 - (sin_phi * t84);
     const double t571 = cos_phi * t84;
     const double t578 = forces[0] + (t551 * t571) - (t9 * t533) - (t13 * t549) - t567 - (t503 *
         t569);
     const double t579 = t578 - (t229 * t482);
-    const double t581 = sin_delta * motion->constants[19];
-    const double t583 = (sin_delta * motion->constants[22]) - (motion->constants[9] * t581);
-    const double t586 = sin_delta * motion->constants[26];
-    const double t589 = (cos_delta * t586) - (motion->constants[8] * t581);
+    const double t581 = sin_delta * motion->constants[34];
+    const double t583 = (sin_delta * motion->constants[37]) - (motion->constants[24] * t581);
+    const double t586 = sin_delta * motion->constants[41];
+    const double t589 = (cos_delta * t586) - (motion->constants[23] * t581);
     const double t591 = (t9 * t583) + (t13 * t589);
-    const double t596 = cos_delta * motion->constants[19];
-    const double t598 = (cos_delta * motion->constants[22]) - (motion->constants[9] * t596);
-    const double t601 = motion->constants[15] + t598 - motion->constants[29] -
-        motion->constants[30];
+    const double t596 = cos_delta * motion->constants[34];
+    const double t598 = (cos_delta * motion->constants[37]) - (motion->constants[24] * t596);
+    const double t601 = motion->constants[30] + t598 - motion->constants[44] -
+        motion->constants[45];
     const double t602 = sin_delta * t586;
-    const double t606 = motion->constants[17] + motion->constants[21] + motion->constants[28] -
+    const double t606 = motion->constants[32] + motion->constants[36] + motion->constants[43] -
         t602;
-    const double t607 = motion->constants[8] * t596;
-    const double t610 = t607 + t607 + motion->constants[31];
-    const double t612 = motion->constants[18] + motion->constants[24] + t610;
+    const double t607 = motion->constants[23] * t596;
+    const double t610 = t607 + t607 + motion->constants[46];
+    const double t612 = motion->constants[33] + motion->constants[39] + t610;
     const double t613 = t612 - t606;
     const double t614 = t9 * t13;
     const double t616 = t9 * t9;
     const double t617 = t601 + t601;
-    const double t623 = motion->constants[13] + t596 + motion->constants[27];
-    const double t629 = t601 + (t613 * t614) + (motion->constants[1] * ((t9 *
-        motion->constants[32]) + (t13 * t623))) - (t616 * t617);
-    const double t633 = (t13 * motion->constants[32]) - (t9 * t623);
-    const double t636 = motion->constants[1] * (t633 - motion->constants[33]);
-    const double t637 = motion->constants[1] * t633;
-    const double t640 = motion->constants[34] - t637 - t637;
-    const double t645 = motion->constants[16] + motion->constants[23] + t602 +
-        motion->constants[28] + t610 + t640;
-    const double t649 = motion->constants[1] * t581;
+    const double t623 = motion->constants[28] + t596 + motion->constants[42];
+    const double t629 = t601 + (t613 * t614) + (motion->constants[7] * ((t9 *
+        motion->constants[47]) + (t13 * t623))) - (t616 * t617);
+    const double t633 = (t13 * motion->constants[47]) - (t9 * t623);
+    const double t636 = motion->constants[7] * (t633 - motion->constants[48]);
+    const double t637 = motion->constants[7] * t633;
+    const double t640 = motion->constants[49] - t637 - t637;
+    const double t645 = motion->constants[31] + motion->constants[38] + t602 +
+        motion->constants[43] + t610 + t640;
+    const double t649 = motion->constants[7] * t581;
     const double t651 = (t13 * t583) + t649 - (t9 * t589);
     const double t654 = t636 + (t432 * t645) + (t505 * t651);
     const double t659 = (t613 * t616) + (t614 * t617);
     const double t660 = t612 - t659;
     const double t663 = t649 - (t432 * t651) - (t505 * t660);
     const double t666 = 1.0 - t432;
-    const double t667 = motion->constants[6] * t569;
+    const double t667 = motion->constants[21] * t569;
     const double t670 = t9 * sin_delta;
     const double t673 = t243 - (cos_delta * t432) - (t505 * t670);
     const double t679 = t229 + (cos_delta * t569) - (t13 * sin_delta) - (t571 * t670);
-    const double t680 = motion->constants[7] * t679;
+    const double t680 = motion->constants[22] * t679;
     const double t686 = (t666 * t667) + (t673 * t680) - (t432 * t591) - (t505 * t629) - (t569 *
         t654) - (t571 * t663);
     const double t705 = t606 + t640 + t659 + (t569 * t591) + (t569 * (t591 + (t569 * t645) - (t571 *
@@ -2368,20 +2393,20 @@ static void whipple_mechanism_f64_compute_contact_forces(const whipple_mechanism
     const double t714 = t116 - (sin_phi * t120);
     const double t716 = cos_phi * t120;
     const double t718 = t583 + t712;
-    const double t720 = motion->constants[24] + t607;
+    const double t720 = motion->constants[39] + t607;
     const double t723 = (t13 * t720) - (t9 * t598);
-    const double t725 = motion->constants[6] * t714;
+    const double t725 = motion->constants[21] * t714;
     const double t730 = t238 + (cos_delta * t714) - (t670 * t716);
-    const double t731 = motion->constants[7] * t730;
+    const double t731 = motion->constants[22] * t730;
     const double t741 = t718 + (t645 * t714) - (t651 * t716);
     const double t746 = t723 + (t651 * t714) - (t660 * t716);
-    const double t754 = (t9 * t720) + (t13 * t598) + (motion->constants[1] * t596) + (t591 * t714) +
+    const double t754 = (t9 * t720) + (t13 * t598) + (motion->constants[7] * t596) + (t591 * t714) +
         (t569 * t741) + (t667 * t714);
     const double t758 = t709 * (t754 + (t680 * t730) - (t629 * t716) - (t571 * t746));
     const double t759 = t708 * t758;
     const double t765 = t712 + (t666 * t725) + (t673 * t731) - (t654 * t714) - (t663 * t716) -
         (t432 * t718);
-    const double t779 = motion->constants[24] + (t714 * t741) + (t714 * t718) + (t714 * t725) +
+    const double t779 = motion->constants[39] + (t714 * t741) + (t714 * t718) + (t714 * t725) +
         (t730 * t731) - (t716 * t746);
     const double t781 = t779 - (t716 * t723) - (t758 * t759);
     const double t782 = 1.0 / t781;
@@ -2390,64 +2415,66 @@ static void whipple_mechanism_f64_compute_contact_forces(const whipple_mechanism
         t758);
     const double t799 = (t432 * t503) + (t505 * t551) + t431 - (t243 * t482) - (t579 * t710) -
         (t783 * t793);
-    const double t817 = (t432 * t654) + (t432 * t636) + motion->constants[35] +
-        (motion->constants[6] * t666 * t666) + (motion->constants[7] * t673 * t673) - (t505 * t663);
+    const double t817 = (t432 * t654) + (t432 * t636) + motion->constants[50] +
+        (motion->constants[21] * t666 * t666) + (motion->constants[22] * t673 * t673) - (t505 *
+        t663);
     const double t821 = t799 / (t817 - (t505 * t649) - (t708 * t710 * t710) - (t781 * t783 * t783));
     const double t825 = (t782 * t793) - (t783 * t821);
     const double t829 = (t579 * t709) - (t758 * t825) - (t710 * t821);
     const double t837 = t333 + (t84 * t829) + (t120 * t825) + (t124 * t821);
     const double t841 = (t78 * t829) + (t116 * t825) - (sin_phi * t837) - t335;
     const double t842 = t821 + t841;
-    const double t844 = (motion->constants[1] * t842) - t160;
+    const double t844 = (motion->constants[7] * t842) - t160;
     const double t846 = t159 + (t9 * t844);
-    const double t851 = t304 - t846 - (motion->constants[8] * t841);
+    const double t851 = t304 - t846 - (motion->constants[23] * t841);
     const double t856 = t166 - (cos_phi * t837);
     const double t859 = (t13 * t829) - t172 - (t9 * t856);
     const double t862 = (cos_delta * t841) - t282 - (sin_delta * t859);
-    const double t865 = t365 + (motion->constants[3] * t851) - (motion->constants[19] * t862);
-    const double t868 = t147 + t865 - (motion->constants[0] * t846) - (motion->constants[13] *
+    const double t865 = t365 + (motion->constants[17] * t851) - (motion->constants[34] * t862);
+    const double t868 = t147 + t865 - (motion->constants[1] * t846) - (motion->constants[28] *
         t841);
     const double t871 = t375 - (t13 * t844);
-    const double t876 = t871 + (motion->constants[9] * t841) - t188;
+    const double t876 = t871 + (motion->constants[24] * t841) - t188;
     const double t881 = t168 + (t13 * t856) + (t9 * t829);
-    const double t887 = t177 + t385 - (motion->constants[1] * (t175 + t829));
-    const double t890 = t165 + (motion->constants[8] * t881) - (motion->constants[9] * t859) - t887;
+    const double t887 = t177 + t385 - (motion->constants[7] * (t175 + t829));
+    const double t890 = t165 + (motion->constants[23] * t881) - (motion->constants[24] * t859) -
+        t887;
     const double t892 = (cos_delta * t876) + (sin_delta * t890);
-    const double t896 = (motion->constants[3] * t892) + (motion->constants[20] * t862) - t397;
+    const double t896 = (motion->constants[17] * t892) + (motion->constants[35] * t862) - t397;
     const double t900 = (cos_delta * t890) - (sin_delta * t876);
     const double t902 = t825 + t881;
     const double t907 = t214 + (cos_delta * t859) + (sin_delta * t841);
-    const double t911 = t413 + (motion->constants[3] * t900) + (motion->constants[19] * t902) -
-        (motion->constants[20] * t907);
+    const double t911 = t413 + (motion->constants[17] * t900) + (motion->constants[34] * t902) -
+        (motion->constants[35] * t907);
     const double t913 = (cos_delta * t896) - (sin_delta * t911);
-    const double t916 = (motion->constants[0] * t871) + (motion->constants[14] * t841) + t913 -
+    const double t916 = (motion->constants[1] * t871) + (motion->constants[29] * t841) + t913 -
         t424;
     const double t918 = (t9 * t868) + (t13 * t916);
-    const double t926 = motion->constants[7] * (t480 + t862 + (t229 * t829) + (t238 * t825) +
+    const double t926 = motion->constants[22] * (t480 + t862 + (t229 * t829) + (t238 * t825) +
         (t243 * t821));
     const double t927 = t228 * t926;
-    const double t938 = t465 + (motion->constants[21] * t907) + (motion->constants[22] * t902) -
-        (motion->constants[20] * t900);
-    const double t946 = t488 + t926 + (motion->constants[20] * t892) + (motion->constants[23] *
-        t862) - (motion->constants[19] * t851);
-    const double t955 = t448 + (motion->constants[14] * t871) + (motion->constants[13] * t846) +
-        (motion->constants[16] * t841) + (motion->constants[6] * t842) + (sin_delta * t938);
-    const double t959 = t955 + (cos_delta * t946) + (motion->constants[9] * t913) -
-        (motion->constants[8] * t865) - (motion->constants[1] * t918);
+    const double t938 = t465 + (motion->constants[36] * t907) + (motion->constants[37] * t902) -
+        (motion->constants[35] * t900);
+    const double t946 = t488 + t926 + (motion->constants[35] * t892) + (motion->constants[38] *
+        t862) - (motion->constants[34] * t851);
+    const double t955 = t448 + (motion->constants[29] * t871) + (motion->constants[28] * t846) +
+        (motion->constants[31] * t841) + (motion->constants[21] * t842) + (sin_delta * t938);
+    const double t959 = t955 + (cos_delta * t946) + (motion->constants[24] * t913) -
+        (motion->constants[23] * t865) - (motion->constants[7] * t918);
     const double t969 = (sin_delta * t896) + (cos_delta * t911);
-    const double t976 = t515 + t521 + (motion->constants[15] * t859) + (motion->constants[18] *
-        t881) + (motion->constants[19] * t900) + (motion->constants[22] * t907) +
-        (motion->constants[24] * t902);
-    const double t990 = t540 + (motion->constants[14] * t887) + (motion->constants[17] * t859) +
-        (motion->constants[15] * t881) + (cos_delta * t938) - (sin_delta * t946);
-    const double t994 = cos_phi * ((t13 * (t976 + (motion->constants[8] * t969) -
-        (motion->constants[13] * t887))) - (t9 * (t990 - (motion->constants[9] * t969))));
+    const double t976 = t515 + t521 + (motion->constants[30] * t859) + (motion->constants[33] *
+        t881) + (motion->constants[34] * t900) + (motion->constants[37] * t907) +
+        (motion->constants[39] * t902);
+    const double t990 = t540 + (motion->constants[29] * t887) + (motion->constants[32] * t859) +
+        (motion->constants[30] * t881) + (cos_delta * t938) - (sin_delta * t946);
+    const double t994 = cos_phi * ((t13 * (t976 + (motion->constants[23] * t969) -
+        (motion->constants[28] * t887))) - (t9 * (t990 - (motion->constants[24] * t969))));
     const double t998 = t82 * ((sin_phi * t959) + t994 - (t225 * t927));
     const double t1000 = (t36 * t927) - (t43 * t998);
     const double t1001 = t918 - t1000;
     const double t1006 = (t43 * t927) + (t36 * t998);
-    const double t1013 = t562 + t969 + (motion->constants[13] * t881) - (motion->constants[0] *
-        t887) - (motion->constants[14] * t859);
+    const double t1013 = t562 + t969 + (motion->constants[28] * t881) - (motion->constants[1] *
+        t887) - (motion->constants[29] * t859);
     const double t1017 = (t13 * t868) - (t9 * t916);
     const double t1020 = (cos_phi * t1013) - t1006 - (sin_phi * t1017);
     const double t1022 = (cos_psi * t1001) - (sin_psi * t1020);
@@ -3234,101 +3261,116 @@ void whipple_mechanism_f32_with_respect_to(const whipple_mechanism_f32_derivativ
 void whipple_mechanism_f32_motion(const whipple_mechanism_f32_t *p,
     whipple_mechanism_f32_motion_t *motion)
 {
-    const float t2 = p->mR + p->mB;
-    const float t7 = p->mH + p->mF;
+    const float t2 = p->mB + p->mR;
+    const float t18 = p->mH + p->mF;
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t15 = p->w + p->c;
-    const float t18 = (cos_lam * t15) - (p->rR * sin_lam);
-    const float t21 = (sin_lam * t15) + (p->rR * cos_lam);
-    const float t22 = p->w - t15;
-    const float t25 = (cos_lam * t22) + (p->rF * sin_lam);
-    const float t28 = (sin_lam * t22) - (p->rF * cos_lam);
-    const float t29 = t21 + t28;
-    const float t33 = p->rR + p->zB;
-    const float t35 = (cos_lam * p->xB) - (sin_lam * t33);
-    const float t36 = p->mB * t35;
-    const float t39 = (sin_lam * p->xB) + (cos_lam * t33);
-    const float t40 = p->mB * t39;
-    const float t44 = cos_lam * p->IBxz;
-    const float t45 = (sin_lam * p->IBxx) + t44;
-    const float t47 = sin_lam * p->IBxz;
-    const float t50 = t47 + (cos_lam * p->IBzz);
-    const float t54 = (cos_lam * t45) - (sin_lam * t50) - (t36 * t39);
-    const float t56 = t39 * t40;
-    const float t57 = t35 * t36;
-    const float t59 = p->IByy + t56 + t57;
-    const float t69 = t56 + p->IRxx + (cos_lam * ((cos_lam * p->IBxx) - t47)) - (sin_lam * (t44 -
-        (sin_lam * p->IBzz)));
-    const float t74 = t57 + p->IRxx + (sin_lam * t45) + (cos_lam * t50);
-    const float t76 = p->xH - t15;
-    const float t80 = (cos_lam * t76) - (sin_lam * p->zH);
-    const float t81 = p->mH * t80;
-    const float t82 = p->mF * t25;
-    const float t83 = t81 + t82;
-    const float t86 = (sin_lam * t76) + (cos_lam * p->zH);
-    const float t87 = p->mH * t86;
-    const float t88 = p->mF * t28;
-    const float t89 = t87 + t88;
-    const float t94 = sin_lam * p->IHxz;
-    const float t97 = cos_lam * p->IHxz;
-    const float t104 = (t86 * t87) + (t28 * t88);
-    const float t107 = p->IFxx + (cos_lam * ((cos_lam * p->IHxx) - t94)) + t104 - (sin_lam * (t97 -
-        (sin_lam * p->IHzz)));
-    const float t109 = t97 + (sin_lam * p->IHxx);
-    const float t112 = t94 + (cos_lam * p->IHzz);
-    const float t118 = (cos_lam * t109) - (sin_lam * t112) - (t81 * t86) - (t28 * t82);
-    const float t122 = (t80 * t81) + (t25 * t82);
+    const float t25 = p->w + p->c;
+    const float t28 = (cos_lam * t25) - (p->rR * sin_lam);
+    const float t31 = (sin_lam * t25) + (p->rR * cos_lam);
+    const float t32 = p->w - t25;
+    const float t35 = (cos_lam * t32) + (p->rF * sin_lam);
+    const float t38 = (sin_lam * t32) - (p->rF * cos_lam);
+    const float t39 = t31 + t38;
+    const float t41 = p->rR + p->zB;
+    const float t43 = (p->xB * cos_lam) - (sin_lam * t41);
+    const float t44 = p->mB * t43;
+    const float t47 = (p->xB * sin_lam) + (cos_lam * t41);
+    const float t48 = p->mB * t47;
+    const float t50 = p->IBxz * cos_lam;
+    const float t51 = (p->IBxx * sin_lam) + t50;
+    const float t53 = p->IBxz * sin_lam;
+    const float t55 = t53 + (p->IBzz * cos_lam);
+    const float t59 = (cos_lam * t51) - (sin_lam * t55) - (t44 * t47);
+    const float t61 = t47 * t48;
+    const float t62 = t43 * t44;
+    const float t64 = p->IByy + t61 + t62;
+    const float t74 = t61 + p->IRxx + (cos_lam * ((p->IBxx * cos_lam) - t53)) - (sin_lam * (t50 -
+        (p->IBzz * sin_lam)));
+    const float t79 = t62 + p->IRxx + (sin_lam * t51) + (cos_lam * t55);
+    const float t80 = p->xH - t25;
+    const float t83 = (cos_lam * t80) - (p->zH * sin_lam);
+    const float t84 = p->mH * t83;
+    const float t85 = p->mF * t35;
+    const float t86 = t84 + t85;
+    const float t89 = (sin_lam * t80) + (p->zH * cos_lam);
+    const float t90 = p->mH * t89;
+    const float t91 = p->mF * t38;
+    const float t92 = t90 + t91;
+    const float t95 = p->IHxz * sin_lam;
+    const float t98 = p->IHxz * cos_lam;
+    const float t104 = (t89 * t90) + (t38 * t91);
+    const float t107 = p->IFxx + (cos_lam * ((p->IHxx * cos_lam) - t95)) + t104 - (sin_lam * (t98 -
+        (p->IHzz * sin_lam)));
+    const float t109 = t98 + (p->IHxx * sin_lam);
+    const float t112 = t95 + (p->IHzz * cos_lam);
+    const float t118 = (cos_lam * t109) - (sin_lam * t112) - (t84 * t89) - (t38 * t85);
+    const float t122 = (t83 * t84) + (t35 * t85);
     const float t124 = t104 + p->IHyy + t122;
     const float t129 = p->IFxx + t122 + (sin_lam * t109) + (cos_lam * t112);
     const float t131 = t107 - t124;
-    const float t132 = t7 * t18;
-    const float t133 = t21 * t89;
-    const float t134 = t7 * t21;
-    const float t137 = t133 + t133 + (t21 * t134);
-    const float t138 = t18 * t89;
-    const float t139 = t21 * t132;
-    const float t140 = t18 * t132;
-    const float t142 = t40 + t89 + t134;
-    const float t144 = p->rR * (t2 + t7);
+    const float t132 = t18 * t28;
+    const float t133 = t31 * t92;
+    const float t134 = t18 * t31;
+    const float t137 = t133 + t133 + (t31 * t134);
+    const float t138 = t28 * t92;
+    const float t139 = t31 * t132;
+    const float t140 = t28 * t132;
+    const float t142 = t48 + t92 + t134;
+    const float t144 = p->rR * (t2 + t18);
     const float t145 = p->rR * t144;
-    motion->constants[0] = t2;
-    motion->constants[1] = p->rR;
-    motion->constants[2] = p->rF;
-    motion->constants[3] = t7;
-    motion->constants[4] = cos_lam;
-    motion->constants[5] = sin_lam;
-    motion->constants[6] = p->IRyy;
-    motion->constants[7] = p->IFyy;
-    motion->constants[8] = t18;
-    motion->constants[9] = t21;
-    motion->constants[10] = t25;
-    motion->constants[11] = t28;
-    motion->constants[12] = t29;
-    motion->constants[13] = t36;
-    motion->constants[14] = t40;
-    motion->constants[15] = t54;
-    motion->constants[16] = t59;
-    motion->constants[17] = t69;
-    motion->constants[18] = t74;
-    motion->constants[19] = t83;
-    motion->constants[20] = t89;
-    motion->constants[21] = t107;
-    motion->constants[22] = t118;
-    motion->constants[23] = t124;
-    motion->constants[24] = t129;
-    motion->constants[25] = p->g;
-    motion->constants[26] = t131;
-    motion->constants[27] = t132;
-    motion->constants[28] = t137;
-    motion->constants[29] = t138;
-    motion->constants[30] = t139;
-    motion->constants[31] = t140;
-    motion->constants[32] = t142;
-    motion->constants[33] = t144;
-    motion->constants[34] = t145;
-    motion->constants[35] = t145;
+    motion->constants[0] = p->mB;
+    motion->constants[1] = t2;
+    motion->constants[2] = p->mH;
+    motion->constants[3] = p->mF;
+    motion->constants[4] = p->xB;
+    motion->constants[5] = p->xH;
+    motion->constants[6] = p->w;
+    motion->constants[7] = p->rR;
+    motion->constants[8] = p->zB;
+    motion->constants[9] = p->zH;
+    motion->constants[10] = p->rF;
+    motion->constants[11] = p->IBxx;
+    motion->constants[12] = p->IHxx;
+    motion->constants[13] = p->IBxz;
+    motion->constants[14] = p->IHxz;
+    motion->constants[15] = p->IBzz;
+    motion->constants[16] = p->IHzz;
+    motion->constants[17] = t18;
+    motion->constants[18] = p->c;
+    motion->constants[19] = cos_lam;
+    motion->constants[20] = sin_lam;
+    motion->constants[21] = p->IRyy;
+    motion->constants[22] = p->IFyy;
+    motion->constants[23] = t28;
+    motion->constants[24] = t31;
+    motion->constants[25] = t35;
+    motion->constants[26] = t38;
+    motion->constants[27] = t39;
+    motion->constants[28] = t44;
+    motion->constants[29] = t48;
+    motion->constants[30] = t59;
+    motion->constants[31] = t64;
+    motion->constants[32] = t74;
+    motion->constants[33] = t79;
+    motion->constants[34] = t86;
+    motion->constants[35] = t92;
+    motion->constants[36] = t107;
+    motion->constants[37] = t118;
+    motion->constants[38] = t124;
+    motion->constants[39] = t129;
+    motion->constants[40] = p->g;
+    motion->constants[41] = t131;
+    motion->constants[42] = t132;
+    motion->constants[43] = t137;
+    motion->constants[44] = t138;
+    motion->constants[45] = t139;
+    motion->constants[46] = t140;
+    motion->constants[47] = t142;
+    motion->constants[48] = t144;
+    motion->constants[49] = t145;
+    motion->constants[50] = t145;
 }
 
 static void whipple_mechanism_f32_compute_rates(const whipple_mechanism_f32_motion_t *motion,
@@ -3341,13 +3383,13 @@ static void whipple_mechanism_f32_compute_rates(const whipple_mechanism_f32_moti
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t13 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
+    const float t13 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
     float sin_delta = 0.0F;
     float cos_delta = 0.0F;
     carvallo_sin_cos_f32(positions[5], &sin_delta, &cos_delta);
     const float t17 = t13 * cos_phi;
     const float t21 = (sin_phi * sin_delta) - (cos_delta * t17);
-    const float t25 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const float t25 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     const float t26 = cos_phi * t25;
     const float t29 = sqrtf((t21 * t21) + (t26 * t26));
     const float t30 = 1.0F / t29;
@@ -3355,23 +3397,23 @@ static void whipple_mechanism_f32_compute_rates(const whipple_mechanism_f32_moti
     const float t33 = t26 * t30;
     const float t34 = cos_delta * t33;
     const float t36 = (t25 * t34) - (t13 * t31);
-    const float t41 = motion->constants[2] * ((sin_phi * cos_delta) + (t17 * sin_delta));
-    const float t44 = sin_delta * motion->constants[10];
-    const float t50 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const float t52 = (t25 * motion->constants[12]) - (t13 * t50);
+    const float t41 = motion->constants[10] * ((sin_phi * cos_delta) + (t17 * sin_delta));
+    const float t44 = sin_delta * motion->constants[25];
+    const float t50 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const float t52 = (t25 * motion->constants[27]) - (t13 * t50);
     const float t55 = (cos_phi * t44) - (t36 * t41) - (sin_phi * t52);
-    const float t56 = (motion->constants[1] * sin_phi) + t55;
+    const float t56 = (motion->constants[7] * sin_phi) + t55;
     const float t63 = (cos_phi * sin_delta * t33) + (sin_phi * ((t25 * t31) + (t13 * t34)));
-    const float t68 = (t41 * t63) + (t13 * motion->constants[12]) + (t25 * t50);
+    const float t68 = (t41 * t63) + (t13 * motion->constants[27]) + (t25 * t50);
     const float t70 = 1.0F / (cos_phi * t68);
     const float t71 = t56 * t70;
-    const float t77 = (t25 * motion->constants[9]) - (t13 * motion->constants[8]);
+    const float t77 = (t25 * motion->constants[24]) - (t13 * motion->constants[23]);
     const float t79 = t55 + (sin_phi * t77);
     const float t81 = sin_phi * t25;
-    const float t85 = t68 - (t13 * motion->constants[9]) - (t25 * motion->constants[8]);
+    const float t85 = t68 - (t13 * motion->constants[24]) - (t25 * motion->constants[23]);
     const float t88 = t70 * ((t13 * t79) + (t81 * t85));
     const float t90 = (speeds[0] * t71) + (speeds[1] * t88);
-    const float t92 = motion->constants[1] * (speeds[2] + t90);
+    const float t92 = motion->constants[7] * (speeds[2] + t90);
     float sin_psi = 0.0F;
     float cos_psi = 0.0F;
     carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
@@ -3380,18 +3422,18 @@ static void whipple_mechanism_f32_compute_rates(const whipple_mechanism_f32_moti
     const float t102 = (t36 * t98) + (t63 * t100);
     const float t106 = 1.0F / ((t36 * t68) + (t56 * t63));
     const float t108 = t71 * t102 * t106;
-    const float t117 = (t29 * motion->constants[2]) + (sin_phi * t44) + (cos_phi * t52) - (cos_phi *
-        t77);
+    const float t117 = (t29 * motion->constants[10]) + (sin_phi * t44) + (cos_phi * t52) -
+        (cos_phi * t77);
     const float t119 = (t26 * t85) - (t13 * t117);
     const float t123 = (t81 * t117) + (t26 * t79);
     const float t128 = t106 * ((t36 * t119) + (t63 * t123) + (t88 * t102));
-    const float t131 = motion->constants[1] * t63 * t106;
+    const float t131 = motion->constants[7] * t63 * t106;
     const float t137 = (t63 * t98) - (t36 * t100);
     const float t141 = (t63 * t68) - (t36 * t56);
-    const float t144 = 1.0F / motion->constants[2];
+    const float t144 = 1.0F / motion->constants[10];
     const float t161 = (speeds[0] * ((t108 * t141) - (t71 * t137)) * t144) + (speeds[1] * t144 *
         ((t36 * t123) + (t128 * t141) - (t63 * t119) - (t88 * t137)));
-    const float t162 = t161 + (speeds[2] * t144 * ((motion->constants[1] * t36) + (t131 * t141)));
+    const float t162 = t161 + (speeds[2] * t144 * ((motion->constants[7] * t36) + (t131 * t141)));
     const float t163 = -(t92 * cos_psi);
     const float t164 = -(t92 * sin_psi);
     const float t165 = -((speeds[0] * t108) + (speeds[1] * t128) + (speeds[2] * t131));
@@ -3430,13 +3472,13 @@ static void whipple_mechanism_f32_compute_derivatives(const whipple_mechanism_f3
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t13 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
+    const float t13 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
     float sin_delta = 0.0F;
     float cos_delta = 0.0F;
     carvallo_sin_cos_f32(positions[5], &sin_delta, &cos_delta);
     const float t17 = t13 * cos_phi;
     const float t21 = (sin_phi * sin_delta) - (cos_delta * t17);
-    const float t25 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const float t25 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     const float t26 = cos_phi * t25;
     const float t29 = sqrtf((t21 * t21) + (t26 * t26));
     const float t30 = 1.0F / t29;
@@ -3445,24 +3487,24 @@ static void whipple_mechanism_f32_compute_derivatives(const whipple_mechanism_f3
     const float t34 = cos_delta * t33;
     const float t36 = (t25 * t34) - (t13 * t31);
     const float t40 = (sin_phi * cos_delta) + (t17 * sin_delta);
-    const float t41 = motion->constants[2] * t40;
-    const float t44 = sin_delta * motion->constants[10];
-    const float t50 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const float t52 = (t25 * motion->constants[12]) - (t13 * t50);
+    const float t41 = motion->constants[10] * t40;
+    const float t44 = sin_delta * motion->constants[25];
+    const float t50 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const float t52 = (t25 * motion->constants[27]) - (t13 * t50);
     const float t55 = (cos_phi * t44) - (t36 * t41) - (sin_phi * t52);
-    const float t56 = (motion->constants[1] * sin_phi) + t55;
+    const float t56 = (motion->constants[7] * sin_phi) + t55;
     const float t63 = (cos_phi * sin_delta * t33) + (sin_phi * ((t25 * t31) + (t13 * t34)));
-    const float t68 = (t41 * t63) + (t13 * motion->constants[12]) + (t25 * t50);
+    const float t68 = (t41 * t63) + (t13 * motion->constants[27]) + (t25 * t50);
     const float t70 = 1.0F / (cos_phi * t68);
     const float t71 = t56 * t70;
-    const float t77 = (t25 * motion->constants[9]) - (t13 * motion->constants[8]);
+    const float t77 = (t25 * motion->constants[24]) - (t13 * motion->constants[23]);
     const float t79 = t55 + (sin_phi * t77);
     const float t81 = sin_phi * t25;
-    const float t85 = t68 - (t13 * motion->constants[9]) - (t25 * motion->constants[8]);
+    const float t85 = t68 - (t13 * motion->constants[24]) - (t25 * motion->constants[23]);
     const float t88 = t70 * ((t13 * t79) + (t81 * t85));
     const float t90 = (speeds[0] * t71) + (speeds[1] * t88);
     const float t91 = speeds[2] + t90;
-    const float t92 = motion->constants[1] * t91;
+    const float t92 = motion->constants[7] * t91;
     float sin_psi = 0.0F;
     float cos_psi = 0.0F;
     carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
@@ -3471,73 +3513,74 @@ static void whipple_mechanism_f32_compute_derivatives(const whipple_mechanism_f3
     const float t102 = (t36 * t98) + (t63 * t100);
     const float t106 = 1.0F / ((t36 * t68) + (t56 * t63));
     const float t108 = t71 * t102 * t106;
-    const float t117 = (t29 * motion->constants[2]) + (sin_phi * t44) + (cos_phi * t52) - (cos_phi *
-        t77);
+    const float t117 = (t29 * motion->constants[10]) + (sin_phi * t44) + (cos_phi * t52) -
+        (cos_phi * t77);
     const float t119 = (t26 * t85) - (t13 * t117);
     const float t123 = (t81 * t117) + (t26 * t79);
     const float t128 = t106 * ((t36 * t119) + (t63 * t123) + (t88 * t102));
-    const float t131 = motion->constants[1] * t63 * t106;
+    const float t131 = motion->constants[7] * t63 * t106;
     const float t134 = (speeds[0] * t108) + (speeds[1] * t128) + (speeds[2] * t131);
     const float t137 = (t63 * t98) - (t36 * t100);
     const float t141 = (t63 * t68) - (t36 * t56);
-    const float t144 = 1.0F / motion->constants[2];
+    const float t144 = 1.0F / motion->constants[10];
     const float t145 = ((t108 * t141) - (t71 * t137)) * t144;
     const float t154 = t144 * ((t36 * t123) + (t128 * t141) - (t63 * t119) - (t88 * t137));
-    const float t159 = t144 * ((motion->constants[1] * t36) + (t131 * t141));
+    const float t159 = t144 * ((motion->constants[7] * t36) + (t131 * t141));
     const float t162 = (speeds[0] * t145) + (speeds[1] * t154) + (speeds[2] * t159);
     const float t165 = cos_phi * t134;
     const float t167 = sin_phi * t134;
-    const float t168 = motion->constants[1] * t167;
+    const float t168 = motion->constants[7] * t167;
     const float t170 = (t165 * t168) - (t92 * t165);
-    const float t173 = t170 + (sin_phi * motion->constants[25]);
+    const float t173 = t170 + (sin_phi * motion->constants[40]);
     const float t178 = (speeds[0] * t13) - (t25 * t165);
     const float t179 = t90 * t178;
     const float t180 = speeds[0] * t167;
     const float t181 = t90 - t167;
-    const float t182 = motion->constants[9] * t181;
+    const float t182 = motion->constants[24] * t181;
     const float t186 = (speeds[0] * t25) + (t13 * t165);
-    const float t187 = motion->constants[8] * t181;
+    const float t187 = motion->constants[23] * t181;
     const float t189 = (t178 * t182) + (t186 * t187);
     const float t191 = t90 * t186;
     const float t192 = (t25 * t180) + t191;
     const float t195 = t179 + (t13 * t180);
-    const float t199 = t189 + (motion->constants[8] * t192) + (motion->constants[9] * t195) - t170;
-    const float t204 = (motion->constants[8] * t178) - (motion->constants[9] * t186);
+    const float t199 = t189 + (motion->constants[23] * t192) + (motion->constants[24] * t195) -
+        t170;
+    const float t204 = (motion->constants[23] * t178) - (motion->constants[24] * t186);
     const float t206 = (t181 * t187) + (t178 * t204);
     const float t207 = speeds[0] * t165;
-    const float t210 = motion->constants[1] * speeds[0];
+    const float t210 = motion->constants[7] * speeds[0];
     const float t211 = t165 * t210;
-    const float t212 = (motion->constants[1] * t207) + t211;
+    const float t212 = (motion->constants[7] * t207) + t211;
     const float t217 = (t168 * (t91 - t167)) - (speeds[0] * t210);
-    const float t221 = (t25 * t212) + (t13 * t217) - t206 - (motion->constants[9] * t207);
+    const float t221 = (t25 * t212) + (t13 * t217) - t206 - (motion->constants[24] * t207);
     const float t223 = speeds[1] + t178;
     const float t227 = (cos_delta * t181) - (sin_delta * t186);
-    const float t228 = motion->constants[11] * t227;
+    const float t228 = motion->constants[26] * t227;
     const float t232 = (cos_delta * t186) + (sin_delta * t181);
-    const float t233 = motion->constants[10] * t227;
+    const float t233 = motion->constants[25] * t227;
     const float t238 = speeds[1] * t227;
     const float t240 = t238 - (cos_delta * t195) - (sin_delta * t207);
-    const float t242 = t31 * motion->constants[2];
-    const float t246 = t33 * motion->constants[2];
+    const float t242 = t31 * motion->constants[10];
+    const float t246 = t33 * motion->constants[10];
     const float t254 = t30 * t40 * ((t31 * t232) + (t33 * t223));
     const float t255 = t246 * t254;
     const float t257 = t242 * t254;
-    const float t263 = (cos_delta * t199) + (t223 * t228) + (t232 * t233) + (motion->constants[10] *
+    const float t263 = (cos_delta * t199) + (t223 * t228) + (t232 * t233) + (motion->constants[25] *
         t192) + (t242 * (t192 + (t162 * t232))) + (t223 * t255);
-    const float t267 = t263 + (t232 * t257) - (sin_delta * t221) - (motion->constants[11] * t240) -
+    const float t267 = t263 + (t232 * t257) - (sin_delta * t221) - (motion->constants[26] * t240) -
         (t246 * (t240 - (t162 * t223)));
-    const float t274 = (motion->constants[10] * t223) - (motion->constants[11] * t232);
+    const float t274 = (motion->constants[25] * t223) - (motion->constants[26] * t232);
     const float t278 = speeds[1] * t232;
     const float t280 = (sin_delta * t195) - (cos_delta * t207) - t278;
     const float t283 = t162 + t227;
-    const float t288 = motion->constants[2] * ((t31 * t223) - (t33 * t232));
-    const float t294 = (cos_delta * t221) + (sin_delta * t199) + (motion->constants[11] * t280) +
+    const float t288 = motion->constants[10] * ((t31 * t223) - (t33 * t232));
+    const float t294 = (cos_delta * t221) + (sin_delta * t199) + (motion->constants[26] * t280) +
         (t246 * t280) - (t227 * t233) - (t223 * t274);
     const float t296 = t294 - (t257 * t283) - (t223 * t288);
     const float t300 = (t186 * t204) - (t181 * t182);
-    const float t314 = t300 + (motion->constants[8] * t207) + (t13 * t212) + (t232 * t274) + (t232 *
-        t288) - (t25 * t217);
-    const float t318 = t314 - (t227 * t228) - (motion->constants[10] * t280) - (t242 * t280) -
+    const float t314 = t300 + (motion->constants[23] * t207) + (t13 * t212) + (t232 * t274) +
+        (t232 * t288) - (t25 * t217);
+    const float t318 = t314 - (t227 * t228) - (motion->constants[25] * t280) - (t242 * t280) -
         (t255 * t283);
     const float t320 = (t31 * t296) + (t33 * t318);
     const float t325 = t70 * ((t40 * t267) + (t29 * t320));
@@ -3545,110 +3588,112 @@ static void whipple_mechanism_f32_compute_derivatives(const whipple_mechanism_f3
     const float t331 = t180 - (cos_phi * t329);
     const float t333 = t179 + (t13 * t331);
     const float t337 = t191 + (t25 * t331);
-    const float t344 = (t181 * motion->constants[16]) + (motion->constants[6] * (speeds[2] + t181));
-    const float t349 = (t186 * motion->constants[17]) + (motion->constants[15] * t178);
-    const float t356 = t189 + (motion->constants[8] * t337) + (motion->constants[9] * t333) - t173;
+    const float t344 = (t181 * motion->constants[31]) + (motion->constants[21] * (speeds[2] +
+        t181));
+    const float t349 = (t186 * motion->constants[32]) + (motion->constants[30] * t178);
+    const float t356 = t189 + (motion->constants[23] * t337) + (motion->constants[24] * t333) -
+        t173;
     const float t360 = t325 - t207 - (sin_phi * t329);
-    const float t363 = (motion->constants[1] * t360) - t211;
-    const float t366 = t217 + (cos_phi * motion->constants[25]);
+    const float t363 = (motion->constants[7] * t360) - t211;
+    const float t366 = t217 + (cos_phi * motion->constants[40]);
     const float t368 = (t13 * t366) - (t25 * t363);
-    const float t370 = (motion->constants[9] * t360) + t368 - t206;
+    const float t370 = (motion->constants[24] * t360) + t368 - t206;
     const float t372 = (cos_delta * t356) - (sin_delta * t370);
     const float t378 = t238 + (sin_delta * t360) - (cos_delta * t333);
-    const float t386 = (t227 * motion->constants[23]) + (t283 * motion->constants[7]);
-    const float t391 = (t232 * motion->constants[21]) + (t223 * motion->constants[22]);
-    const float t396 = (motion->constants[19] * t372) + (motion->constants[22] * t378) + (t337 *
-        motion->constants[24]) + (t232 * t386) - (t227 * t391);
+    const float t386 = (t227 * motion->constants[38]) + (t283 * motion->constants[22]);
+    const float t391 = (t232 * motion->constants[36]) + (t223 * motion->constants[37]);
+    const float t396 = (motion->constants[34] * t372) + (motion->constants[37] * t378) + (t337 *
+        motion->constants[39]) + (t232 * t386) - (t227 * t391);
     const float t400 = (cos_delta * t370) + (sin_delta * t356);
     const float t406 = (cos_delta * t360) + (sin_delta * t333) - t278;
-    const float t408 = t227 * motion->constants[19];
-    const float t412 = (t223 * motion->constants[19]) - (t232 * motion->constants[20]);
-    const float t416 = (motion->constants[3] * t400) + (motion->constants[20] * t406) - (t227 *
+    const float t408 = t227 * motion->constants[34];
+    const float t412 = (t223 * motion->constants[34]) - (t232 * motion->constants[35]);
+    const float t416 = (motion->constants[17] * t400) + (motion->constants[35] * t406) - (t227 *
         t408) - (t223 * t412);
-    const float t421 = t227 * motion->constants[20];
-    const float t427 = (t372 * motion->constants[3]) + (t337 * motion->constants[19]) + (t223 *
-        t421) + (t232 * t408) - (t378 * motion->constants[20]);
+    const float t421 = t227 * motion->constants[35];
+    const float t427 = (t372 * motion->constants[17]) + (t337 * motion->constants[34]) + (t223 *
+        t421) + (t232 * t408) - (t378 * motion->constants[35]);
     const float t429 = (sin_delta * t416) + (cos_delta * t427);
-    const float t435 = (motion->constants[18] * t337) + (t186 * t344) + t396 +
-        (motion->constants[8] * t429) - (motion->constants[13] * t173) - (motion->constants[15] *
+    const float t435 = (motion->constants[33] * t337) + (t186 * t344) + t396 +
+        (motion->constants[23] * t429) - (motion->constants[28] * t173) - (motion->constants[30] *
         t333);
     const float t436 = t435 - (t181 * t349);
-    const float t444 = (motion->constants[15] * t186) + (t178 * motion->constants[18]);
-    const float t452 = (t232 * motion->constants[22]) + (t223 * motion->constants[24]);
-    const float t458 = (t378 * motion->constants[21]) + (t337 * motion->constants[22]) + (t227 *
-        t452) - (t372 * motion->constants[20]) - (t223 * t386);
+    const float t444 = (motion->constants[30] * t186) + (t178 * motion->constants[33]);
+    const float t452 = (t232 * motion->constants[37]) + (t223 * motion->constants[39]);
+    const float t458 = (t378 * motion->constants[36]) + (t337 * motion->constants[37]) + (t227 *
+        t452) - (t372 * motion->constants[35]) - (t223 * t386);
     const float t464 = (t25 * t366) + (t13 * t363);
-    const float t466 = t300 - (motion->constants[8] * t360) - t464;
+    const float t466 = t300 - (motion->constants[23] * t360) - t464;
     const float t477 = t406 + (t144 * ((t31 * t318) + (t141 * t329) - (t33 * t296) - (t137 *
         t325)));
-    const float t478 = motion->constants[7] * t477;
-    const float t485 = (t400 * motion->constants[20]) + (motion->constants[23] * t406) + t478 +
-        (t223 * t391) - (motion->constants[19] * t466) - (t232 * t452);
-    const float t492 = (t173 * motion->constants[14]) + (motion->constants[15] * t337) + (t181 *
-        t444) + (cos_delta * t458) - (t333 * motion->constants[17]) - (t178 * t344);
-    const float t494 = t492 - (sin_delta * t485) - (motion->constants[9] * t429);
-    const float t500 = t181 * motion->constants[14];
-    const float t502 = motion->constants[13] * t181;
-    const float t508 = t429 + (motion->constants[13] * t337) + (t333 * motion->constants[14]) +
-        (t178 * t500) + (t186 * t502) - (t173 * motion->constants[0]);
+    const float t478 = motion->constants[22] * t477;
+    const float t485 = (t400 * motion->constants[35]) + (motion->constants[38] * t406) + t478 +
+        (t223 * t391) - (motion->constants[34] * t466) - (t232 * t452);
+    const float t492 = (t173 * motion->constants[29]) + (motion->constants[30] * t337) + (t181 *
+        t444) + (cos_delta * t458) - (t333 * motion->constants[32]) - (t178 * t344);
+    const float t494 = t492 - (sin_delta * t485) - (motion->constants[24] * t429);
+    const float t500 = t181 * motion->constants[29];
+    const float t502 = motion->constants[28] * t181;
+    const float t508 = t429 + (motion->constants[28] * t337) + (t333 * motion->constants[29]) +
+        (t178 * t500) + (t186 * t502) - (t173 * motion->constants[1]);
     const float t511 = t71 - (sin_phi * t108);
     const float t521 = (cos_delta * t416) - (sin_delta * t427);
-    const float t529 = (motion->constants[3] * t466) + (t232 * t412) - (motion->constants[19] *
+    const float t529 = (motion->constants[17] * t466) + (t232 * t412) - (motion->constants[34] *
         t406) - (t227 * t421);
-    const float t536 = (motion->constants[13] * t178) - (t186 * motion->constants[14]);
-    const float t543 = t13 * (t529 + (t186 * t536) - (t464 * motion->constants[0]) -
-        (motion->constants[13] * t360) - (t181 * t500));
-    const float t552 = t25 * (t521 + (t368 * motion->constants[0]) + (t360 *
-        motion->constants[14]) - (t181 * t502) - (t178 * t536));
-    const float t555 = (motion->constants[6] * t360) - (motion->constants[1] * (t543 + t552));
-    const float t560 = (t368 * motion->constants[14]) + (motion->constants[13] * t464) +
-        (motion->constants[16] * t360) + (t178 * t349) + (sin_delta * t458) + (cos_delta * t485);
-    const float t564 = t560 + (motion->constants[9] * t521) + t555 - (t186 * t444) -
-        (motion->constants[8] * t529);
+    const float t536 = (motion->constants[28] * t178) - (t186 * motion->constants[29]);
+    const float t543 = t13 * (t529 + (t186 * t536) - (t464 * motion->constants[1]) -
+        (motion->constants[28] * t360) - (t181 * t500));
+    const float t552 = t25 * (t521 + (t368 * motion->constants[1]) + (t360 *
+        motion->constants[29]) - (t181 * t502) - (t178 * t536));
+    const float t555 = (motion->constants[21] * t360) - (motion->constants[7] * (t543 + t552));
+    const float t560 = (t368 * motion->constants[29]) + (motion->constants[28] * t464) +
+        (motion->constants[31] * t360) + (t178 * t349) + (sin_delta * t458) + (cos_delta * t485);
+    const float t564 = t560 + (motion->constants[24] * t521) + t555 - (t186 * t444) -
+        (motion->constants[23] * t529);
     const float t566 = cos_phi * t108;
     const float t569 = (t25 * t436) - (t13 * t494);
     const float t576 = forces[0] + (t566 * t569) - (t13 * t436) - (t25 * t494) -
-        (motion->constants[1] * t508) - (t511 * t564);
+        (motion->constants[7] * t508) - (t511 * t564);
     const float t577 = t576 - (t145 * t478);
-    const float t579 = sin_delta * motion->constants[26];
+    const float t579 = sin_delta * motion->constants[41];
     const float t580 = sin_delta * t579;
-    const float t584 = motion->constants[17] + motion->constants[21] + motion->constants[28] - t580;
-    const float t585 = cos_delta * motion->constants[19];
-    const float t586 = motion->constants[8] * t585;
-    const float t589 = t586 + t586 + motion->constants[31];
-    const float t591 = motion->constants[18] + motion->constants[24] + t589;
+    const float t584 = motion->constants[32] + motion->constants[36] + motion->constants[43] - t580;
+    const float t585 = cos_delta * motion->constants[34];
+    const float t586 = motion->constants[23] * t585;
+    const float t589 = t586 + t586 + motion->constants[46];
+    const float t591 = motion->constants[33] + motion->constants[39] + t589;
     const float t592 = t591 - t584;
     const float t593 = t13 * t13;
     const float t595 = t13 * t25;
-    const float t600 = (cos_delta * motion->constants[22]) - (motion->constants[9] * t585);
-    const float t603 = motion->constants[15] + t600 - motion->constants[29] - motion->constants[30];
+    const float t600 = (cos_delta * motion->constants[37]) - (motion->constants[24] * t585);
+    const float t603 = motion->constants[30] + t600 - motion->constants[44] - motion->constants[45];
     const float t604 = t603 + t603;
     const float t606 = (t592 * t593) + (t595 * t604);
-    const float t611 = motion->constants[13] + t585 + motion->constants[27];
-    const float t613 = (t25 * motion->constants[32]) - (t13 * t611);
-    const float t614 = motion->constants[1] * t613;
-    const float t617 = motion->constants[34] - t614 - t614;
-    const float t619 = sin_delta * motion->constants[19];
-    const float t621 = (sin_delta * motion->constants[22]) - (motion->constants[9] * t619);
-    const float t625 = (cos_delta * t579) - (motion->constants[8] * t619);
+    const float t611 = motion->constants[28] + t585 + motion->constants[42];
+    const float t613 = (t25 * motion->constants[47]) - (t13 * t611);
+    const float t614 = motion->constants[7] * t613;
+    const float t617 = motion->constants[49] - t614 - t614;
+    const float t619 = sin_delta * motion->constants[34];
+    const float t621 = (sin_delta * motion->constants[37]) - (motion->constants[24] * t619);
+    const float t625 = (cos_delta * t579) - (motion->constants[23] * t619);
     const float t627 = (t13 * t621) + (t25 * t625);
-    const float t637 = t603 + (t592 * t595) + (motion->constants[1] * ((t13 *
-        motion->constants[32]) + (t25 * t611))) - (t593 * t604);
-    const float t643 = motion->constants[16] + motion->constants[23] + t580 +
-        motion->constants[28] + t589 + t617;
-    const float t647 = motion->constants[1] * t619;
+    const float t637 = t603 + (t592 * t595) + (motion->constants[7] * ((t13 *
+        motion->constants[47]) + (t25 * t611))) - (t593 * t604);
+    const float t643 = motion->constants[31] + motion->constants[38] + t580 +
+        motion->constants[43] + t589 + t617;
+    const float t647 = motion->constants[7] * t619;
     const float t649 = (t25 * t621) + t647 - (t13 * t625);
     const float t655 = t591 - t606;
-    const float t660 = motion->constants[6] * t511;
+    const float t660 = motion->constants[21] * t511;
     const float t664 = t13 * sin_delta;
     const float t668 = t145 + (cos_delta * t511) - (sin_delta * t25) - (t566 * t664);
-    const float t669 = motion->constants[7] * t668;
+    const float t669 = motion->constants[22] * t668;
     const float t675 = t584 + t606 + t617 + (t511 * t627) + (t511 * (t627 + (t511 * t643) - (t566 *
         t649))) + (t511 * t660);
     const float t678 = t675 + (t668 * t669) - (t566 * t637) - (t566 * (t637 + (t511 * t649) -
         (t566 * t655)));
     const float t679 = 1.0F / t678;
-    const float t681 = motion->constants[24] + t586;
+    const float t681 = motion->constants[39] + t586;
     const float t686 = t88 - (sin_phi * t128);
     const float t688 = cos_phi * t128;
     const float t690 = t25 * t647;
@@ -3657,19 +3702,19 @@ static void whipple_mechanism_f32_compute_derivatives(const whipple_mechanism_f3
     const float t699 = (t25 * t681) - (t13 * t600);
     const float t703 = t699 + (t649 * t686) - (t655 * t688);
     const float t709 = t154 + (cos_delta * t686) - (t664 * t688);
-    const float t715 = (t13 * t681) + (t25 * t600) + (motion->constants[1] * t585) + (t627 * t686) +
+    const float t715 = (t13 * t681) + (t25 * t600) + (motion->constants[7] * t585) + (t627 * t686) +
         (t511 * t695) + (t660 * t686);
     const float t719 = t679 * (t715 + (t669 * t709) - (t637 * t688) - (t566 * t703));
-    const float t724 = motion->constants[6] * t686;
-    const float t726 = motion->constants[7] * t709;
+    const float t724 = motion->constants[21] * t686;
+    const float t726 = motion->constants[22] * t709;
     const float t728 = t678 * t719;
-    const float t734 = motion->constants[24] + (t686 * t695) + (t686 * t691) + (t686 * t724) +
+    const float t734 = motion->constants[39] + (t686 * t695) + (t686 * t691) + (t686 * t724) +
         (t709 * t726) - (t688 * t703);
     const float t736 = t734 - (t688 * t699) - (t719 * t728);
     const float t737 = 1.0F / t736;
     const float t747 = forces[1] + (t569 * t688) - t396 - (t564 * t686) - (t154 * t478) - (t577 *
         t719);
-    const float t751 = motion->constants[1] * (t613 - motion->constants[33]);
+    const float t751 = motion->constants[7] * (t613 - motion->constants[48]);
     const float t752 = sin_phi * t131;
     const float t754 = cos_phi * t131;
     const float t757 = t751 + (t643 * t752) + (t649 * t754);
@@ -3684,8 +3729,9 @@ static void whipple_mechanism_f32_compute_derivatives(const whipple_mechanism_f3
     const float t794 = t737 * (t791 - (t699 * t754) - (t728 * t785));
     const float t804 = (t564 * t752) + (t569 * t754) - t555 - (t159 * t478) - (t577 * t785) -
         (t747 * t794);
-    const float t822 = (t752 * t757) + (t751 * t752) + motion->constants[35] +
-        (motion->constants[6] * t767 * t767) + (motion->constants[7] * t772 * t772) - (t754 * t762);
+    const float t822 = (t752 * t757) + (t751 * t752) + motion->constants[50] +
+        (motion->constants[21] * t767 * t767) + (motion->constants[22] * t772 * t772) - (t754 *
+        t762);
     const float t826 = t804 / (t822 - (t647 * t754) - (t678 * t785 * t785) - (t736 * t794 * t794));
     const float t828 = (t737 * t747) - (t794 * t826);
     const float t832 = (t577 * t679) - (t719 * t828) - (t785 * t826);
@@ -3737,13 +3783,13 @@ static void whipple_mechanism_f32_compute_accelerations(const whipple_mechanism_
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t13 = (motion->constants[4] * sin_pitch) + (cos_pitch * motion->constants[5]);
+    const float t13 = (motion->constants[19] * sin_pitch) + (cos_pitch * motion->constants[20]);
     float sin_delta = 0.0F;
     float cos_delta = 0.0F;
     carvallo_sin_cos_f32(positions[5], &sin_delta, &cos_delta);
     const float t16 = cos_phi * t13;
     const float t21 = (sin_phi * sin_delta) - (cos_delta * t16);
-    const float t25 = (motion->constants[4] * cos_pitch) - (motion->constants[5] * sin_pitch);
+    const float t25 = (motion->constants[19] * cos_pitch) - (motion->constants[20] * sin_pitch);
     const float t26 = cos_phi * t25;
     const float t29 = sqrtf((t21 * t21) + (t26 * t26));
     const float t30 = 1.0F / t29;
@@ -3753,13 +3799,13 @@ static void whipple_mechanism_f32_compute_accelerations(const whipple_mechanism_
     const float t36 = (t25 * t34) - (t13 * t31);
     const float t43 = (cos_phi * sin_delta * t33) + (sin_phi * ((t25 * t31) + (t13 * t34)));
     const float t47 = (sin_phi * cos_delta) + (sin_delta * t16);
-    const float t48 = motion->constants[2] * t47;
-    const float t55 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const float t58 = (t43 * t48) + (t13 * motion->constants[12]) + (t25 * t55);
-    const float t62 = sin_delta * motion->constants[10];
-    const float t66 = (t25 * motion->constants[12]) - (t13 * t55);
+    const float t48 = motion->constants[10] * t47;
+    const float t55 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const float t58 = (t43 * t48) + (t13 * motion->constants[27]) + (t25 * t55);
+    const float t62 = sin_delta * motion->constants[25];
+    const float t66 = (t25 * motion->constants[27]) - (t13 * t55);
     const float t69 = (cos_phi * t62) - (t36 * t48) - (sin_phi * t66);
-    const float t70 = (motion->constants[1] * sin_phi) + t69;
+    const float t70 = (motion->constants[7] * sin_phi) + t69;
     const float t73 = 1.0F / ((t36 * t58) + (t43 * t70));
     const float t74 = sin_phi * t58;
     const float t76 = sin_phi * t70;
@@ -3767,17 +3813,17 @@ static void whipple_mechanism_f32_compute_accelerations(const whipple_mechanism_
     const float t80 = 1.0F / (cos_phi * t58);
     const float t81 = t70 * t80;
     const float t83 = t73 * t78 * t81;
-    const float t90 = t58 - (t13 * motion->constants[9]) - (t25 * motion->constants[8]);
-    const float t97 = (t25 * motion->constants[9]) - (t13 * motion->constants[8]);
-    const float t101 = (t29 * motion->constants[2]) + (sin_phi * t62) + (cos_phi * t66) - (cos_phi *
-        t97);
+    const float t90 = t58 - (t13 * motion->constants[24]) - (t25 * motion->constants[23]);
+    const float t97 = (t25 * motion->constants[24]) - (t13 * motion->constants[23]);
+    const float t101 = (t29 * motion->constants[10]) + (sin_phi * t62) + (cos_phi * t66) -
+        (cos_phi * t97);
     const float t103 = (t26 * t90) - (t13 * t101);
     const float t105 = sin_phi * t25;
     const float t108 = t69 + (sin_phi * t97);
     const float t110 = (t101 * t105) + (t26 * t108);
     const float t115 = t80 * ((t13 * t108) + (t90 * t105));
     const float t119 = t73 * ((t36 * t103) + (t43 * t110) + (t78 * t115));
-    const float t122 = motion->constants[1] * t43 * t73;
+    const float t122 = motion->constants[7] * t43 * t73;
     const float t126 = (speeds[0] * t83) + (speeds[1] * t119) + (t122 * speeds[2]);
     const float t127 = cos_phi * t126;
     const float t128 = speeds[0] * t127;
@@ -3785,9 +3831,9 @@ static void whipple_mechanism_f32_compute_accelerations(const whipple_mechanism_
     const float t134 = (speeds[0] * t81) + (speeds[1] * t115);
     const float t135 = sin_phi * t126;
     const float t136 = t134 - t135;
-    const float t137 = motion->constants[9] * t136;
+    const float t137 = motion->constants[24] * t136;
     const float t141 = (t25 * speeds[0]) + (t13 * t127);
-    const float t142 = motion->constants[8] * t136;
+    const float t142 = motion->constants[23] * t136;
     const float t144 = (t131 * t137) + (t141 * t142);
     const float t145 = speeds[0] * t135;
     const float t147 = t134 * t141;
@@ -3795,164 +3841,167 @@ static void whipple_mechanism_f32_compute_accelerations(const whipple_mechanism_
     const float t151 = t131 * t134;
     const float t152 = (t13 * t145) + t151;
     const float t154 = speeds[2] + t134;
-    const float t155 = motion->constants[1] * t154;
-    const float t157 = motion->constants[1] * t135;
+    const float t155 = motion->constants[7] * t154;
+    const float t157 = motion->constants[7] * t135;
     const float t159 = (t127 * t157) - (t127 * t155);
-    const float t162 = t144 + (motion->constants[8] * t148) + (motion->constants[9] * t152) - t159;
-    const float t167 = (motion->constants[8] * t131) - (motion->constants[9] * t141);
+    const float t162 = t144 + (motion->constants[23] * t148) + (motion->constants[24] * t152) -
+        t159;
+    const float t167 = (motion->constants[23] * t131) - (motion->constants[24] * t141);
     const float t169 = (t136 * t142) + (t131 * t167);
-    const float t171 = motion->constants[1] * speeds[0];
+    const float t171 = motion->constants[7] * speeds[0];
     const float t172 = t127 * t171;
-    const float t174 = t172 + (motion->constants[1] * t128);
+    const float t174 = t172 + (motion->constants[7] * t128);
     const float t179 = (t157 * (t154 - t135)) - (speeds[0] * t171);
-    const float t183 = (t25 * t174) + (t13 * t179) - t169 - (motion->constants[9] * t128);
+    const float t183 = (t25 * t174) + (t13 * t179) - t169 - (motion->constants[24] * t128);
     const float t185 = speeds[1] + t131;
     const float t189 = (cos_delta * t136) - (sin_delta * t141);
-    const float t190 = motion->constants[11] * t189;
+    const float t190 = motion->constants[26] * t189;
     const float t194 = (cos_delta * t141) + (sin_delta * t136);
-    const float t195 = motion->constants[10] * t189;
+    const float t195 = motion->constants[25] * t189;
     const float t200 = speeds[1] * t189;
     const float t202 = t200 - (cos_delta * t152) - (sin_delta * t128);
-    const float t204 = t31 * motion->constants[2];
+    const float t204 = t31 * motion->constants[10];
     const float t207 = (t43 * t74) - (t36 * t76);
     const float t211 = (t43 * t58) - (t36 * t70);
-    const float t214 = 1.0F / motion->constants[2];
+    const float t214 = 1.0F / motion->constants[10];
     const float t215 = ((t83 * t211) - (t81 * t207)) * t214;
     const float t224 = t214 * ((t36 * t110) + (t119 * t211) - (t43 * t103) - (t115 * t207));
-    const float t229 = t214 * ((motion->constants[1] * t36) + (t122 * t211));
+    const float t229 = t214 * ((motion->constants[7] * t36) + (t122 * t211));
     const float t232 = (speeds[0] * t215) + (speeds[1] * t224) + (speeds[2] * t229);
-    const float t236 = t33 * motion->constants[2];
+    const float t236 = t33 * motion->constants[10];
     const float t244 = t30 * t47 * ((t31 * t194) + (t33 * t185));
     const float t245 = t236 * t244;
     const float t247 = t204 * t244;
-    const float t253 = (cos_delta * t162) + (t185 * t190) + (t194 * t195) + (motion->constants[10] *
+    const float t253 = (cos_delta * t162) + (t185 * t190) + (t194 * t195) + (motion->constants[25] *
         t148) + (t204 * (t148 + (t194 * t232))) + (t185 * t245);
-    const float t257 = t253 + (t194 * t247) - (sin_delta * t183) - (motion->constants[11] * t202) -
+    const float t257 = t253 + (t194 * t247) - (sin_delta * t183) - (motion->constants[26] * t202) -
         (t236 * (t202 - (t185 * t232)));
-    const float t264 = (motion->constants[10] * t185) - (motion->constants[11] * t194);
+    const float t264 = (motion->constants[25] * t185) - (motion->constants[26] * t194);
     const float t268 = speeds[1] * t194;
     const float t270 = (sin_delta * t152) - (cos_delta * t128) - t268;
     const float t273 = t189 + t232;
-    const float t278 = motion->constants[2] * ((t31 * t185) - (t33 * t194));
-    const float t284 = (cos_delta * t183) + (sin_delta * t162) + (motion->constants[11] * t270) +
+    const float t278 = motion->constants[10] * ((t31 * t185) - (t33 * t194));
+    const float t284 = (cos_delta * t183) + (sin_delta * t162) + (motion->constants[26] * t270) +
         (t236 * t270) - (t189 * t195) - (t185 * t264);
     const float t286 = t284 - (t247 * t273) - (t185 * t278);
     const float t290 = (t141 * t167) - (t136 * t137);
-    const float t304 = t290 + (motion->constants[8] * t128) + (t13 * t174) + (t194 * t264) + (t194 *
-        t278) - (t25 * t179);
-    const float t308 = t304 - (t189 * t190) - (motion->constants[10] * t270) - (t204 * t270) -
+    const float t304 = t290 + (motion->constants[23] * t128) + (t13 * t174) + (t194 * t264) +
+        (t194 * t278) - (t25 * t179);
+    const float t308 = t304 - (t189 * t190) - (motion->constants[25] * t270) - (t204 * t270) -
         (t245 * t273);
     const float t310 = (t31 * t286) + (t33 * t308);
     const float t313 = t80 * ((t47 * t257) + (t29 * t310));
     const float t319 = t73 * ((t29 * t257) + (t78 * t313) - (t47 * t310));
     const float t322 = t313 - t128 - (sin_phi * t319);
-    const float t327 = t179 + (cos_phi * motion->constants[25]);
-    const float t330 = (motion->constants[1] * t322) - t172;
+    const float t327 = t179 + (cos_phi * motion->constants[40]);
+    const float t330 = (motion->constants[7] * t322) - t172;
     const float t332 = (t25 * t327) + (t13 * t330);
-    const float t335 = t290 - t332 - (motion->constants[8] * t322);
+    const float t335 = t290 - t332 - (motion->constants[23] * t322);
     const float t341 = t145 - (cos_phi * t319);
     const float t343 = t151 + (t13 * t341);
     const float t346 = (cos_delta * t322) + (sin_delta * t343) - t268;
-    const float t351 = (t185 * motion->constants[19]) - (t194 * motion->constants[20]);
-    const float t353 = t189 * motion->constants[20];
-    const float t357 = (t335 * motion->constants[3]) + (t194 * t351) - (motion->constants[19] *
+    const float t351 = (t185 * motion->constants[34]) - (t194 * motion->constants[35]);
+    const float t353 = t189 * motion->constants[35];
+    const float t357 = (t335 * motion->constants[17]) + (t194 * t351) - (motion->constants[34] *
         t346) - (t189 * t353);
-    const float t365 = (t131 * motion->constants[13]) - (motion->constants[14] * t141);
-    const float t367 = motion->constants[14] * t136;
-    const float t373 = t13 * (t357 + (t141 * t365) - (t332 * motion->constants[0]) - (t322 *
-        motion->constants[13]) - (t136 * t367));
+    const float t365 = (t131 * motion->constants[28]) - (motion->constants[29] * t141);
+    const float t367 = motion->constants[29] * t136;
+    const float t373 = t13 * (t357 + (t141 * t365) - (t332 * motion->constants[1]) - (t322 *
+        motion->constants[28]) - (t136 * t367));
     const float t376 = (t13 * t327) - (t25 * t330);
-    const float t379 = t376 + (motion->constants[9] * t322) - t169;
+    const float t379 = t376 + (motion->constants[24] * t322) - t169;
     const float t382 = t147 + (t25 * t341);
-    const float t386 = t159 + (sin_phi * motion->constants[25]);
-    const float t389 = t144 + (motion->constants[8] * t382) + (motion->constants[9] * t343) - t386;
+    const float t386 = t159 + (sin_phi * motion->constants[40]);
+    const float t389 = t144 + (motion->constants[23] * t382) + (motion->constants[24] * t343) -
+        t386;
     const float t391 = (cos_delta * t379) + (sin_delta * t389);
-    const float t394 = t189 * motion->constants[19];
-    const float t399 = (t391 * motion->constants[3]) + (motion->constants[20] * t346) - (t189 *
+    const float t394 = t189 * motion->constants[34];
+    const float t399 = (t391 * motion->constants[17]) + (motion->constants[35] * t346) - (t189 *
         t394) - (t185 * t351);
     const float t403 = (cos_delta * t389) - (sin_delta * t379);
     const float t409 = t200 + (sin_delta * t322) - (cos_delta * t343);
-    const float t416 = (t403 * motion->constants[3]) + (t382 * motion->constants[19]) + (t185 *
-        t353) + (t194 * t394) - (motion->constants[20] * t409);
+    const float t416 = (t403 * motion->constants[17]) + (t382 * motion->constants[34]) + (t185 *
+        t353) + (t194 * t394) - (motion->constants[35] * t409);
     const float t418 = (cos_delta * t399) - (sin_delta * t416);
-    const float t421 = t136 * motion->constants[13];
-    const float t428 = t25 * (t418 + (t376 * motion->constants[0]) + (motion->constants[14] *
+    const float t421 = t136 * motion->constants[28];
+    const float t428 = t25 * (t418 + (t376 * motion->constants[1]) + (motion->constants[29] *
         t322) - (t136 * t421) - (t131 * t365));
-    const float t431 = (t322 * motion->constants[6]) - (motion->constants[1] * (t373 + t428));
+    const float t431 = (t322 * motion->constants[21]) - (motion->constants[7] * (t373 + t428));
     const float t432 = sin_phi * t122;
-    const float t441 = (t141 * motion->constants[17]) + (t131 * motion->constants[15]);
-    const float t446 = (t141 * motion->constants[15]) + (t131 * motion->constants[18]);
-    const float t456 = (t194 * motion->constants[22]) + (t185 * motion->constants[24]);
-    const float t462 = (t189 * motion->constants[23]) + (t273 * motion->constants[7]);
-    const float t467 = (motion->constants[21] * t409) + (t382 * motion->constants[22]) + (t189 *
-        t456) - (motion->constants[20] * t403) - (t185 * t462);
+    const float t441 = (t141 * motion->constants[32]) + (t131 * motion->constants[30]);
+    const float t446 = (t141 * motion->constants[30]) + (t131 * motion->constants[33]);
+    const float t456 = (t194 * motion->constants[37]) + (t185 * motion->constants[39]);
+    const float t462 = (t189 * motion->constants[38]) + (t273 * motion->constants[22]);
+    const float t467 = (motion->constants[36] * t409) + (t382 * motion->constants[37]) + (t189 *
+        t456) - (motion->constants[35] * t403) - (t185 * t462);
     const float t479 = t214 * ((t31 * t308) + (t211 * t319) - (t33 * t286) - (t207 * t313));
-    const float t481 = motion->constants[7] * (t346 + t479);
-    const float t484 = (t194 * motion->constants[21]) + (t185 * motion->constants[22]);
-    const float t491 = (motion->constants[20] * t391) + (motion->constants[23] * t346) + t481 +
-        (t185 * t484) - (motion->constants[19] * t335) - (t194 * t456);
-    const float t499 = (motion->constants[14] * t376) + (motion->constants[13] * t332) + (t322 *
-        motion->constants[16]) + (t131 * t441) + (sin_delta * t467) + (cos_delta * t491);
-    const float t503 = t499 + (motion->constants[9] * t418) + t431 - (t141 * t446) -
-        (motion->constants[8] * t357);
+    const float t481 = motion->constants[22] * (t346 + t479);
+    const float t484 = (t194 * motion->constants[36]) + (t185 * motion->constants[37]);
+    const float t491 = (motion->constants[35] * t391) + (motion->constants[38] * t346) + t481 +
+        (t185 * t484) - (motion->constants[34] * t335) - (t194 * t456);
+    const float t499 = (motion->constants[29] * t376) + (motion->constants[28] * t332) + (t322 *
+        motion->constants[31]) + (t131 * t441) + (sin_delta * t467) + (cos_delta * t491);
+    const float t503 = t499 + (motion->constants[24] * t418) + t431 - (t141 * t446) -
+        (motion->constants[23] * t357);
     const float t505 = cos_phi * t122;
-    const float t512 = (t136 * motion->constants[16]) + (motion->constants[6] * (speeds[2] + t136));
-    const float t523 = (t403 * motion->constants[19]) + (t409 * motion->constants[22]) + (t382 *
-        motion->constants[24]) + (t194 * t462) - (t189 * t484);
+    const float t512 = (t136 * motion->constants[31]) + (motion->constants[21] * (speeds[2] +
+        t136));
+    const float t523 = (t403 * motion->constants[34]) + (t409 * motion->constants[37]) + (t382 *
+        motion->constants[39]) + (t194 * t462) - (t189 * t484);
     const float t526 = (sin_delta * t399) + (cos_delta * t416);
-    const float t532 = (motion->constants[18] * t382) + (t141 * t512) + t523 +
-        (motion->constants[8] * t526) - (motion->constants[13] * t386) - (motion->constants[15] *
+    const float t532 = (motion->constants[33] * t382) + (t141 * t512) + t523 +
+        (motion->constants[23] * t526) - (motion->constants[28] * t386) - (motion->constants[30] *
         t343);
     const float t533 = t532 - (t136 * t441);
-    const float t547 = (motion->constants[14] * t386) + (motion->constants[15] * t382) + (t136 *
-        t446) + (cos_delta * t467) - (motion->constants[17] * t343) - (t131 * t512);
-    const float t549 = t547 - (sin_delta * t491) - (motion->constants[9] * t526);
+    const float t547 = (motion->constants[29] * t386) + (motion->constants[30] * t382) + (t136 *
+        t446) + (cos_delta * t467) - (motion->constants[32] * t343) - (t131 * t512);
+    const float t549 = t547 - (sin_delta * t491) - (motion->constants[24] * t526);
     const float t551 = (t25 * t533) - (t13 * t549);
-    const float t566 = t526 + (motion->constants[13] * t382) + (motion->constants[14] * t343) +
-        (t131 * t367) + (t141 * t421) - (t386 * motion->constants[0]);
+    const float t566 = t526 + (motion->constants[28] * t382) + (motion->constants[29] * t343) +
+        (t131 * t367) + (t141 * t421) - (t386 * motion->constants[1]);
     const float t569 = t81 - (sin_phi * t83);
     const float t571 = cos_phi * t83;
     const float t578 = forces[0] + (t551 * t571) - (t13 * t533) - (t25 * t549) -
-        (motion->constants[1] * t566) - (t503 * t569);
+        (motion->constants[7] * t566) - (t503 * t569);
     const float t579 = t578 - (t215 * t481);
-    const float t581 = sin_delta * motion->constants[19];
-    const float t583 = (sin_delta * motion->constants[22]) - (motion->constants[9] * t581);
-    const float t586 = sin_delta * motion->constants[26];
-    const float t589 = (cos_delta * t586) - (motion->constants[8] * t581);
+    const float t581 = sin_delta * motion->constants[34];
+    const float t583 = (sin_delta * motion->constants[37]) - (motion->constants[24] * t581);
+    const float t586 = sin_delta * motion->constants[41];
+    const float t589 = (cos_delta * t586) - (motion->constants[23] * t581);
     const float t591 = (t13 * t583) + (t25 * t589);
-    const float t596 = cos_delta * motion->constants[19];
-    const float t598 = (cos_delta * motion->constants[22]) - (motion->constants[9] * t596);
-    const float t601 = motion->constants[15] + t598 - motion->constants[29] - motion->constants[30];
+    const float t596 = cos_delta * motion->constants[34];
+    const float t598 = (cos_delta * motion->constants[37]) - (motion->constants[24] * t596);
+    const float t601 = motion->constants[30] + t598 - motion->constants[44] - motion->constants[45];
     const float t602 = sin_delta * t586;
-    const float t606 = motion->constants[17] + motion->constants[21] + motion->constants[28] - t602;
-    const float t607 = motion->constants[8] * t596;
-    const float t610 = t607 + t607 + motion->constants[31];
-    const float t612 = motion->constants[18] + motion->constants[24] + t610;
+    const float t606 = motion->constants[32] + motion->constants[36] + motion->constants[43] - t602;
+    const float t607 = motion->constants[23] * t596;
+    const float t610 = t607 + t607 + motion->constants[46];
+    const float t612 = motion->constants[33] + motion->constants[39] + t610;
     const float t613 = t612 - t606;
     const float t614 = t25 * t13;
     const float t616 = t13 * t13;
     const float t617 = t601 + t601;
-    const float t623 = motion->constants[13] + t596 + motion->constants[27];
-    const float t629 = t601 + (t613 * t614) + (motion->constants[1] * ((t13 *
-        motion->constants[32]) + (t25 * t623))) - (t616 * t617);
-    const float t633 = (t25 * motion->constants[32]) - (t13 * t623);
-    const float t636 = motion->constants[1] * (t633 - motion->constants[33]);
-    const float t637 = motion->constants[1] * t633;
-    const float t640 = motion->constants[34] - t637 - t637;
-    const float t645 = motion->constants[16] + motion->constants[23] + t602 +
-        motion->constants[28] + t610 + t640;
-    const float t649 = motion->constants[1] * t581;
+    const float t623 = motion->constants[28] + t596 + motion->constants[42];
+    const float t629 = t601 + (t613 * t614) + (motion->constants[7] * ((t13 *
+        motion->constants[47]) + (t25 * t623))) - (t616 * t617);
+    const float t633 = (t25 * motion->constants[47]) - (t13 * t623);
+    const float t636 = motion->constants[7] * (t633 - motion->constants[48]);
+    const float t637 = motion->constants[7] * t633;
+    const float t640 = motion->constants[49] - t637 - t637;
+    const float t645 = motion->constants[31] + motion->constants[38] + t602 +
+        motion->constants[43] + t610 + t640;
+    const float t649 = motion->constants[7] * t581;
     const float t651 = (t25 * t583) + t649 - (t13 * t589);
     const float t654 = t636 + (t432 * t645) + (t505 * t651);
     const float t659 = (t613 * t616) + (t614 * t617);
     const float t660 = t612 - t659;
     const float t663 = t649 - (t432 * t651) - (t505 * t660);
     const float t666 = 1.0F - t432;
-    const float t667 = motion->constants[6] * t569;
+    const float t667 = motion->constants[21] * t569;
     const float t670 = sin_delta * t13;
     const float t673 = t229 - (cos_delta * t432) - (t505 * t670);
     const float t679 = t215 + (cos_delta * t569) - (sin_delta * t25) - (t571 * t670);
-    const float t680 = motion->constants[7] * t679;
+    const float t680 = motion->constants[22] * t679;
     const float t686 = (t666 * t667) + (t673 * t680) - (t432 * t591) - (t505 * t629) - (t569 *
         t654) - (t571 * t663);
     const float t705 = t606 + t640 + t659 + (t569 * t591) + (t569 * (t591 + (t569 * t645) - (t571 *
@@ -3965,20 +4014,20 @@ static void whipple_mechanism_f32_compute_accelerations(const whipple_mechanism_
     const float t714 = t115 - (sin_phi * t119);
     const float t716 = cos_phi * t119;
     const float t718 = t583 + t712;
-    const float t720 = motion->constants[24] + t607;
+    const float t720 = motion->constants[39] + t607;
     const float t723 = (t25 * t720) - (t13 * t598);
-    const float t725 = motion->constants[6] * t714;
+    const float t725 = motion->constants[21] * t714;
     const float t730 = t224 + (cos_delta * t714) - (t670 * t716);
-    const float t731 = motion->constants[7] * t730;
+    const float t731 = motion->constants[22] * t730;
     const float t741 = t718 + (t645 * t714) - (t651 * t716);
     const float t746 = t723 + (t651 * t714) - (t660 * t716);
-    const float t754 = (t13 * t720) + (t25 * t598) + (motion->constants[1] * t596) + (t591 * t714) +
+    const float t754 = (t13 * t720) + (t25 * t598) + (motion->constants[7] * t596) + (t591 * t714) +
         (t569 * t741) + (t667 * t714);
     const float t758 = t709 * (t754 + (t680 * t730) - (t629 * t716) - (t571 * t746));
     const float t759 = t708 * t758;
     const float t765 = t712 + (t666 * t725) + (t673 * t731) - (t654 * t714) - (t663 * t716) -
         (t432 * t718);
-    const float t779 = motion->constants[24] + (t714 * t741) + (t714 * t718) + (t714 * t725) +
+    const float t779 = motion->constants[39] + (t714 * t741) + (t714 * t718) + (t714 * t725) +
         (t730 * t731) - (t716 * t746);
     const float t781 = t779 - (t716 * t723) - (t758 * t759);
     const float t782 = 1.0F / t781;
@@ -3987,13 +4036,14 @@ static void whipple_mechanism_f32_compute_accelerations(const whipple_mechanism_
         t758);
     const float t799 = (t432 * t503) + (t505 * t551) - t431 - (t229 * t481) - (t579 * t710) -
         (t783 * t793);
-    const float t817 = (t432 * t654) + (t432 * t636) + motion->constants[35] +
-        (motion->constants[6] * t666 * t666) + (motion->constants[7] * t673 * t673) - (t505 * t663);
+    const float t817 = (t432 * t654) + (t432 * t636) + motion->constants[50] +
+        (motion->constants[21] * t666 * t666) + (motion->constants[22] * t673 * t673) - (t505 *
+        t663);
     const float t821 = t799 / (t817 - (t505 * t649) - (t708 * t710 * t710) - (t781 * t783 * t783));
     const float t825 = (t782 * t793) - (t783 * t821);
     const float t829 = (t579 * t709) - (t758 * t825) - (t710 * t821);
     const float t833 = t313 + (t81 * t829) + (t115 * t825);
-    const float t835 = motion->constants[1] * (t821 + t833);
+    const float t835 = motion->constants[7] * (t821 + t833);
     const float t838 = t126 * t155;
     const float t843 = (cos_psi * t838) - (t835 * sin_psi);
     const float t855 = t479 + (t215 * t829) + (t224 * t825) + (t229 * t821);
@@ -4033,32 +4083,32 @@ static void whipple_mechanism_f32_compute_energy(const whipple_mechanism_f32_mot
     float sin_delta = 0.0F;
     float cos_delta = 0.0F;
     carvallo_sin_cos_f32(positions[5], &sin_delta, &cos_delta);
-    const float t6 = sin_delta * motion->constants[26];
+    const float t6 = sin_delta * motion->constants[41];
     const float t7 = sin_delta * t6;
-    const float t11 = motion->constants[17] + motion->constants[21] + motion->constants[28] - t7;
-    const float t17 = cos_delta * motion->constants[19];
-    const float t18 = motion->constants[8] * t17;
-    const float t21 = t18 + t18 + motion->constants[31];
-    const float t23 = motion->constants[18] + motion->constants[24] + t21;
+    const float t11 = motion->constants[32] + motion->constants[36] + motion->constants[43] - t7;
+    const float t17 = cos_delta * motion->constants[34];
+    const float t18 = motion->constants[23] * t17;
+    const float t21 = t18 + t18 + motion->constants[46];
+    const float t23 = motion->constants[33] + motion->constants[39] + t21;
     const float t24 = t23 - t11;
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t32 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
+    const float t32 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
     const float t33 = t32 * t32;
-    const float t37 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const float t37 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     const float t38 = t32 * t37;
-    const float t46 = (cos_delta * motion->constants[22]) - (t17 * motion->constants[9]);
-    const float t49 = motion->constants[15] + t46 - motion->constants[29] - motion->constants[30];
+    const float t46 = (cos_delta * motion->constants[37]) - (t17 * motion->constants[24]);
+    const float t49 = motion->constants[30] + t46 - motion->constants[44] - motion->constants[45];
     const float t50 = t49 + t49;
     const float t52 = (t24 * t33) + (t38 * t50);
-    const float t59 = t17 + motion->constants[13] + motion->constants[27];
-    const float t61 = (t37 * motion->constants[32]) - (t32 * t59);
-    const float t62 = motion->constants[1] * t61;
-    const float t65 = motion->constants[34] - t62 - t62;
-    const float t67 = sin_delta * motion->constants[19];
-    const float t69 = (sin_delta * motion->constants[22]) - (motion->constants[9] * t67);
-    const float t73 = (t6 * cos_delta) - (motion->constants[8] * t67);
+    const float t59 = t17 + motion->constants[28] + motion->constants[42];
+    const float t61 = (t37 * motion->constants[47]) - (t32 * t59);
+    const float t62 = motion->constants[7] * t61;
+    const float t65 = motion->constants[49] - t62 - t62;
+    const float t67 = sin_delta * motion->constants[34];
+    const float t69 = (sin_delta * motion->constants[37]) - (motion->constants[24] * t67);
+    const float t73 = (t6 * cos_delta) - (motion->constants[23] * t67);
     const float t75 = (t32 * t69) + (t37 * t73);
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
@@ -4072,14 +4122,14 @@ static void whipple_mechanism_f32_compute_energy(const whipple_mechanism_f32_mot
     const float t92 = t85 * t89;
     const float t93 = cos_delta * t92;
     const float t95 = (t37 * t93) - (t32 * t90);
-    const float t100 = motion->constants[2] * ((cos_delta * sin_phi) + (sin_delta * t80));
-    const float t103 = sin_delta * motion->constants[10];
-    const float t108 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const float t110 = (t37 * motion->constants[12]) - (t32 * t108);
+    const float t100 = motion->constants[10] * ((cos_delta * sin_phi) + (sin_delta * t80));
+    const float t103 = sin_delta * motion->constants[25];
+    const float t108 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const float t110 = (t37 * motion->constants[27]) - (t32 * t108);
     const float t113 = (cos_phi * t103) - (t95 * t100) - (sin_phi * t110);
-    const float t114 = (motion->constants[1] * sin_phi) + t113;
+    const float t114 = (motion->constants[7] * sin_phi) + t113;
     const float t121 = (sin_delta * cos_phi * t92) + (sin_phi * ((t37 * t90) + (t32 * t93)));
-    const float t126 = (t100 * t121) + (t32 * motion->constants[12]) + (t37 * t108);
+    const float t126 = (t100 * t121) + (t32 * motion->constants[27]) + (t37 * t108);
     const float t128 = 1.0F / (cos_phi * t126);
     const float t129 = t114 * t128;
     const float t130 = sin_phi * t126;
@@ -4088,33 +4138,33 @@ static void whipple_mechanism_f32_compute_energy(const whipple_mechanism_f32_mot
     const float t138 = 1.0F / ((t95 * t126) + (t114 * t121));
     const float t140 = t129 * t134 * t138;
     const float t142 = t129 - (sin_phi * t140);
-    const float t152 = t49 + (t24 * t38) + (motion->constants[1] * ((t32 * motion->constants[32]) +
+    const float t152 = t49 + (t24 * t38) + (motion->constants[7] * ((t32 * motion->constants[47]) +
         (t37 * t59))) - (t33 * t50);
     const float t153 = cos_phi * t140;
-    const float t161 = t7 + motion->constants[28] + t21 + t65 + motion->constants[16] +
-        motion->constants[23];
-    const float t165 = motion->constants[1] * t67;
+    const float t161 = t7 + motion->constants[43] + t21 + t65 + motion->constants[31] +
+        motion->constants[38];
+    const float t165 = motion->constants[7] * t67;
     const float t167 = (t37 * t69) + t165 - (t32 * t73);
     const float t173 = t23 - t52;
-    const float t179 = t142 * motion->constants[6];
+    const float t179 = t142 * motion->constants[21];
     const float t183 = (t121 * t130) - (t95 * t132);
     const float t187 = (t121 * t126) - (t95 * t114);
-    const float t190 = 1.0F / motion->constants[2];
+    const float t190 = 1.0F / motion->constants[10];
     const float t194 = sin_delta * t32;
     const float t198 = (((t140 * t187) - (t129 * t183)) * t190) + (cos_delta * t142) - (sin_delta *
         t37) - (t153 * t194);
-    const float t200 = t198 * motion->constants[7];
+    const float t200 = t198 * motion->constants[22];
     const float t206 = t11 + t52 + t65 + (t75 * t142) + (t142 * (t75 + (t142 * t161) - (t153 *
         t167))) + (t142 * t179);
     const float t210 = speeds[0] * (t206 + (t198 * t200) - (t152 * t153) - (t153 * (t152 + (t142 *
         t167) - (t153 * t173))));
-    const float t212 = motion->constants[24] + t18;
-    const float t218 = (t37 * motion->constants[9]) - (motion->constants[8] * t32);
+    const float t212 = motion->constants[39] + t18;
+    const float t218 = (t37 * motion->constants[24]) - (motion->constants[23] * t32);
     const float t220 = t113 + (sin_phi * t218);
     const float t222 = t37 * sin_phi;
-    const float t226 = t126 - (t32 * motion->constants[9]) - (motion->constants[8] * t37);
+    const float t226 = t126 - (t32 * motion->constants[24]) - (motion->constants[23] * t37);
     const float t229 = t128 * ((t32 * t220) + (t222 * t226));
-    const float t237 = (t88 * motion->constants[2]) + (sin_phi * t103) + (cos_phi * t110) -
+    const float t237 = (t88 * motion->constants[10]) + (sin_phi * t103) + (cos_phi * t110) -
         (cos_phi * t218);
     const float t239 = (t85 * t226) - (t32 * t237);
     const float t243 = (t222 * t237) + (t85 * t220);
@@ -4129,37 +4179,38 @@ static void whipple_mechanism_f32_compute_energy(const whipple_mechanism_f32_mot
     const float t280 = (t190 * ((t95 * t243) + (t187 * t248) - (t121 * t239) - (t183 * t229))) +
         (cos_delta * t250);
     const float t281 = t280 - (t194 * t252);
-    const float t287 = (t32 * t212) + (t37 * t46) + (t17 * motion->constants[1]) + (t75 * t250) +
+    const float t287 = (t32 * t212) + (t37 * t46) + (t17 * motion->constants[7]) + (t75 * t250) +
         (t142 * t259) + (t179 * t250);
     const float t290 = t287 + (t200 * t281) - (t152 * t252) - (t153 * t267);
-    const float t294 = motion->constants[1] * t121 * t138;
+    const float t294 = motion->constants[7] * t121 * t138;
     const float t295 = sin_phi * t294;
     const float t297 = cos_phi * t294;
-    const float t300 = t61 - motion->constants[33];
-    const float t301 = motion->constants[1] * t300;
+    const float t300 = t61 - motion->constants[48];
+    const float t301 = motion->constants[7] * t300;
     const float t305 = t301 + (t161 * t295) + (t167 * t297);
     const float t310 = t165 - (t167 * t295) - (t173 * t297);
     const float t313 = 1.0F - t295;
-    const float t322 = (t190 * ((motion->constants[1] * t95) + (t187 * t294))) - (cos_delta *
+    const float t322 = (t190 * ((motion->constants[7] * t95) + (t187 * t294))) - (cos_delta *
         t295) - (t194 * t297);
     const float t328 = (t179 * t313) + (t200 * t322) - (t75 * t295) - (t152 * t297) - (t142 *
         t305) - (t153 * t310);
-    const float t338 = motion->constants[6] * t250;
-    const float t340 = motion->constants[7] * t281;
-    const float t346 = motion->constants[24] + (t250 * t259) + (t250 * t255) + (t250 * t338) +
+    const float t338 = motion->constants[21] * t250;
+    const float t340 = motion->constants[22] * t281;
+    const float t346 = motion->constants[39] + (t250 * t259) + (t250 * t255) + (t250 * t338) +
         (t281 * t340) - (t252 * t267);
     const float t359 = t254 + (t313 * t338) + (t322 * t340) - (t250 * t305) - (t252 * t310) -
         (t255 * t295);
     const float t360 = t359 - (t263 * t297);
     const float t364 = speeds[1] * ((speeds[0] * t290) + (speeds[1] * (t346 - (t252 * t263))) +
         (speeds[2] * t360));
-    const float t380 = (t295 * t305) + (t295 * t301) + motion->constants[35] +
-        (motion->constants[6] * t313 * t313) + (motion->constants[7] * t322 * t322) - (t297 * t310);
+    const float t380 = (t295 * t305) + (t295 * t301) + motion->constants[50] +
+        (motion->constants[21] * t313 * t313) + (motion->constants[22] * t322 * t322) - (t297 *
+        t310);
     const float t387 = (speeds[0] * (t210 + (speeds[1] * t290) + (speeds[2] * t328))) + t364 +
         (speeds[2] * ((speeds[0] * t328) + (speeds[1] * t360) + (speeds[2] * (t380 - (t165 *
         t297)))));
     const float t389 = t387 * 0.5F;
-    const float t395 = -(motion->constants[25] * ((t67 * sin_phi) + (cos_phi * t300)));
+    const float t395 = -(motion->constants[40] * ((t67 * sin_phi) + (cos_phi * t300)));
     energy[0] = t389;
     energy[1] = t395;
 }
@@ -4191,21 +4242,21 @@ static void whipple_mechanism_f32_compute_closure(const whipple_mechanism_f32_mo
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t14 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
+    const float t14 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
     const float t15 = cos_phi * t14;
     const float t19 = sin_phi * sin_delta;
     const float t20 = t19 - (cos_delta * t15);
-    const float t24 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const float t24 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     const float t25 = cos_phi * t24;
     const float t28 = sqrtf((t20 * t20) + (t25 * t25));
-    const float t36 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const float t42 = (motion->constants[2] * t28) + (t19 * motion->constants[10]) + (cos_phi *
-        ((t24 * motion->constants[12]) - (t14 * t36))) - (motion->constants[1] * cos_phi);
+    const float t36 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const float t42 = (motion->constants[10] * t28) + (t19 * motion->constants[25]) + (cos_phi *
+        ((t24 * motion->constants[27]) - (t14 * t36))) - (motion->constants[7] * cos_phi);
     const float t46 = 1.0F / t28;
     const float t47 = t25 * t46;
-    const float t58 = motion->constants[2] * ((cos_delta * sin_phi) + (t15 * sin_delta)) *
+    const float t58 = motion->constants[10] * ((cos_delta * sin_phi) + (t15 * sin_delta)) *
         ((cos_phi * sin_delta * t47) + (sin_phi * ((t20 * t24 * t46) + (cos_delta * t14 * t47))));
-    const float t64 = t42 / (cos_phi * (t58 + (t14 * motion->constants[12]) + (t24 * t36)));
+    const float t64 = t42 / (cos_phi * (t58 + (t14 * motion->constants[27]) + (t24 * t36)));
     below[0] = t42;
     steps[0] = t64;
 }
@@ -4289,8 +4340,8 @@ static void whipple_mechanism_f32_compute_contact_forces(const whipple_mechanism
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t9 = (motion->constants[4] * sin_pitch) + (motion->constants[5] * cos_pitch);
-    const float t13 = (motion->constants[4] * cos_pitch) - (sin_pitch * motion->constants[5]);
+    const float t9 = (motion->constants[19] * sin_pitch) + (motion->constants[20] * cos_pitch);
+    const float t13 = (motion->constants[19] * cos_pitch) - (sin_pitch * motion->constants[20]);
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
@@ -4308,50 +4359,50 @@ static void whipple_mechanism_f32_compute_contact_forces(const whipple_mechanism
     const float t36 = (t13 * t34) - (t9 * t31);
     const float t43 = (cos_phi * sin_delta * t33) + (sin_phi * ((t13 * t31) + (t9 * t34)));
     const float t47 = (cos_delta * sin_phi) + (t19 * sin_delta);
-    const float t48 = motion->constants[2] * t47;
-    const float t55 = motion->constants[8] + (cos_delta * motion->constants[10]);
-    const float t58 = (t43 * t48) + (t9 * motion->constants[12]) + (t13 * t55);
+    const float t48 = motion->constants[10] * t47;
+    const float t55 = motion->constants[23] + (cos_delta * motion->constants[25]);
+    const float t58 = (t43 * t48) + (t9 * motion->constants[27]) + (t13 * t55);
     const float t59 = sin_phi * t58;
-    const float t64 = sin_delta * motion->constants[10];
-    const float t68 = (t13 * motion->constants[12]) - (t9 * t55);
+    const float t64 = sin_delta * motion->constants[25];
+    const float t68 = (t13 * motion->constants[27]) - (t9 * t55);
     const float t71 = (cos_phi * t64) - (t36 * t48) - (sin_phi * t68);
-    const float t72 = (sin_phi * motion->constants[1]) + t71;
+    const float t72 = (sin_phi * motion->constants[7]) + t71;
     const float t73 = sin_phi * t72;
     const float t75 = (t36 * t59) + (t43 * t73);
     const float t77 = 1.0F / (cos_phi * t58);
     const float t78 = t72 * t77;
     const float t82 = 1.0F / ((t36 * t58) + (t43 * t72));
     const float t84 = t75 * t78 * t82;
-    const float t91 = t58 - (t9 * motion->constants[9]) - (t13 * motion->constants[8]);
-    const float t98 = (t13 * motion->constants[9]) - (t9 * motion->constants[8]);
-    const float t102 = (t29 * motion->constants[2]) + (sin_phi * t64) + (cos_phi * t68) - (cos_phi *
-        t98);
+    const float t91 = t58 - (t9 * motion->constants[24]) - (t13 * motion->constants[23]);
+    const float t98 = (t13 * motion->constants[24]) - (t9 * motion->constants[23]);
+    const float t102 = (t29 * motion->constants[10]) + (sin_phi * t64) + (cos_phi * t68) -
+        (cos_phi * t98);
     const float t104 = (t26 * t91) - (t9 * t102);
     const float t106 = t13 * sin_phi;
     const float t109 = t71 + (sin_phi * t98);
     const float t111 = (t102 * t106) + (t26 * t109);
     const float t116 = t77 * ((t9 * t109) + (t91 * t106));
     const float t120 = t82 * ((t36 * t104) + (t43 * t111) + (t75 * t116));
-    const float t124 = t43 * motion->constants[1] * t82;
+    const float t124 = t43 * motion->constants[7] * t82;
     const float t127 = (speeds[0] * t84) + (speeds[1] * t120) + (speeds[2] * t124);
     const float t128 = cos_phi * t127;
     const float t130 = (speeds[0] * t13) + (t9 * t128);
     const float t133 = (t9 * speeds[0]) - (t13 * t128);
-    const float t138 = (t133 * motion->constants[13]) - (t130 * motion->constants[14]);
+    const float t138 = (t133 * motion->constants[28]) - (t130 * motion->constants[29]);
     const float t142 = (speeds[0] * t78) + (speeds[1] * t116);
     const float t143 = sin_phi * t127;
     const float t144 = t142 - t143;
-    const float t145 = motion->constants[14] * t144;
+    const float t145 = motion->constants[29] * t144;
     const float t147 = (t130 * t138) - (t144 * t145);
-    const float t149 = speeds[0] * motion->constants[1];
+    const float t149 = speeds[0] * motion->constants[7];
     const float t151 = speeds[2] + t142;
-    const float t153 = motion->constants[1] * t143;
+    const float t153 = motion->constants[7] * t143;
     const float t155 = ((t151 - t143) * t153) - (speeds[0] * t149);
-    const float t158 = t155 + (cos_phi * motion->constants[25]);
+    const float t158 = t155 + (cos_phi * motion->constants[40]);
     const float t159 = t13 * t158;
     const float t160 = t128 * t149;
-    const float t161 = motion->constants[9] * t144;
-    const float t163 = motion->constants[8] * t144;
+    const float t161 = motion->constants[24] * t144;
+    const float t163 = motion->constants[23] * t144;
     const float t165 = (t133 * t161) + (t130 * t163);
     const float t166 = speeds[0] * t143;
     const float t168 = t130 * t142;
@@ -4360,165 +4411,169 @@ static void whipple_mechanism_f32_compute_contact_forces(const whipple_mechanism
     const float t173 = (t9 * t166) + t172;
     const float t175 = t128 * t151;
     const float t177 = t128 * t153;
-    const float t178 = t177 - (motion->constants[1] * t175);
-    const float t181 = t165 + (motion->constants[8] * t169) + (motion->constants[9] * t173) - t178;
-    const float t186 = (motion->constants[8] * t133) - (motion->constants[9] * t130);
+    const float t178 = t177 - (motion->constants[7] * t175);
+    const float t181 = t165 + (motion->constants[23] * t169) + (motion->constants[24] * t173) -
+        t178;
+    const float t186 = (motion->constants[23] * t133) - (motion->constants[24] * t130);
     const float t188 = (t144 * t163) + (t133 * t186);
     const float t189 = speeds[0] * t128;
-    const float t192 = t160 + (motion->constants[1] * t189);
-    const float t197 = (t13 * t192) + (t9 * t155) - t188 - (motion->constants[9] * t189);
+    const float t192 = t160 + (motion->constants[7] * t189);
+    const float t197 = (t13 * t192) + (t9 * t155) - t188 - (motion->constants[24] * t189);
     const float t199 = speeds[1] + t133;
     const float t203 = (cos_delta * t144) - (sin_delta * t130);
-    const float t204 = motion->constants[11] * t203;
+    const float t204 = motion->constants[26] * t203;
     const float t208 = (cos_delta * t130) + (sin_delta * t144);
-    const float t209 = motion->constants[10] * t203;
+    const float t209 = motion->constants[25] * t203;
     const float t214 = speeds[1] * t203;
     const float t216 = t214 - (cos_delta * t173) - (sin_delta * t189);
-    const float t218 = t31 * motion->constants[2];
+    const float t218 = t31 * motion->constants[10];
     const float t221 = (t43 * t59) - (t36 * t73);
     const float t225 = (t43 * t58) - (t36 * t72);
-    const float t228 = 1.0F / motion->constants[2];
+    const float t228 = 1.0F / motion->constants[10];
     const float t229 = ((t84 * t225) - (t78 * t221)) * t228;
     const float t238 = t228 * ((t36 * t111) + (t120 * t225) - (t43 * t104) - (t116 * t221));
-    const float t243 = t228 * ((t36 * motion->constants[1]) + (t124 * t225));
+    const float t243 = t228 * ((t36 * motion->constants[7]) + (t124 * t225));
     const float t246 = (speeds[0] * t229) + (speeds[1] * t238) + (speeds[2] * t243);
-    const float t250 = t33 * motion->constants[2];
+    const float t250 = t33 * motion->constants[10];
     const float t258 = t30 * t47 * ((t31 * t208) + (t33 * t199));
     const float t259 = t250 * t258;
     const float t261 = t218 * t258;
-    const float t267 = (cos_delta * t181) + (t199 * t204) + (t208 * t209) + (motion->constants[10] *
+    const float t267 = (cos_delta * t181) + (t199 * t204) + (t208 * t209) + (motion->constants[25] *
         t169) + (t218 * (t169 + (t208 * t246))) + (t199 * t259);
-    const float t271 = t267 + (t208 * t261) - (sin_delta * t197) - (motion->constants[11] * t216) -
+    const float t271 = t267 + (t208 * t261) - (sin_delta * t197) - (motion->constants[26] * t216) -
         (t250 * (t216 - (t199 * t246)));
-    const float t278 = (motion->constants[10] * t199) - (motion->constants[11] * t208);
+    const float t278 = (motion->constants[25] * t199) - (motion->constants[26] * t208);
     const float t282 = speeds[1] * t208;
     const float t284 = (sin_delta * t173) - (cos_delta * t189) - t282;
     const float t287 = t203 + t246;
-    const float t292 = motion->constants[2] * ((t31 * t199) - (t33 * t208));
-    const float t298 = (cos_delta * t197) + (sin_delta * t181) + (motion->constants[11] * t284) +
+    const float t292 = motion->constants[10] * ((t31 * t199) - (t33 * t208));
+    const float t298 = (cos_delta * t197) + (sin_delta * t181) + (motion->constants[26] * t284) +
         (t250 * t284) - (t203 * t209) - (t199 * t278);
     const float t300 = t298 - (t261 * t287) - (t199 * t292);
     const float t304 = (t130 * t186) - (t144 * t161);
-    const float t318 = t304 + (motion->constants[8] * t189) + (t9 * t192) + (t208 * t278) + (t208 *
+    const float t318 = t304 + (motion->constants[23] * t189) + (t9 * t192) + (t208 * t278) + (t208 *
         t292) - (t13 * t155);
-    const float t322 = t318 - (t203 * t204) - (motion->constants[10] * t284) - (t218 * t284) -
+    const float t322 = t318 - (t203 * t204) - (motion->constants[25] * t284) - (t218 * t284) -
         (t259 * t287);
     const float t324 = (t31 * t300) + (t33 * t322);
     const float t329 = t77 * ((t47 * t271) + (t29 * t324));
     const float t333 = t82 * ((t29 * t271) + (t75 * t329) - (t47 * t324));
     const float t335 = t189 - t329;
     const float t336 = (sin_phi * t333) + t335;
-    const float t340 = (motion->constants[1] * t336) + t160;
+    const float t340 = (motion->constants[7] * t336) + t160;
     const float t342 = t159 - (t9 * t340);
-    const float t345 = t304 - t342 + (motion->constants[8] * t336);
+    const float t345 = t304 - t342 + (motion->constants[23] * t336);
     const float t351 = t166 - (cos_phi * t333);
     const float t353 = t172 + (t9 * t351);
     const float t356 = (sin_delta * t353) - (cos_delta * t336) - t282;
-    const float t361 = (t199 * motion->constants[19]) - (t208 * motion->constants[20]);
-    const float t363 = t203 * motion->constants[20];
+    const float t361 = (t199 * motion->constants[34]) - (t208 * motion->constants[35]);
+    const float t363 = t203 * motion->constants[35];
     const float t365 = (t208 * t361) - (t203 * t363);
-    const float t367 = (t345 * motion->constants[3]) + t365 - (motion->constants[19] * t356);
+    const float t367 = (t345 * motion->constants[17]) + t365 - (motion->constants[34] * t356);
     const float t375 = t9 * t158;
     const float t376 = t375 + (t13 * t340);
-    const float t379 = t376 - (motion->constants[9] * t336) - t188;
+    const float t379 = t376 - (motion->constants[24] * t336) - t188;
     const float t382 = t168 + (t13 * t351);
-    const float t385 = sin_phi * motion->constants[25];
+    const float t385 = sin_phi * motion->constants[40];
     const float t386 = t178 + t385;
-    const float t389 = t165 + (motion->constants[8] * t382) + (motion->constants[9] * t353) - t386;
+    const float t389 = t165 + (motion->constants[23] * t382) + (motion->constants[24] * t353) -
+        t386;
     const float t391 = (cos_delta * t379) + (sin_delta * t389);
-    const float t394 = t203 * motion->constants[19];
+    const float t394 = t203 * motion->constants[34];
     const float t397 = (t203 * t394) + (t199 * t361);
-    const float t399 = (t391 * motion->constants[3]) + (motion->constants[20] * t356) - t397;
+    const float t399 = (t391 * motion->constants[17]) + (motion->constants[35] * t356) - t397;
     const float t403 = (cos_delta * t389) - (sin_delta * t379);
     const float t409 = t214 - (sin_delta * t336) - (cos_delta * t353);
     const float t413 = (t199 * t363) + (t208 * t394);
-    const float t416 = (t403 * motion->constants[3]) + (t382 * motion->constants[19]) + t413 -
-        (motion->constants[20] * t409);
+    const float t416 = (t403 * motion->constants[17]) + (t382 * motion->constants[34]) + t413 -
+        (motion->constants[35] * t409);
     const float t418 = (cos_delta * t399) - (sin_delta * t416);
-    const float t421 = motion->constants[13] * t144;
+    const float t421 = motion->constants[28] * t144;
     const float t424 = (t144 * t421) + (t133 * t138);
-    const float t429 = (t9 * (t147 + t367 - (motion->constants[0] * t342) + (motion->constants[13] *
-        t336))) + (t13 * (t418 + (motion->constants[0] * t376) - (motion->constants[14] * t336) -
+    const float t429 = (t9 * (t147 + t367 - (motion->constants[1] * t342) + (motion->constants[28] *
+        t336))) + (t13 * (t418 + (motion->constants[1] * t376) - (motion->constants[29] * t336) -
         t424));
-    const float t431 = (t336 * motion->constants[6]) + (motion->constants[1] * t429);
+    const float t431 = (t336 * motion->constants[21]) + (motion->constants[7] * t429);
     const float t432 = sin_phi * t124;
-    const float t441 = (t130 * motion->constants[17]) + (t133 * motion->constants[15]);
-    const float t446 = (t130 * motion->constants[15]) + (t133 * motion->constants[18]);
+    const float t441 = (t130 * motion->constants[32]) + (t133 * motion->constants[30]);
+    const float t446 = (t130 * motion->constants[30]) + (t133 * motion->constants[33]);
     const float t448 = (t133 * t441) - (t130 * t446);
-    const float t457 = (t208 * motion->constants[22]) + (t199 * motion->constants[24]);
-    const float t463 = (t203 * motion->constants[23]) + (t287 * motion->constants[7]);
+    const float t457 = (t208 * motion->constants[37]) + (t199 * motion->constants[39]);
+    const float t463 = (t203 * motion->constants[38]) + (t287 * motion->constants[22]);
     const float t465 = (t203 * t457) - (t199 * t463);
-    const float t468 = (motion->constants[21] * t409) + (t382 * motion->constants[22]) + t465 -
-        (motion->constants[20] * t403);
+    const float t468 = (motion->constants[36] * t409) + (t382 * motion->constants[37]) + t465 -
+        (motion->constants[35] * t403);
     const float t480 = t228 * ((t31 * t322) + (t225 * t333) - (t33 * t300) - (t221 * t329));
-    const float t482 = motion->constants[7] * (t356 + t480);
-    const float t485 = (t208 * motion->constants[21]) + (t199 * motion->constants[22]);
+    const float t482 = motion->constants[22] * (t356 + t480);
+    const float t485 = (t208 * motion->constants[36]) + (t199 * motion->constants[37]);
     const float t488 = (t199 * t485) - (t208 * t457);
-    const float t492 = (motion->constants[20] * t391) + (motion->constants[23] * t356) + t482 +
-        t488 - (motion->constants[19] * t345);
-    const float t500 = (motion->constants[14] * t376) + (motion->constants[13] * t342) - (t336 *
-        motion->constants[16]) + t448 + (sin_delta * t468) + (cos_delta * t492);
-    const float t503 = t500 + (motion->constants[9] * t418) - t431 - (motion->constants[8] * t367);
+    const float t492 = (motion->constants[35] * t391) + (motion->constants[38] * t356) + t482 +
+        t488 - (motion->constants[34] * t345);
+    const float t500 = (motion->constants[29] * t376) + (motion->constants[28] * t342) - (t336 *
+        motion->constants[31]) + t448 + (sin_delta * t468) + (cos_delta * t492);
+    const float t503 = t500 + (motion->constants[24] * t418) - t431 - (motion->constants[23] *
+        t367);
     const float t505 = cos_phi * t124;
-    const float t512 = (t144 * motion->constants[16]) + (motion->constants[6] * (speeds[2] + t144));
+    const float t512 = (t144 * motion->constants[31]) + (motion->constants[21] * (speeds[2] +
+        t144));
     const float t515 = (t130 * t512) - (t144 * t441);
     const float t521 = (t208 * t463) - (t203 * t485);
-    const float t524 = (t403 * motion->constants[19]) + (t409 * motion->constants[22]) + (t382 *
-        motion->constants[24]) + t521;
+    const float t524 = (t403 * motion->constants[34]) + (t409 * motion->constants[37]) + (t382 *
+        motion->constants[39]) + t521;
     const float t527 = (sin_delta * t399) + (cos_delta * t416);
-    const float t533 = (motion->constants[18] * t382) + t515 + t524 + (motion->constants[8] *
-        t527) - (motion->constants[13] * t386) - (motion->constants[15] * t353);
+    const float t533 = (motion->constants[33] * t382) + t515 + t524 + (motion->constants[23] *
+        t527) - (motion->constants[28] * t386) - (motion->constants[30] * t353);
     const float t540 = (t144 * t446) - (t133 * t512);
-    const float t548 = (motion->constants[14] * t386) + (motion->constants[15] * t382) + t540 +
-        (cos_delta * t468) - (motion->constants[17] * t353) - (sin_delta * t492);
-    const float t549 = t548 - (motion->constants[9] * t527);
+    const float t548 = (motion->constants[29] * t386) + (motion->constants[30] * t382) + t540 +
+        (cos_delta * t468) - (motion->constants[32] * t353) - (sin_delta * t492);
+    const float t549 = t548 - (motion->constants[24] * t527);
     const float t551 = (t13 * t533) - (t9 * t549);
     const float t562 = (t133 * t145) + (t130 * t421);
-    const float t567 = motion->constants[1] * (t527 + (motion->constants[13] * t382) +
-        (motion->constants[14] * t353) + t562 - (motion->constants[0] * t386));
+    const float t567 = motion->constants[7] * (t527 + (motion->constants[28] * t382) +
+        (motion->constants[29] * t353) + t562 - (motion->constants[1] * t386));
     const float t569 = t78 - (sin_phi * t84);
     const float t571 = cos_phi * t84;
     const float t578 = forces[0] + (t551 * t571) - (t9 * t533) - (t13 * t549) - t567 - (t503 *
         t569);
     const float t579 = t578 - (t229 * t482);
-    const float t581 = sin_delta * motion->constants[19];
-    const float t583 = (sin_delta * motion->constants[22]) - (motion->constants[9] * t581);
-    const float t586 = sin_delta * motion->constants[26];
-    const float t589 = (cos_delta * t586) - (motion->constants[8] * t581);
+    const float t581 = sin_delta * motion->constants[34];
+    const float t583 = (sin_delta * motion->constants[37]) - (motion->constants[24] * t581);
+    const float t586 = sin_delta * motion->constants[41];
+    const float t589 = (cos_delta * t586) - (motion->constants[23] * t581);
     const float t591 = (t9 * t583) + (t13 * t589);
-    const float t596 = cos_delta * motion->constants[19];
-    const float t598 = (cos_delta * motion->constants[22]) - (motion->constants[9] * t596);
-    const float t601 = motion->constants[15] + t598 - motion->constants[29] - motion->constants[30];
+    const float t596 = cos_delta * motion->constants[34];
+    const float t598 = (cos_delta * motion->constants[37]) - (motion->constants[24] * t596);
+    const float t601 = motion->constants[30] + t598 - motion->constants[44] - motion->constants[45];
     const float t602 = sin_delta * t586;
-    const float t606 = motion->constants[17] + motion->constants[21] + motion->constants[28] - t602;
-    const float t607 = motion->constants[8] * t596;
-    const float t610 = t607 + t607 + motion->constants[31];
-    const float t612 = motion->constants[18] + motion->constants[24] + t610;
+    const float t606 = motion->constants[32] + motion->constants[36] + motion->constants[43] - t602;
+    const float t607 = motion->constants[23] * t596;
+    const float t610 = t607 + t607 + motion->constants[46];
+    const float t612 = motion->constants[33] + motion->constants[39] + t610;
     const float t613 = t612 - t606;
     const float t614 = t9 * t13;
     const float t616 = t9 * t9;
     const float t617 = t601 + t601;
-    const float t623 = motion->constants[13] + t596 + motion->constants[27];
-    const float t629 = t601 + (t613 * t614) + (motion->constants[1] * ((t9 *
-        motion->constants[32]) + (t13 * t623))) - (t616 * t617);
-    const float t633 = (t13 * motion->constants[32]) - (t9 * t623);
-    const float t636 = motion->constants[1] * (t633 - motion->constants[33]);
-    const float t637 = motion->constants[1] * t633;
-    const float t640 = motion->constants[34] - t637 - t637;
-    const float t645 = motion->constants[16] + motion->constants[23] + t602 +
-        motion->constants[28] + t610 + t640;
-    const float t649 = motion->constants[1] * t581;
+    const float t623 = motion->constants[28] + t596 + motion->constants[42];
+    const float t629 = t601 + (t613 * t614) + (motion->constants[7] * ((t9 *
+        motion->constants[47]) + (t13 * t623))) - (t616 * t617);
+    const float t633 = (t13 * motion->constants[47]) - (t9 * t623);
+    const float t636 = motion->constants[7] * (t633 - motion->constants[48]);
+    const float t637 = motion->constants[7] * t633;
+    const float t640 = motion->constants[49] - t637 - t637;
+    const float t645 = motion->constants[31] + motion->constants[38] + t602 +
+        motion->constants[43] + t610 + t640;
+    const float t649 = motion->constants[7] * t581;
     const float t651 = (t13 * t583) + t649 - (t9 * t589);
     const float t654 = t636 + (t432 * t645) + (t505 * t651);
     const float t659 = (t613 * t616) + (t614 * t617);
     const float t660 = t612 - t659;
     const float t663 = t649 - (t432 * t651) - (t505 * t660);
     const float t666 = 1.0F - t432;
-    const float t667 = motion->constants[6] * t569;
+    const float t667 = motion->constants[21] * t569;
     const float t670 = t9 * sin_delta;
     const float t673 = t243 - (cos_delta * t432) - (t505 * t670);
     const float t679 = t229 + (cos_delta * t569) - (t13 * sin_delta) - (t571 * t670);
-    const float t680 = motion->constants[7] * t679;
+    const float t680 = motion->constants[22] * t679;
     const float t686 = (t666 * t667) + (t673 * t680) - (t432 * t591) - (t505 * t629) - (t569 *
         t654) - (t571 * t663);
     const float t705 = t606 + t640 + t659 + (t569 * t591) + (t569 * (t591 + (t569 * t645) - (t571 *
@@ -4531,20 +4586,20 @@ static void whipple_mechanism_f32_compute_contact_forces(const whipple_mechanism
     const float t714 = t116 - (sin_phi * t120);
     const float t716 = cos_phi * t120;
     const float t718 = t583 + t712;
-    const float t720 = motion->constants[24] + t607;
+    const float t720 = motion->constants[39] + t607;
     const float t723 = (t13 * t720) - (t9 * t598);
-    const float t725 = motion->constants[6] * t714;
+    const float t725 = motion->constants[21] * t714;
     const float t730 = t238 + (cos_delta * t714) - (t670 * t716);
-    const float t731 = motion->constants[7] * t730;
+    const float t731 = motion->constants[22] * t730;
     const float t741 = t718 + (t645 * t714) - (t651 * t716);
     const float t746 = t723 + (t651 * t714) - (t660 * t716);
-    const float t754 = (t9 * t720) + (t13 * t598) + (motion->constants[1] * t596) + (t591 * t714) +
+    const float t754 = (t9 * t720) + (t13 * t598) + (motion->constants[7] * t596) + (t591 * t714) +
         (t569 * t741) + (t667 * t714);
     const float t758 = t709 * (t754 + (t680 * t730) - (t629 * t716) - (t571 * t746));
     const float t759 = t708 * t758;
     const float t765 = t712 + (t666 * t725) + (t673 * t731) - (t654 * t714) - (t663 * t716) -
         (t432 * t718);
-    const float t779 = motion->constants[24] + (t714 * t741) + (t714 * t718) + (t714 * t725) +
+    const float t779 = motion->constants[39] + (t714 * t741) + (t714 * t718) + (t714 * t725) +
         (t730 * t731) - (t716 * t746);
     const float t781 = t779 - (t716 * t723) - (t758 * t759);
     const float t782 = 1.0F / t781;
@@ -4553,62 +4608,64 @@ static void whipple_mechanism_f32_compute_contact_forces(const whipple_mechanism
         t758);
     const float t799 = (t432 * t503) + (t505 * t551) + t431 - (t243 * t482) - (t579 * t710) -
         (t783 * t793);
-    const float t817 = (t432 * t654) + (t432 * t636) + motion->constants[35] +
-        (motion->constants[6] * t666 * t666) + (motion->constants[7] * t673 * t673) - (t505 * t663);
+    const float t817 = (t432 * t654) + (t432 * t636) + motion->constants[50] +
+        (motion->constants[21] * t666 * t666) + (motion->constants[22] * t673 * t673) - (t505 *
+        t663);
     const float t821 = t799 / (t817 - (t505 * t649) - (t708 * t710 * t710) - (t781 * t783 * t783));
     const float t825 = (t782 * t793) - (t783 * t821);
     const float t829 = (t579 * t709) - (t758 * t825) - (t710 * t821);
     const float t837 = t333 + (t84 * t829) + (t120 * t825) + (t124 * t821);
     const float t841 = (t78 * t829) + (t116 * t825) - (sin_phi * t837) - t335;
     const float t842 = t821 + t841;
-    const float t844 = (motion->constants[1] * t842) - t160;
+    const float t844 = (motion->constants[7] * t842) - t160;
     const float t846 = t159 + (t9 * t844);
-    const float t851 = t304 - t846 - (motion->constants[8] * t841);
+    const float t851 = t304 - t846 - (motion->constants[23] * t841);
     const float t856 = t166 - (cos_phi * t837);
     const float t859 = (t13 * t829) - t172 - (t9 * t856);
     const float t862 = (cos_delta * t841) - t282 - (sin_delta * t859);
-    const float t865 = t365 + (motion->constants[3] * t851) - (motion->constants[19] * t862);
-    const float t868 = t147 + t865 - (motion->constants[0] * t846) - (motion->constants[13] * t841);
+    const float t865 = t365 + (motion->constants[17] * t851) - (motion->constants[34] * t862);
+    const float t868 = t147 + t865 - (motion->constants[1] * t846) - (motion->constants[28] * t841);
     const float t871 = t375 - (t13 * t844);
-    const float t876 = t871 + (motion->constants[9] * t841) - t188;
+    const float t876 = t871 + (motion->constants[24] * t841) - t188;
     const float t881 = t168 + (t13 * t856) + (t9 * t829);
-    const float t887 = t177 + t385 - (motion->constants[1] * (t175 + t829));
-    const float t890 = t165 + (motion->constants[8] * t881) - (motion->constants[9] * t859) - t887;
+    const float t887 = t177 + t385 - (motion->constants[7] * (t175 + t829));
+    const float t890 = t165 + (motion->constants[23] * t881) - (motion->constants[24] * t859) -
+        t887;
     const float t892 = (cos_delta * t876) + (sin_delta * t890);
-    const float t896 = (motion->constants[3] * t892) + (motion->constants[20] * t862) - t397;
+    const float t896 = (motion->constants[17] * t892) + (motion->constants[35] * t862) - t397;
     const float t900 = (cos_delta * t890) - (sin_delta * t876);
     const float t902 = t825 + t881;
     const float t907 = t214 + (cos_delta * t859) + (sin_delta * t841);
-    const float t911 = t413 + (motion->constants[3] * t900) + (motion->constants[19] * t902) -
-        (motion->constants[20] * t907);
+    const float t911 = t413 + (motion->constants[17] * t900) + (motion->constants[34] * t902) -
+        (motion->constants[35] * t907);
     const float t913 = (cos_delta * t896) - (sin_delta * t911);
-    const float t916 = (motion->constants[0] * t871) + (motion->constants[14] * t841) + t913 - t424;
+    const float t916 = (motion->constants[1] * t871) + (motion->constants[29] * t841) + t913 - t424;
     const float t918 = (t9 * t868) + (t13 * t916);
-    const float t926 = motion->constants[7] * (t480 + t862 + (t229 * t829) + (t238 * t825) + (t243 *
-        t821));
+    const float t926 = motion->constants[22] * (t480 + t862 + (t229 * t829) + (t238 * t825) +
+        (t243 * t821));
     const float t927 = t228 * t926;
-    const float t938 = t465 + (motion->constants[21] * t907) + (motion->constants[22] * t902) -
-        (motion->constants[20] * t900);
-    const float t946 = t488 + t926 + (motion->constants[20] * t892) + (motion->constants[23] *
-        t862) - (motion->constants[19] * t851);
-    const float t955 = t448 + (motion->constants[14] * t871) + (motion->constants[13] * t846) +
-        (motion->constants[16] * t841) + (motion->constants[6] * t842) + (sin_delta * t938);
-    const float t959 = t955 + (cos_delta * t946) + (motion->constants[9] * t913) -
-        (motion->constants[8] * t865) - (motion->constants[1] * t918);
+    const float t938 = t465 + (motion->constants[36] * t907) + (motion->constants[37] * t902) -
+        (motion->constants[35] * t900);
+    const float t946 = t488 + t926 + (motion->constants[35] * t892) + (motion->constants[38] *
+        t862) - (motion->constants[34] * t851);
+    const float t955 = t448 + (motion->constants[29] * t871) + (motion->constants[28] * t846) +
+        (motion->constants[31] * t841) + (motion->constants[21] * t842) + (sin_delta * t938);
+    const float t959 = t955 + (cos_delta * t946) + (motion->constants[24] * t913) -
+        (motion->constants[23] * t865) - (motion->constants[7] * t918);
     const float t969 = (sin_delta * t896) + (cos_delta * t911);
-    const float t976 = t515 + t521 + (motion->constants[15] * t859) + (motion->constants[18] *
-        t881) + (motion->constants[19] * t900) + (motion->constants[22] * t907) +
-        (motion->constants[24] * t902);
-    const float t990 = t540 + (motion->constants[14] * t887) + (motion->constants[17] * t859) +
-        (motion->constants[15] * t881) + (cos_delta * t938) - (sin_delta * t946);
-    const float t994 = cos_phi * ((t13 * (t976 + (motion->constants[8] * t969) -
-        (motion->constants[13] * t887))) - (t9 * (t990 - (motion->constants[9] * t969))));
+    const float t976 = t515 + t521 + (motion->constants[30] * t859) + (motion->constants[33] *
+        t881) + (motion->constants[34] * t900) + (motion->constants[37] * t907) +
+        (motion->constants[39] * t902);
+    const float t990 = t540 + (motion->constants[29] * t887) + (motion->constants[32] * t859) +
+        (motion->constants[30] * t881) + (cos_delta * t938) - (sin_delta * t946);
+    const float t994 = cos_phi * ((t13 * (t976 + (motion->constants[23] * t969) -
+        (motion->constants[28] * t887))) - (t9 * (t990 - (motion->constants[24] * t969))));
     const float t998 = t82 * ((sin_phi * t959) + t994 - (t225 * t927));
     const float t1000 = (t36 * t927) - (t43 * t998);
     const float t1001 = t918 - t1000;
     const float t1006 = (t43 * t927) + (t36 * t998);
-    const float t1013 = t562 + t969 + (motion->constants[13] * t881) - (motion->constants[0] *
-        t887) - (motion->constants[14] * t859);
+    const float t1013 = t562 + t969 + (motion->constants[28] * t881) - (motion->constants[1] *
+        t887) - (motion->constants[29] * t859);
     const float t1017 = (t13 * t868) - (t9 * t916);
     const float t1020 = (cos_phi * t1013) - t1006 - (sin_phi * t1017);
     const float t1022 = (cos_psi * t1001) - (sin_psi * t1020);

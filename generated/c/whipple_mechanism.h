@@ -454,7 +454,7 @@ void whipple_mechanism_f64_with_respect_to(const whipple_mechanism_f64_derivativ
  */
 typedef struct {
     /** In an order of their own. */
-    double constants[36U];
+    double constants[51U];
 } whipple_mechanism_f64_motion_t;
 
 /**
@@ -799,7 +799,7 @@ void whipple_mechanism_f32_with_respect_to(const whipple_mechanism_f32_derivativ
  */
 typedef struct {
     /** In an order of their own. */
-    float constants[36U];
+    float constants[51U];
 } whipple_mechanism_f32_motion_t;
 
 /**

@@ -1115,99 +1115,116 @@ void whipple_tyres_f64_motion(const whipple_tyres_f64_t *p, whipple_tyres_f64_mo
     double sin_lam = 0.0;
     double cos_lam = 0.0;
     carvallo_sin_cos_f64(p->lam, &sin_lam, &cos_lam);
-    const double t9 = p->w + p->c;
-    const double t13 = (cos_lam * t9) - (sin_lam * p->rR);
-    const double t16 = (sin_lam * t9) + (cos_lam * p->rR);
-    const double t17 = p->rR - p->rhoR;
-    const double t18 = p->w - t9;
-    const double t22 = (cos_lam * t18) + (sin_lam * p->rF);
-    const double t25 = (sin_lam * t18) - (cos_lam * p->rF);
-    const double t26 = p->rF - p->rhoF;
-    const double t27 = t16 + t25;
-    const double t32 = p->rR + p->zB;
-    const double t34 = (cos_lam * p->xB) - (sin_lam * t32);
-    const double t35 = p->mB * t34;
-    const double t38 = (sin_lam * p->xB) + (cos_lam * t32);
-    const double t39 = p->mB * t38;
-    const double t43 = cos_lam * p->IBxz;
-    const double t44 = (sin_lam * p->IBxx) + t43;
-    const double t46 = sin_lam * p->IBxz;
-    const double t49 = t46 + (cos_lam * p->IBzz);
-    const double t53 = (cos_lam * t44) - (sin_lam * t49) - (t35 * t38);
-    const double t55 = t38 * t39;
-    const double t56 = t34 * t35;
-    const double t58 = p->IByy + t55 + t56;
-    const double t60 = p->mB + p->mR;
-    const double t70 = t55 + p->IRxx + (cos_lam * ((cos_lam * p->IBxx) - t46)) - (sin_lam * (t43 -
+    const double t24 = p->w + p->c;
+    const double t27 = (cos_lam * t24) - (sin_lam * p->rR);
+    const double t30 = (sin_lam * t24) + (cos_lam * p->rR);
+    const double t31 = p->rR - p->rhoR;
+    const double t32 = p->w - t24;
+    const double t35 = (cos_lam * t32) + (sin_lam * p->rF);
+    const double t38 = (sin_lam * t32) - (cos_lam * p->rF);
+    const double t39 = p->rF - p->rhoF;
+    const double t40 = t30 + t38;
+    const double t42 = p->rR + p->zB;
+    const double t44 = (cos_lam * p->xB) - (sin_lam * t42);
+    const double t45 = p->mB * t44;
+    const double t48 = (sin_lam * p->xB) + (cos_lam * t42);
+    const double t49 = p->mB * t48;
+    const double t51 = cos_lam * p->IBxz;
+    const double t52 = (sin_lam * p->IBxx) + t51;
+    const double t54 = sin_lam * p->IBxz;
+    const double t56 = t54 + (cos_lam * p->IBzz);
+    const double t60 = (cos_lam * t52) - (sin_lam * t56) - (t45 * t48);
+    const double t62 = t48 * t49;
+    const double t63 = t44 * t45;
+    const double t65 = p->IByy + t62 + t63;
+    const double t67 = p->mB + p->mR;
+    const double t77 = t62 + p->IRxx + (cos_lam * ((cos_lam * p->IBxx) - t54)) - (sin_lam * (t51 -
         (sin_lam * p->IBzz)));
-    const double t75 = t56 + p->IRxx + (sin_lam * t44) + (cos_lam * t49);
-    const double t78 = p->mH + p->mF;
-    const double t80 = p->xH - t9;
-    const double t84 = (cos_lam * t80) - (sin_lam * p->zH);
-    const double t85 = p->mH * t84;
-    const double t86 = t22 * p->mF;
-    const double t87 = t85 + t86;
-    const double t90 = (sin_lam * t80) + (cos_lam * p->zH);
-    const double t91 = p->mH * t90;
-    const double t92 = t25 * p->mF;
-    const double t93 = t91 + t92;
-    const double t98 = sin_lam * p->IHxz;
-    const double t101 = cos_lam * p->IHxz;
-    const double t108 = (t90 * t91) + (t25 * t92);
-    const double t111 = p->IFxx + (cos_lam * ((cos_lam * p->IHxx) - t98)) + t108 - (sin_lam *
-        (t101 - (sin_lam * p->IHzz)));
-    const double t113 = t101 + (sin_lam * p->IHxx);
-    const double t116 = t98 + (cos_lam * p->IHzz);
-    const double t122 = (cos_lam * t113) - (sin_lam * t116) - (t85 * t90) - (t25 * t86);
-    const double t126 = (t84 * t85) + (t22 * t86);
+    const double t82 = t63 + p->IRxx + (sin_lam * t52) + (cos_lam * t56);
+    const double t83 = p->mH + p->mF;
+    const double t84 = p->xH - t24;
+    const double t87 = (cos_lam * t84) - (sin_lam * p->zH);
+    const double t88 = p->mH * t87;
+    const double t89 = p->mF * t35;
+    const double t90 = t88 + t89;
+    const double t93 = (sin_lam * t84) + (cos_lam * p->zH);
+    const double t94 = p->mH * t93;
+    const double t95 = p->mF * t38;
+    const double t96 = t94 + t95;
+    const double t99 = sin_lam * p->IHxz;
+    const double t102 = cos_lam * p->IHxz;
+    const double t108 = (t93 * t94) + (t38 * t95);
+    const double t111 = p->IFxx + (cos_lam * ((cos_lam * p->IHxx) - t99)) + t108 - (sin_lam *
+        (t102 - (sin_lam * p->IHzz)));
+    const double t113 = t102 + (sin_lam * p->IHxx);
+    const double t116 = t99 + (cos_lam * p->IHzz);
+    const double t122 = (cos_lam * t113) - (sin_lam * t116) - (t88 * t93) - (t38 * t89);
+    const double t126 = (t87 * t88) + (t35 * t89);
     const double t128 = t108 + p->IHyy + t126;
     const double t133 = p->IFxx + t126 + (sin_lam * t113) + (cos_lam * t116);
     const double t135 = t111 - t128;
-    const double t136 = t13 * t78;
-    const double t137 = t16 * t93;
-    const double t138 = t16 * t78;
-    const double t141 = t137 + t137 + (t16 * t138);
-    const double t142 = t13 * t93;
-    const double t143 = t16 * t136;
-    const double t144 = t13 * t136;
-    const double t145 = t60 + t78;
-    const double t147 = t39 + t93 + t138;
-    motion->constants[0] = sin_lam;
-    motion->constants[1] = cos_lam;
-    motion->constants[2] = p->IRyy;
-    motion->constants[3] = p->IFyy;
-    motion->constants[4] = p->rhoR;
-    motion->constants[5] = p->rhoF;
-    motion->constants[6] = t13;
-    motion->constants[7] = t16;
-    motion->constants[8] = t17;
-    motion->constants[9] = t22;
-    motion->constants[10] = t25;
-    motion->constants[11] = t26;
-    motion->constants[12] = t27;
-    motion->constants[13] = t35;
-    motion->constants[14] = t39;
-    motion->constants[15] = t53;
-    motion->constants[16] = t58;
-    motion->constants[17] = t60;
-    motion->constants[18] = t70;
-    motion->constants[19] = t75;
-    motion->constants[20] = t78;
-    motion->constants[21] = t87;
-    motion->constants[22] = t93;
-    motion->constants[23] = t111;
-    motion->constants[24] = t122;
-    motion->constants[25] = t128;
-    motion->constants[26] = t133;
-    motion->constants[27] = p->g;
-    motion->constants[28] = t135;
-    motion->constants[29] = t136;
-    motion->constants[30] = t141;
-    motion->constants[31] = t142;
-    motion->constants[32] = t143;
-    motion->constants[33] = t144;
-    motion->constants[34] = t145;
-    motion->constants[35] = t147;
+    const double t136 = t27 * t83;
+    const double t137 = t30 * t96;
+    const double t138 = t30 * t83;
+    const double t141 = t137 + t137 + (t30 * t138);
+    const double t142 = t27 * t96;
+    const double t143 = t30 * t136;
+    const double t144 = t27 * t136;
+    const double t145 = t67 + t83;
+    const double t147 = t49 + t96 + t138;
+    motion->constants[0] = p->w;
+    motion->constants[1] = p->c;
+    motion->constants[2] = sin_lam;
+    motion->constants[3] = cos_lam;
+    motion->constants[4] = p->rR;
+    motion->constants[5] = p->rF;
+    motion->constants[6] = p->IBxx;
+    motion->constants[7] = p->IBxz;
+    motion->constants[8] = p->IBzz;
+    motion->constants[9] = p->mB;
+    motion->constants[10] = p->xB;
+    motion->constants[11] = p->zB;
+    motion->constants[12] = p->IHxx;
+    motion->constants[13] = p->IHxz;
+    motion->constants[14] = p->IHzz;
+    motion->constants[15] = p->mH;
+    motion->constants[16] = p->xH;
+    motion->constants[17] = p->zH;
+    motion->constants[18] = p->IRyy;
+    motion->constants[19] = p->IFyy;
+    motion->constants[20] = p->mF;
+    motion->constants[21] = p->rhoR;
+    motion->constants[22] = p->rhoF;
+    motion->constants[23] = t27;
+    motion->constants[24] = t30;
+    motion->constants[25] = t31;
+    motion->constants[26] = t35;
+    motion->constants[27] = t38;
+    motion->constants[28] = t39;
+    motion->constants[29] = t40;
+    motion->constants[30] = t45;
+    motion->constants[31] = t49;
+    motion->constants[32] = t60;
+    motion->constants[33] = t65;
+    motion->constants[34] = t67;
+    motion->constants[35] = t77;
+    motion->constants[36] = t82;
+    motion->constants[37] = t83;
+    motion->constants[38] = t90;
+    motion->constants[39] = t96;
+    motion->constants[40] = t111;
+    motion->constants[41] = t122;
+    motion->constants[42] = t128;
+    motion->constants[43] = t133;
+    motion->constants[44] = p->g;
+    motion->constants[45] = t135;
+    motion->constants[46] = t136;
+    motion->constants[47] = t141;
+    motion->constants[48] = t142;
+    motion->constants[49] = t143;
+    motion->constants[50] = t144;
+    motion->constants[51] = t145;
+    motion->constants[52] = t147;
 }
 
 static void whipple_tyres_f64_compute_rates(const whipple_tyres_f64_motion_t *motion,
@@ -1217,17 +1234,17 @@ static void whipple_tyres_f64_compute_rates(const whipple_tyres_f64_motion_t *mo
     double sin_phi = 0.0;
     double cos_phi = 0.0;
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
-    const double t5 = motion->constants[8] + (motion->constants[4] * cos_phi);
+    const double t5 = motion->constants[25] + (motion->constants[21] * cos_phi);
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t17 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const double t17 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     double sin_delta = 0.0;
     double cos_delta = 0.0;
     carvallo_sin_cos_f64(positions[5], &sin_delta, &cos_delta);
     const double t20 = cos_phi * t17;
     const double t24 = (sin_phi * sin_delta) - (cos_delta * t20);
-    const double t28 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const double t28 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const double t29 = cos_phi * t28;
     const double t32 = sqrt((t24 * t24) + (t29 * t29));
     const double t33 = 1.0 / t32;
@@ -1235,34 +1252,34 @@ static void whipple_tyres_f64_compute_rates(const whipple_tyres_f64_motion_t *mo
     const double t36 = t29 * t33;
     const double t37 = cos_delta * t36;
     const double t39 = (t28 * t37) - (t17 * t34);
-    const double t44 = ((sin_phi * cos_delta) + (t20 * sin_delta)) * motion->constants[11];
-    const double t47 = sin_delta * motion->constants[9];
-    const double t53 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const double t55 = (t28 * motion->constants[12]) - (t17 * t53);
+    const double t44 = ((sin_phi * cos_delta) + (t20 * sin_delta)) * motion->constants[28];
+    const double t47 = sin_delta * motion->constants[26];
+    const double t53 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const double t55 = (t28 * motion->constants[29]) - (t17 * t53);
     const double t58 = (cos_phi * t47) - (t39 * t44) - (sin_phi * t55);
-    const double t59 = (motion->constants[8] * sin_phi) + t58;
+    const double t59 = (motion->constants[25] * sin_phi) + t58;
     const double t66 = (cos_phi * sin_delta * t36) + (sin_phi * ((t28 * t34) + (t17 * t37)));
-    const double t71 = (t44 * t66) + (t17 * motion->constants[12]) + (t28 * t53);
+    const double t71 = (t44 * t66) + (t17 * motion->constants[29]) + (t28 * t53);
     const double t73 = 1.0 / (cos_phi * t71);
     const double t74 = t59 * t73;
-    const double t80 = (t28 * motion->constants[7]) - (t17 * motion->constants[6]);
+    const double t80 = (t28 * motion->constants[24]) - (t17 * motion->constants[23]);
     const double t82 = t58 + (sin_phi * t80);
     const double t84 = sin_phi * t28;
-    const double t88 = t71 - (t17 * motion->constants[7]) - (t28 * motion->constants[6]);
+    const double t88 = t71 - (t17 * motion->constants[24]) - (t28 * motion->constants[23]);
     const double t91 = t73 * ((t17 * t82) + (t84 * t88));
     const double t93 = (speeds[0] * t74) + (speeds[1] * t91);
     const double t95 = t5 * (speeds[2] + t93);
     double sin_psi = 0.0;
     double cos_psi = 0.0;
     carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
-    const double t99 = motion->constants[4] * speeds[0];
+    const double t99 = motion->constants[21] * speeds[0];
     const double t105 = (cos_psi * t99) - (t95 * sin_psi);
     const double t106 = sin_phi * t71;
     const double t108 = sin_phi * t59;
     const double t110 = (t39 * t106) + (t66 * t108);
     const double t114 = 1.0 / ((t39 * t71) + (t59 * t66));
     const double t116 = t74 * t110 * t114;
-    const double t127 = motion->constants[5] + (t32 * motion->constants[11]) + (sin_phi * t47) +
+    const double t127 = motion->constants[22] + (t32 * motion->constants[28]) + (sin_phi * t47) +
         (cos_phi * t55) - (cos_phi * t80);
     const double t129 = (t29 * t88) - (t17 * t127);
     const double t133 = (t84 * t127) + (t29 * t82);
@@ -1270,7 +1287,7 @@ static void whipple_tyres_f64_compute_rates(const whipple_tyres_f64_motion_t *mo
     const double t141 = t5 * t66 * t114;
     const double t147 = (t66 * t106) - (t39 * t108);
     const double t151 = (t66 * t71) - (t39 * t59);
-    const double t156 = 1.0 / (motion->constants[11] + (t32 * motion->constants[5]));
+    const double t156 = 1.0 / (motion->constants[28] + (t32 * motion->constants[22]));
     const double t173 = (speeds[0] * ((t116 * t151) - (t74 * t147)) * t156) + (speeds[1] * t156 *
         ((t39 * t133) + (t138 * t151) - (t66 * t129) - (t91 * t147)));
     const double t174 = t173 + (speeds[2] * t156 * ((t5 * t39) + (t141 * t151)));
@@ -1308,17 +1325,17 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
     double sin_phi = 0.0;
     double cos_phi = 0.0;
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
-    const double t5 = motion->constants[8] + (motion->constants[4] * cos_phi);
+    const double t5 = motion->constants[25] + (motion->constants[21] * cos_phi);
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t17 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const double t17 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     double sin_delta = 0.0;
     double cos_delta = 0.0;
     carvallo_sin_cos_f64(positions[5], &sin_delta, &cos_delta);
     const double t20 = cos_phi * t17;
     const double t24 = (sin_phi * sin_delta) - (cos_delta * t20);
-    const double t28 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const double t28 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const double t29 = cos_phi * t28;
     const double t32 = sqrt((t24 * t24) + (t29 * t29));
     const double t33 = 1.0 / t32;
@@ -1327,20 +1344,20 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
     const double t37 = cos_delta * t36;
     const double t39 = (t28 * t37) - (t17 * t34);
     const double t42 = (sin_phi * cos_delta) + (t20 * sin_delta);
-    const double t44 = t42 * motion->constants[11];
-    const double t47 = sin_delta * motion->constants[9];
-    const double t53 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const double t55 = (t28 * motion->constants[12]) - (t17 * t53);
+    const double t44 = t42 * motion->constants[28];
+    const double t47 = sin_delta * motion->constants[26];
+    const double t53 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const double t55 = (t28 * motion->constants[29]) - (t17 * t53);
     const double t58 = (cos_phi * t47) - (t39 * t44) - (sin_phi * t55);
-    const double t59 = (motion->constants[8] * sin_phi) + t58;
+    const double t59 = (motion->constants[25] * sin_phi) + t58;
     const double t66 = (cos_phi * sin_delta * t36) + (sin_phi * ((t28 * t34) + (t17 * t37)));
-    const double t71 = (t44 * t66) + (t17 * motion->constants[12]) + (t28 * t53);
+    const double t71 = (t44 * t66) + (t17 * motion->constants[29]) + (t28 * t53);
     const double t73 = 1.0 / (cos_phi * t71);
     const double t74 = t59 * t73;
-    const double t80 = (t28 * motion->constants[7]) - (t17 * motion->constants[6]);
+    const double t80 = (t28 * motion->constants[24]) - (t17 * motion->constants[23]);
     const double t82 = t58 + (sin_phi * t80);
     const double t84 = sin_phi * t28;
-    const double t88 = t71 - (t17 * motion->constants[7]) - (t28 * motion->constants[6]);
+    const double t88 = t71 - (t17 * motion->constants[24]) - (t28 * motion->constants[23]);
     const double t91 = t73 * ((t17 * t82) + (t84 * t88));
     const double t93 = (speeds[0] * t74) + (speeds[1] * t91);
     const double t94 = speeds[2] + t93;
@@ -1348,14 +1365,14 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
     double sin_psi = 0.0;
     double cos_psi = 0.0;
     carvallo_sin_cos_f64(positions[2], &sin_psi, &cos_psi);
-    const double t99 = motion->constants[4] * speeds[0];
+    const double t99 = motion->constants[21] * speeds[0];
     const double t105 = (cos_psi * t99) - (t95 * sin_psi);
     const double t106 = sin_phi * t71;
     const double t108 = sin_phi * t59;
     const double t110 = (t39 * t106) + (t66 * t108);
     const double t114 = 1.0 / ((t39 * t71) + (t59 * t66));
     const double t116 = t74 * t110 * t114;
-    const double t127 = motion->constants[5] + (t32 * motion->constants[11]) + (sin_phi * t47) +
+    const double t127 = motion->constants[22] + (t32 * motion->constants[28]) + (sin_phi * t47) +
         (cos_phi * t55) - (cos_phi * t80);
     const double t129 = (t29 * t88) - (t17 * t127);
     const double t133 = (t84 * t127) + (t29 * t82);
@@ -1364,7 +1381,7 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
     const double t144 = (speeds[0] * t116) + (speeds[1] * t138) + (speeds[2] * t141);
     const double t147 = (t66 * t106) - (t39 * t108);
     const double t151 = (t66 * t71) - (t39 * t59);
-    const double t155 = motion->constants[11] + (t32 * motion->constants[5]);
+    const double t155 = motion->constants[28] + (t32 * motion->constants[22]);
     const double t156 = 1.0 / t155;
     const double t157 = ((t116 * t151) - (t74 * t147)) * t156;
     const double t166 = t156 * ((t39 * t133) + (t138 * t151) - (t66 * t129) - (t91 * t147));
@@ -1373,36 +1390,37 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
     const double t177 = cos_phi * t144;
     const double t178 = t94 * t177;
     const double t180 = sin_phi * t144;
-    const double t181 = motion->constants[8] * t180;
+    const double t181 = motion->constants[25] * t180;
     const double t183 = (t177 * t181) - (t5 * t178);
-    const double t186 = t183 + (sin_phi * motion->constants[27]);
+    const double t186 = t183 + (sin_phi * motion->constants[44]);
     const double t191 = (speeds[0] * t17) - (t28 * t177);
     const double t192 = t93 * t191;
     const double t193 = speeds[0] * t180;
     const double t194 = t93 - t180;
-    const double t195 = motion->constants[7] * t194;
+    const double t195 = motion->constants[24] * t194;
     const double t199 = (speeds[0] * t28) + (t17 * t177);
-    const double t200 = motion->constants[6] * t194;
+    const double t200 = motion->constants[23] * t194;
     const double t202 = (t191 * t195) + (t199 * t200);
     const double t204 = t93 * t199;
     const double t205 = (t28 * t193) + t204;
     const double t208 = t192 + (t17 * t193);
-    const double t212 = t202 + (motion->constants[6] * t205) + (motion->constants[7] * t208) - t183;
-    const double t217 = (motion->constants[6] * t191) - (motion->constants[7] * t199);
+    const double t212 = t202 + (motion->constants[23] * t205) + (motion->constants[24] * t208) -
+        t183;
+    const double t217 = (motion->constants[23] * t191) - (motion->constants[24] * t199);
     const double t219 = (t194 * t200) + (t191 * t217);
     const double t220 = speeds[0] * t177;
-    const double t223 = motion->constants[4] * sin_phi;
+    const double t223 = motion->constants[21] * sin_phi;
     const double t224 = speeds[0] * t94;
-    const double t227 = motion->constants[8] * speeds[0];
+    const double t227 = motion->constants[25] * speeds[0];
     const double t228 = t177 * t227;
     const double t230 = (t5 * t220) + (t223 * (t193 + t224)) + t228;
     const double t237 = (t178 * t223) + (t181 * (t94 - t180)) - (speeds[0] * t227);
-    const double t241 = (t28 * t230) + (t17 * t237) - t219 - (motion->constants[7] * t220);
+    const double t241 = (t28 * t230) + (t17 * t237) - t219 - (motion->constants[24] * t220);
     const double t243 = speeds[1] + t191;
     const double t247 = (cos_delta * t194) - (sin_delta * t199);
-    const double t248 = motion->constants[10] * t247;
+    const double t248 = motion->constants[27] * t247;
     const double t252 = (cos_delta * t199) + (sin_delta * t194);
-    const double t253 = motion->constants[9] * t247;
+    const double t253 = motion->constants[26] * t247;
     const double t258 = speeds[1] * t247;
     const double t260 = t258 - (cos_delta * t208) - (sin_delta * t220);
     const double t262 = t34 * t155;
@@ -1412,23 +1430,23 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
     const double t274 = t33 * ((t34 * t252) + (t36 * t243)) * t44;
     const double t275 = t36 * t274;
     const double t277 = t34 * t274;
-    const double t283 = (cos_delta * t212) + (t243 * t248) + (t252 * t253) + (motion->constants[9] *
-        t205) + (t262 * t264) + (t243 * t275);
-    const double t287 = t283 + (t252 * t277) - (sin_delta * t241) - (motion->constants[10] * t260) -
+    const double t283 = (cos_delta * t212) + (t243 * t248) + (t252 * t253) +
+        (motion->constants[26] * t205) + (t262 * t264) + (t243 * t275);
+    const double t287 = t283 + (t252 * t277) - (sin_delta * t241) - (motion->constants[27] * t260) -
         (t266 * t268);
-    const double t294 = (motion->constants[9] * t243) - (motion->constants[10] * t252);
+    const double t294 = (motion->constants[26] * t243) - (motion->constants[27] * t252);
     const double t298 = speeds[1] * t252;
     const double t300 = (sin_delta * t208) - (cos_delta * t220) - t298;
-    const double t303 = t42 * motion->constants[5];
+    const double t303 = t42 * motion->constants[22];
     const double t305 = t174 + t247;
-    const double t310 = motion->constants[11] * ((t34 * t243) - (t36 * t252));
-    const double t316 = (cos_delta * t241) + (sin_delta * t212) + (motion->constants[10] * t300) +
+    const double t310 = motion->constants[28] * ((t34 * t243) - (t36 * t252));
+    const double t316 = (cos_delta * t241) + (sin_delta * t212) + (motion->constants[27] * t300) +
         (t266 * t300) - (t247 * t253) - (t243 * t294);
     const double t319 = t316 - (t264 * t303) - (t277 * t305) - (t243 * t310);
     const double t323 = (t199 * t217) - (t194 * t195);
-    const double t338 = t323 + (motion->constants[6] * t220) + (t17 * t230) + (t252 * t294) +
+    const double t338 = t323 + (motion->constants[23] * t220) + (t17 * t230) + (t252 * t294) +
         (t268 * t303) + (t252 * t310);
-    const double t343 = t338 - (t28 * t237) - (t247 * t248) - (motion->constants[9] * t300) -
+    const double t343 = t338 - (t28 * t237) - (t247 * t248) - (motion->constants[26] * t300) -
         (t262 * t300) - (t275 * t305);
     const double t345 = (t34 * t319) + (t36 * t343);
     const double t350 = t73 * ((t42 * t287) + (t32 * t345));
@@ -1436,118 +1454,119 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
     const double t356 = t193 - (cos_phi * t354);
     const double t358 = t192 + (t17 * t356);
     const double t362 = t204 + (t28 * t356);
-    const double t369 = (t194 * motion->constants[16]) + (motion->constants[2] * (speeds[2] +
+    const double t369 = (t194 * motion->constants[33]) + (motion->constants[18] * (speeds[2] +
         t194));
-    const double t374 = (t199 * motion->constants[18]) + (motion->constants[15] * t191);
-    const double t381 = t202 + (motion->constants[6] * t362) + (motion->constants[7] * t358) - t186;
+    const double t374 = (t199 * motion->constants[35]) + (motion->constants[32] * t191);
+    const double t381 = t202 + (motion->constants[23] * t362) + (motion->constants[24] * t358) -
+        t186;
     const double t385 = t350 - t220 - (sin_phi * t354);
     const double t391 = (t5 * t385) - t228 - (t223 * (t224 + t356));
-    const double t394 = t237 + (cos_phi * motion->constants[27]);
+    const double t394 = t237 + (cos_phi * motion->constants[44]);
     const double t396 = (t17 * t394) - (t28 * t391);
-    const double t398 = (motion->constants[7] * t385) + t396 - t219;
+    const double t398 = (motion->constants[24] * t385) + t396 - t219;
     const double t400 = (cos_delta * t381) - (sin_delta * t398);
     const double t406 = t258 + (sin_delta * t385) - (cos_delta * t358);
-    const double t414 = (t247 * motion->constants[25]) + (t305 * motion->constants[3]);
-    const double t419 = (t252 * motion->constants[23]) + (t243 * motion->constants[24]);
-    const double t424 = (motion->constants[21] * t400) + (motion->constants[24] * t406) + (t362 *
-        motion->constants[26]) + (t252 * t414) - (t247 * t419);
+    const double t414 = (t247 * motion->constants[42]) + (t305 * motion->constants[19]);
+    const double t419 = (t252 * motion->constants[40]) + (t243 * motion->constants[41]);
+    const double t424 = (motion->constants[38] * t400) + (motion->constants[41] * t406) + (t362 *
+        motion->constants[43]) + (t252 * t414) - (t247 * t419);
     const double t428 = (cos_delta * t398) + (sin_delta * t381);
     const double t434 = (cos_delta * t385) + (sin_delta * t358) - t298;
-    const double t436 = t247 * motion->constants[21];
-    const double t440 = (t243 * motion->constants[21]) - (t252 * motion->constants[22]);
-    const double t444 = (motion->constants[20] * t428) + (motion->constants[22] * t434) - (t247 *
+    const double t436 = t247 * motion->constants[38];
+    const double t440 = (t243 * motion->constants[38]) - (t252 * motion->constants[39]);
+    const double t444 = (motion->constants[37] * t428) + (motion->constants[39] * t434) - (t247 *
         t436) - (t243 * t440);
-    const double t449 = t247 * motion->constants[22];
-    const double t455 = (t400 * motion->constants[20]) + (t362 * motion->constants[21]) + (t243 *
-        t449) + (t252 * t436) - (t406 * motion->constants[22]);
+    const double t449 = t247 * motion->constants[39];
+    const double t455 = (t400 * motion->constants[37]) + (t362 * motion->constants[38]) + (t243 *
+        t449) + (t252 * t436) - (t406 * motion->constants[39]);
     const double t457 = (sin_delta * t444) + (cos_delta * t455);
-    const double t463 = (motion->constants[19] * t362) + (t199 * t369) + t424 +
-        (motion->constants[6] * t457) - (motion->constants[13] * t186) - (motion->constants[15] *
+    const double t463 = (motion->constants[36] * t362) + (t199 * t369) + t424 +
+        (motion->constants[23] * t457) - (motion->constants[30] * t186) - (motion->constants[32] *
         t358);
     const double t464 = t463 - (t194 * t374);
-    const double t472 = (motion->constants[15] * t199) + (t191 * motion->constants[19]);
-    const double t480 = (t252 * motion->constants[24]) + (t243 * motion->constants[26]);
-    const double t486 = (t406 * motion->constants[23]) + (t362 * motion->constants[24]) + (t247 *
-        t480) - (t400 * motion->constants[22]) - (t243 * t414);
+    const double t472 = (motion->constants[32] * t199) + (t191 * motion->constants[36]);
+    const double t480 = (t252 * motion->constants[41]) + (t243 * motion->constants[43]);
+    const double t486 = (t406 * motion->constants[40]) + (t362 * motion->constants[41]) + (t247 *
+        t480) - (t400 * motion->constants[39]) - (t243 * t414);
     const double t492 = (t28 * t394) + (t17 * t391);
-    const double t494 = t323 - (motion->constants[6] * t385) - t492;
+    const double t494 = t323 - (motion->constants[23] * t385) - t492;
     const double t505 = t434 + (t156 * ((t34 * t343) + (t151 * t354) - (t36 * t319) - (t147 *
         t350)));
-    const double t506 = motion->constants[3] * t505;
-    const double t513 = (t428 * motion->constants[22]) + (motion->constants[25] * t434) + t506 +
-        (t243 * t419) - (motion->constants[21] * t494) - (t252 * t480);
-    const double t520 = (t186 * motion->constants[14]) + (motion->constants[15] * t362) + (t194 *
-        t472) + (cos_delta * t486) - (t358 * motion->constants[18]) - (t191 * t369);
-    const double t522 = t520 - (sin_delta * t513) - (motion->constants[7] * t457);
-    const double t529 = (motion->constants[13] * t191) - (t199 * motion->constants[14]);
-    const double t531 = t194 * motion->constants[14];
-    const double t539 = (motion->constants[20] * t494) + (t252 * t440) - (motion->constants[21] *
+    const double t506 = motion->constants[19] * t505;
+    const double t513 = (t428 * motion->constants[39]) + (motion->constants[42] * t434) + t506 +
+        (t243 * t419) - (motion->constants[38] * t494) - (t252 * t480);
+    const double t520 = (t186 * motion->constants[31]) + (motion->constants[32] * t362) + (t194 *
+        t472) + (cos_delta * t486) - (t358 * motion->constants[35]) - (t191 * t369);
+    const double t522 = t520 - (sin_delta * t513) - (motion->constants[24] * t457);
+    const double t529 = (motion->constants[30] * t191) - (t199 * motion->constants[31]);
+    const double t531 = t194 * motion->constants[31];
+    const double t539 = (motion->constants[37] * t494) + (t252 * t440) - (motion->constants[38] *
         t434) - (t247 * t449);
-    const double t543 = (t199 * t529) + t539 - (t492 * motion->constants[17]) -
-        (motion->constants[13] * t385) - (t194 * t531);
-    const double t547 = motion->constants[13] * t194;
+    const double t543 = (t199 * t529) + t539 - (t492 * motion->constants[34]) -
+        (motion->constants[30] * t385) - (t194 * t531);
+    const double t547 = motion->constants[30] * t194;
     const double t552 = (cos_delta * t444) - (sin_delta * t455);
-    const double t556 = (t396 * motion->constants[17]) + (t385 * motion->constants[14]) + t552 -
+    const double t556 = (t396 * motion->constants[34]) + (t385 * motion->constants[31]) + t552 -
         (t194 * t547) - (t191 * t529);
-    const double t569 = t457 + (motion->constants[13] * t362) + (t358 * motion->constants[14]) +
-        (t191 * t531) + (t199 * t547) - (t186 * motion->constants[17]);
+    const double t569 = t457 + (motion->constants[30] * t362) + (t358 * motion->constants[31]) +
+        (t191 * t531) + (t199 * t547) - (t186 * motion->constants[34]);
     const double t572 = t74 - (sin_phi * t116);
     const double t585 = (t17 * t543) + (t28 * t556);
-    const double t587 = (motion->constants[2] * t385) - (t5 * t585);
-    const double t592 = (t396 * motion->constants[14]) + (motion->constants[13] * t492) +
-        (motion->constants[16] * t385) + (t191 * t374) + (sin_delta * t486) + (cos_delta * t513);
-    const double t596 = t592 + (motion->constants[7] * t552) + t587 - (t199 * t472) -
-        (motion->constants[6] * t539);
+    const double t587 = (motion->constants[18] * t385) - (t5 * t585);
+    const double t592 = (t396 * motion->constants[31]) + (motion->constants[30] * t492) +
+        (motion->constants[33] * t385) + (t191 * t374) + (sin_delta * t486) + (cos_delta * t513);
+    const double t596 = t592 + (motion->constants[24] * t552) + t587 - (t199 * t472) -
+        (motion->constants[23] * t539);
     const double t598 = cos_phi * t116;
     const double t603 = (t28 * t464) + (t223 * t585) - (t17 * t522);
     const double t608 = forces[0] + (t223 * ((t28 * t543) - (t17 * t556))) + (t598 * t603) - (t17 *
         t464);
     const double t612 = t608 - (t28 * t522) - (t5 * t569) - (t572 * t596) - (t157 * t506);
-    const double t614 = sin_delta * motion->constants[28];
+    const double t614 = sin_delta * motion->constants[45];
     const double t615 = sin_delta * t614;
-    const double t619 = motion->constants[18] + motion->constants[23] + motion->constants[30] -
+    const double t619 = motion->constants[35] + motion->constants[40] + motion->constants[47] -
         t615;
-    const double t620 = cos_delta * motion->constants[21];
-    const double t621 = motion->constants[6] * t620;
-    const double t624 = t621 + t621 + motion->constants[33];
-    const double t626 = motion->constants[19] + motion->constants[26] + t624;
+    const double t620 = cos_delta * motion->constants[38];
+    const double t621 = motion->constants[23] * t620;
+    const double t624 = t621 + t621 + motion->constants[50];
+    const double t626 = motion->constants[36] + motion->constants[43] + t624;
     const double t627 = t626 - t619;
     const double t628 = t17 * t17;
     const double t630 = t17 * t28;
-    const double t635 = (cos_delta * motion->constants[24]) - (motion->constants[7] * t620);
-    const double t638 = motion->constants[15] + t635 - motion->constants[31] -
-        motion->constants[32];
+    const double t635 = (cos_delta * motion->constants[41]) - (motion->constants[24] * t620);
+    const double t638 = motion->constants[32] + t635 - motion->constants[48] -
+        motion->constants[49];
     const double t639 = t638 + t638;
     const double t641 = (t627 * t628) + (t630 * t639);
-    const double t642 = sin_delta * motion->constants[21];
+    const double t642 = sin_delta * motion->constants[38];
     const double t643 = t223 * t642;
-    const double t645 = t223 * motion->constants[34];
+    const double t645 = t223 * motion->constants[51];
     const double t648 = (t223 * t645) - t643 - t643;
-    const double t653 = motion->constants[13] + t620 + motion->constants[29];
-    const double t655 = (t28 * motion->constants[35]) - (t17 * t653);
+    const double t653 = motion->constants[30] + t620 + motion->constants[46];
+    const double t655 = (t28 * motion->constants[52]) - (t17 * t653);
     const double t656 = t5 * t655;
-    const double t657 = t5 * motion->constants[34];
+    const double t657 = t5 * motion->constants[51];
     const double t658 = t5 * t657;
     const double t660 = t658 - t656 - t656;
-    const double t663 = (sin_delta * motion->constants[24]) - (motion->constants[7] * t642);
-    const double t667 = (cos_delta * t614) - (motion->constants[6] * t642);
-    const double t671 = (t17 * motion->constants[35]) + (t28 * t653);
+    const double t663 = (sin_delta * motion->constants[41]) - (motion->constants[24] * t642);
+    const double t667 = (cos_delta * t614) - (motion->constants[23] * t642);
+    const double t671 = (t17 * motion->constants[52]) + (t28 * t653);
     const double t674 = (t17 * t663) + (t28 * t667) + (t223 * t671);
     const double t681 = t638 + (t627 * t630) + (t5 * t671) - (t628 * t639);
-    const double t687 = motion->constants[16] + motion->constants[25] + t615 +
-        motion->constants[30] + t624 + t660;
+    const double t687 = motion->constants[33] + motion->constants[42] + t615 +
+        motion->constants[47] + t624 + t660;
     const double t697 = (t28 * t663) + (t223 * t655) + (t5 * t642) - (t17 * t667) - (t5 * t645);
     const double t704 = t626 + t648 - t641;
-    const double t709 = motion->constants[2] * t572;
+    const double t709 = motion->constants[18] * t572;
     const double t713 = t17 * sin_delta;
     const double t717 = t157 + (cos_delta * t572) - (sin_delta * t28) - (t598 * t713);
-    const double t718 = motion->constants[3] * t717;
+    const double t718 = motion->constants[19] * t717;
     const double t725 = t619 + t641 + t648 + t660 + (t572 * t674) + (t572 * (t674 + (t572 * t687) -
         (t598 * t697))) + (t572 * t709);
     const double t728 = t725 + (t717 * t718) - (t598 * t681) - (t598 * (t681 + (t572 * t697) -
         (t598 * t704)));
     const double t729 = 1.0 / t728;
-    const double t731 = motion->constants[26] + t621;
+    const double t731 = motion->constants[43] + t621;
     const double t737 = t91 - (sin_phi * t138);
     const double t739 = cos_phi * t138;
     const double t741 = t28 * t642;
@@ -1561,10 +1580,10 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
         (t709 * t737);
     const double t774 = t729 * (t769 + (t718 * t763) - (t17 * t643) - (t681 * t739) - (t598 *
         t757));
-    const double t779 = motion->constants[2] * t737;
-    const double t781 = motion->constants[3] * t763;
+    const double t779 = motion->constants[18] * t737;
+    const double t781 = motion->constants[19] * t763;
     const double t783 = t728 * t774;
-    const double t789 = motion->constants[26] + (t737 * t747) + (t737 * t743) + (t737 * t779) +
+    const double t789 = motion->constants[43] + (t737 * t747) + (t737 * t743) + (t737 * t779) +
         (t763 * t781) - (t739 * t757);
     const double t791 = t789 - (t739 * t753) - (t774 * t783);
     const double t792 = 1.0 / t791;
@@ -1586,8 +1605,8 @@ static void whipple_tyres_f64_compute_derivatives(const whipple_tyres_f64_motion
     const double t850 = t792 * (t847 - (t753 * t808) - (t783 * t841));
     const double t860 = (t596 * t806) + (t603 * t808) - t587 - (t171 * t506) - (t612 * t841) -
         (t802 * t850);
-    const double t877 = t658 + (t806 * t811) + (t805 * t806) + (motion->constants[2] * t823 *
-        t823) + (motion->constants[3] * t828 * t828) - (t808 * t818);
+    const double t877 = t658 + (t806 * t811) + (t805 * t806) + (motion->constants[18] * t823 *
+        t823) + (motion->constants[19] * t828 * t828) - (t808 * t818);
     const double t881 = t860 / (t877 - (t808 * t814) - (t728 * t841 * t841) - (t791 * t850 * t850));
     const double t883 = (t792 * t802) - (t850 * t881);
     const double t887 = (t612 * t729) - (t774 * t883) - (t841 * t881);
@@ -1637,13 +1656,13 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t15 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const double t15 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     double sin_delta = 0.0;
     double cos_delta = 0.0;
     carvallo_sin_cos_f64(positions[5], &sin_delta, &cos_delta);
     const double t19 = t15 * cos_phi;
     const double t23 = (sin_phi * sin_delta) - (cos_delta * t19);
-    const double t27 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const double t27 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const double t28 = cos_phi * t27;
     const double t31 = sqrt((t23 * t23) + (t28 * t28));
     const double t32 = 1.0 / t31;
@@ -1652,31 +1671,31 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
     const double t36 = cos_delta * t35;
     const double t38 = (t27 * t36) - (t15 * t33);
     const double t41 = (sin_phi * cos_delta) + (t19 * sin_delta);
-    const double t43 = t41 * motion->constants[11];
-    const double t46 = sin_delta * motion->constants[9];
-    const double t52 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const double t54 = (t27 * motion->constants[12]) - (t15 * t52);
+    const double t43 = t41 * motion->constants[28];
+    const double t46 = sin_delta * motion->constants[26];
+    const double t52 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const double t54 = (t27 * motion->constants[29]) - (t15 * t52);
     const double t57 = (cos_phi * t46) - (t38 * t43) - (sin_phi * t54);
-    const double t58 = (sin_phi * motion->constants[8]) + t57;
+    const double t58 = (sin_phi * motion->constants[25]) + t57;
     const double t65 = (cos_phi * sin_delta * t35) + (sin_phi * ((t27 * t33) + (t15 * t36)));
-    const double t70 = (t43 * t65) + (t15 * motion->constants[12]) + (t27 * t52);
+    const double t70 = (t43 * t65) + (t15 * motion->constants[29]) + (t27 * t52);
     const double t72 = 1.0 / (cos_phi * t70);
     const double t73 = t58 * t72;
-    const double t79 = (t27 * motion->constants[7]) - (t15 * motion->constants[6]);
+    const double t79 = (t27 * motion->constants[24]) - (t15 * motion->constants[23]);
     const double t81 = t57 + (sin_phi * t79);
     const double t83 = sin_phi * t27;
-    const double t87 = t70 - (t15 * motion->constants[7]) - (t27 * motion->constants[6]);
+    const double t87 = t70 - (t15 * motion->constants[24]) - (t27 * motion->constants[23]);
     const double t90 = t72 * ((t15 * t81) + (t83 * t87));
     const double t92 = (speeds[0] * t73) + (speeds[1] * t90);
     const double t93 = speeds[2] + t92;
-    const double t95 = speeds[0] * motion->constants[4];
-    const double t99 = motion->constants[8] + (cos_phi * motion->constants[4]);
+    const double t95 = speeds[0] * motion->constants[21];
+    const double t99 = motion->constants[25] + (cos_phi * motion->constants[21]);
     const double t103 = 1.0 / ((t38 * t70) + (t58 * t65));
     const double t104 = sin_phi * t70;
     const double t106 = sin_phi * t58;
     const double t108 = (t38 * t104) + (t65 * t106);
     const double t110 = t73 * t103 * t108;
-    const double t121 = motion->constants[5] + (t31 * motion->constants[11]) + (sin_phi * t46) +
+    const double t121 = motion->constants[22] + (t31 * motion->constants[28]) + (sin_phi * t46) +
         (cos_phi * t54) - (cos_phi * t79);
     const double t123 = (t28 * t87) - (t15 * t121);
     const double t127 = (t83 * t121) + (t28 * t81);
@@ -1688,9 +1707,9 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
     const double t143 = (speeds[0] * t15) - (t27 * t139);
     const double t144 = sin_phi * t138;
     const double t145 = t92 - t144;
-    const double t146 = motion->constants[7] * t145;
+    const double t146 = motion->constants[24] * t145;
     const double t150 = (speeds[0] * t27) + (t15 * t139);
-    const double t151 = motion->constants[6] * t145;
+    const double t151 = motion->constants[23] * t145;
     const double t153 = (t143 * t146) + (t150 * t151);
     const double t154 = speeds[0] * t144;
     const double t156 = t92 * t150;
@@ -1698,26 +1717,27 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
     const double t160 = t92 * t143;
     const double t161 = (t15 * t154) + t160;
     const double t163 = t93 * t139;
-    const double t165 = motion->constants[8] * t144;
+    const double t165 = motion->constants[25] * t144;
     const double t167 = (t139 * t165) - (t99 * t163);
-    const double t170 = t153 + (motion->constants[6] * t157) + (motion->constants[7] * t161) - t167;
-    const double t175 = (motion->constants[6] * t143) - (motion->constants[7] * t150);
+    const double t170 = t153 + (motion->constants[23] * t157) + (motion->constants[24] * t161) -
+        t167;
+    const double t175 = (motion->constants[23] * t143) - (motion->constants[24] * t150);
     const double t177 = (t145 * t151) + (t143 * t175);
-    const double t179 = speeds[0] * motion->constants[8];
+    const double t179 = speeds[0] * motion->constants[25];
     const double t180 = t139 * t179;
-    const double t182 = sin_phi * motion->constants[4];
+    const double t182 = sin_phi * motion->constants[21];
     const double t183 = speeds[0] * t93;
     const double t187 = t180 + (t99 * t140) + (t182 * (t154 + t183));
     const double t194 = (t163 * t182) + (t165 * (t93 - t144)) - (speeds[0] * t179);
-    const double t198 = (t27 * t187) + (t15 * t194) - t177 - (motion->constants[7] * t140);
+    const double t198 = (t27 * t187) + (t15 * t194) - t177 - (motion->constants[24] * t140);
     const double t200 = speeds[1] + t143;
     const double t204 = (cos_delta * t145) - (sin_delta * t150);
-    const double t205 = motion->constants[10] * t204;
+    const double t205 = motion->constants[27] * t204;
     const double t209 = (cos_delta * t150) + (sin_delta * t145);
-    const double t210 = motion->constants[9] * t204;
+    const double t210 = motion->constants[26] * t204;
     const double t215 = speeds[1] * t204;
     const double t217 = t215 - (cos_delta * t161) - (sin_delta * t140);
-    const double t220 = motion->constants[11] + (t31 * motion->constants[5]);
+    const double t220 = motion->constants[28] + (t31 * motion->constants[22]);
     const double t221 = t33 * t220;
     const double t224 = (t65 * t104) - (t38 * t106);
     const double t228 = (t65 * t70) - (t38 * t58);
@@ -1732,130 +1752,131 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
     const double t261 = t32 * ((t33 * t209) + (t35 * t200)) * t43;
     const double t262 = t35 * t261;
     const double t264 = t33 * t261;
-    const double t270 = (cos_delta * t170) + (t200 * t205) + (t209 * t210) + (motion->constants[9] *
-        t157) + (t221 * t251) + (t200 * t262);
-    const double t274 = t270 + (t209 * t264) - (sin_delta * t198) - (motion->constants[10] * t217) -
+    const double t270 = (cos_delta * t170) + (t200 * t205) + (t209 * t210) +
+        (motion->constants[26] * t157) + (t221 * t251) + (t200 * t262);
+    const double t274 = t270 + (t209 * t264) - (sin_delta * t198) - (motion->constants[27] * t217) -
         (t253 * t255);
-    const double t281 = (motion->constants[9] * t200) - (motion->constants[10] * t209);
+    const double t281 = (motion->constants[26] * t200) - (motion->constants[27] * t209);
     const double t285 = speeds[1] * t209;
     const double t287 = (sin_delta * t161) - (cos_delta * t140) - t285;
-    const double t290 = t41 * motion->constants[5];
+    const double t290 = t41 * motion->constants[22];
     const double t292 = t204 + t249;
-    const double t297 = motion->constants[11] * ((t33 * t200) - (t35 * t209));
-    const double t303 = (cos_delta * t198) + (sin_delta * t170) + (motion->constants[10] * t287) +
+    const double t297 = motion->constants[28] * ((t33 * t200) - (t35 * t209));
+    const double t303 = (cos_delta * t198) + (sin_delta * t170) + (motion->constants[27] * t287) +
         (t253 * t287) - (t204 * t210) - (t200 * t281);
     const double t306 = t303 - (t251 * t290) - (t264 * t292) - (t200 * t297);
     const double t310 = (t150 * t175) - (t145 * t146);
-    const double t325 = t310 + (motion->constants[6] * t140) + (t15 * t187) + (t209 * t281) +
+    const double t325 = t310 + (motion->constants[23] * t140) + (t15 * t187) + (t209 * t281) +
         (t255 * t290) + (t209 * t297);
-    const double t330 = t325 - (t27 * t194) - (t204 * t205) - (motion->constants[9] * t287) -
+    const double t330 = t325 - (t27 * t194) - (t204 * t205) - (motion->constants[26] * t287) -
         (t221 * t287) - (t262 * t292);
     const double t332 = (t33 * t306) + (t35 * t330);
     const double t335 = t72 * ((t41 * t274) + (t31 * t332));
     const double t341 = t103 * ((t31 * t274) + (t108 * t335) - (t41 * t332));
     const double t344 = t335 - t140 - (sin_phi * t341);
-    const double t349 = t194 + (cos_phi * motion->constants[27]);
+    const double t349 = t194 + (cos_phi * motion->constants[44]);
     const double t353 = t154 - (cos_phi * t341);
     const double t357 = (t99 * t344) - t180 - (t182 * (t183 + t353));
     const double t359 = (t27 * t349) + (t15 * t357);
-    const double t362 = t310 - t359 - (motion->constants[6] * t344);
+    const double t362 = t310 - t359 - (motion->constants[23] * t344);
     const double t368 = t160 + (t15 * t353);
     const double t371 = (cos_delta * t344) + (sin_delta * t368) - t285;
-    const double t376 = (t200 * motion->constants[21]) - (t209 * motion->constants[22]);
-    const double t378 = t204 * motion->constants[22];
-    const double t382 = (t362 * motion->constants[20]) + (t209 * t376) - (motion->constants[21] *
+    const double t376 = (t200 * motion->constants[38]) - (t209 * motion->constants[39]);
+    const double t378 = t204 * motion->constants[39];
+    const double t382 = (t362 * motion->constants[37]) + (t209 * t376) - (motion->constants[38] *
         t371) - (t204 * t378);
-    const double t390 = (t143 * motion->constants[13]) - (motion->constants[14] * t150);
-    const double t392 = motion->constants[14] * t145;
-    const double t397 = t382 + (t150 * t390) - (t359 * motion->constants[17]) - (t344 *
-        motion->constants[13]) - (t145 * t392);
+    const double t390 = (t143 * motion->constants[30]) - (motion->constants[31] * t150);
+    const double t392 = motion->constants[31] * t145;
+    const double t397 = t382 + (t150 * t390) - (t359 * motion->constants[34]) - (t344 *
+        motion->constants[30]) - (t145 * t392);
     const double t401 = (t15 * t349) - (t27 * t357);
-    const double t404 = t401 + (motion->constants[7] * t344) - t177;
+    const double t404 = t401 + (motion->constants[24] * t344) - t177;
     const double t407 = t156 + (t27 * t353);
-    const double t411 = t167 + (sin_phi * motion->constants[27]);
-    const double t414 = t153 + (motion->constants[6] * t407) + (motion->constants[7] * t368) - t411;
+    const double t411 = t167 + (sin_phi * motion->constants[44]);
+    const double t414 = t153 + (motion->constants[23] * t407) + (motion->constants[24] * t368) -
+        t411;
     const double t416 = (cos_delta * t404) + (sin_delta * t414);
-    const double t419 = t204 * motion->constants[21];
-    const double t424 = (t416 * motion->constants[20]) + (motion->constants[22] * t371) - (t204 *
+    const double t419 = t204 * motion->constants[38];
+    const double t424 = (t416 * motion->constants[37]) + (motion->constants[39] * t371) - (t204 *
         t419) - (t200 * t376);
     const double t428 = (cos_delta * t414) - (sin_delta * t404);
     const double t434 = t215 + (sin_delta * t344) - (cos_delta * t368);
-    const double t441 = (t428 * motion->constants[20]) + (t407 * motion->constants[21]) + (t200 *
-        t378) + (t209 * t419) - (motion->constants[22] * t434);
+    const double t441 = (t428 * motion->constants[37]) + (t407 * motion->constants[38]) + (t200 *
+        t378) + (t209 * t419) - (motion->constants[39] * t434);
     const double t443 = (cos_delta * t424) - (sin_delta * t441);
-    const double t446 = t145 * motion->constants[13];
-    const double t452 = t443 + (t401 * motion->constants[17]) + (motion->constants[14] * t344) -
+    const double t446 = t145 * motion->constants[30];
+    const double t452 = t443 + (t401 * motion->constants[34]) + (motion->constants[31] * t344) -
         (t145 * t446) - (t143 * t390);
     const double t454 = (t15 * t397) + (t27 * t452);
-    const double t456 = (t344 * motion->constants[2]) - (t99 * t454);
+    const double t456 = (t344 * motion->constants[18]) - (t99 * t454);
     const double t457 = sin_phi * t135;
-    const double t466 = (t150 * motion->constants[18]) + (t143 * motion->constants[15]);
-    const double t471 = (t150 * motion->constants[15]) + (t143 * motion->constants[19]);
-    const double t481 = (t209 * motion->constants[24]) + (t200 * motion->constants[26]);
-    const double t487 = (t204 * motion->constants[25]) + (t292 * motion->constants[3]);
-    const double t492 = (motion->constants[23] * t434) + (t407 * motion->constants[24]) + (t204 *
-        t481) - (motion->constants[22] * t428) - (t200 * t487);
+    const double t466 = (t150 * motion->constants[35]) + (t143 * motion->constants[32]);
+    const double t471 = (t150 * motion->constants[32]) + (t143 * motion->constants[36]);
+    const double t481 = (t209 * motion->constants[41]) + (t200 * motion->constants[43]);
+    const double t487 = (t204 * motion->constants[42]) + (t292 * motion->constants[19]);
+    const double t492 = (motion->constants[40] * t434) + (t407 * motion->constants[41]) + (t204 *
+        t481) - (motion->constants[39] * t428) - (t200 * t487);
     const double t504 = t231 * ((t33 * t330) + (t228 * t341) - (t35 * t306) - (t224 * t335));
-    const double t506 = motion->constants[3] * (t371 + t504);
-    const double t509 = (t209 * motion->constants[23]) + (t200 * motion->constants[24]);
-    const double t516 = (motion->constants[22] * t416) + (motion->constants[25] * t371) + t506 +
-        (t200 * t509) - (motion->constants[21] * t362) - (t209 * t481);
-    const double t524 = (motion->constants[14] * t401) + (motion->constants[13] * t359) + (t344 *
-        motion->constants[16]) + (t143 * t466) + (sin_delta * t492) + (cos_delta * t516);
-    const double t528 = t524 + (motion->constants[7] * t443) + t456 - (t150 * t471) -
-        (motion->constants[6] * t382);
+    const double t506 = motion->constants[19] * (t371 + t504);
+    const double t509 = (t209 * motion->constants[40]) + (t200 * motion->constants[41]);
+    const double t516 = (motion->constants[39] * t416) + (motion->constants[42] * t371) + t506 +
+        (t200 * t509) - (motion->constants[38] * t362) - (t209 * t481);
+    const double t524 = (motion->constants[31] * t401) + (motion->constants[30] * t359) + (t344 *
+        motion->constants[33]) + (t143 * t466) + (sin_delta * t492) + (cos_delta * t516);
+    const double t528 = t524 + (motion->constants[24] * t443) + t456 - (t150 * t471) -
+        (motion->constants[23] * t382);
     const double t530 = cos_phi * t135;
-    const double t537 = (t145 * motion->constants[16]) + (motion->constants[2] * (speeds[2] +
+    const double t537 = (t145 * motion->constants[33]) + (motion->constants[18] * (speeds[2] +
         t145));
-    const double t548 = (t428 * motion->constants[21]) + (t434 * motion->constants[24]) + (t407 *
-        motion->constants[26]) + (t209 * t487) - (t204 * t509);
+    const double t548 = (t428 * motion->constants[38]) + (t434 * motion->constants[41]) + (t407 *
+        motion->constants[43]) + (t209 * t487) - (t204 * t509);
     const double t551 = (sin_delta * t424) + (cos_delta * t441);
-    const double t557 = (motion->constants[19] * t407) + (t150 * t537) + t548 +
-        (motion->constants[6] * t551) - (motion->constants[13] * t411) - (motion->constants[15] *
+    const double t557 = (motion->constants[36] * t407) + (t150 * t537) + t548 +
+        (motion->constants[23] * t551) - (motion->constants[30] * t411) - (motion->constants[32] *
         t368);
     const double t558 = t557 - (t145 * t466);
-    const double t572 = (motion->constants[14] * t411) + (motion->constants[15] * t407) + (t145 *
-        t471) + (cos_delta * t492) - (motion->constants[18] * t368) - (t143 * t537);
-    const double t574 = t572 - (sin_delta * t516) - (motion->constants[7] * t551);
+    const double t572 = (motion->constants[31] * t411) + (motion->constants[32] * t407) + (t145 *
+        t471) + (cos_delta * t492) - (motion->constants[35] * t368) - (t143 * t537);
+    const double t574 = t572 - (sin_delta * t516) - (motion->constants[24] * t551);
     const double t578 = (t27 * t558) + (t182 * t454) - (t15 * t574);
-    const double t597 = t551 + (motion->constants[13] * t407) + (motion->constants[14] * t368) +
-        (t143 * t392) + (t150 * t446) - (t411 * motion->constants[17]);
+    const double t597 = t551 + (motion->constants[30] * t407) + (motion->constants[31] * t368) +
+        (t143 * t392) + (t150 * t446) - (t411 * motion->constants[34]);
     const double t600 = t73 - (sin_phi * t110);
     const double t602 = cos_phi * t110;
     const double t607 = forces[0] + (t182 * ((t27 * t397) - (t15 * t452))) + (t578 * t602) - (t15 *
         t558);
     const double t611 = t607 - (t27 * t574) - (t99 * t597) - (t528 * t600) - (t232 * t506);
-    const double t613 = sin_delta * motion->constants[21];
-    const double t615 = (sin_delta * motion->constants[24]) - (motion->constants[7] * t613);
-    const double t618 = sin_delta * motion->constants[28];
-    const double t621 = (cos_delta * t618) - (motion->constants[6] * t613);
-    const double t625 = cos_delta * motion->constants[21];
-    const double t628 = motion->constants[13] + t625 + motion->constants[29];
-    const double t630 = (t15 * motion->constants[35]) + (t27 * t628);
+    const double t613 = sin_delta * motion->constants[38];
+    const double t615 = (sin_delta * motion->constants[41]) - (motion->constants[24] * t613);
+    const double t618 = sin_delta * motion->constants[45];
+    const double t621 = (cos_delta * t618) - (motion->constants[23] * t613);
+    const double t625 = cos_delta * motion->constants[38];
+    const double t628 = motion->constants[30] + t625 + motion->constants[46];
+    const double t630 = (t15 * motion->constants[52]) + (t27 * t628);
     const double t633 = (t15 * t615) + (t27 * t621) + (t182 * t630);
-    const double t639 = (cos_delta * motion->constants[24]) - (motion->constants[7] * t625);
-    const double t642 = motion->constants[15] + t639 - motion->constants[31] -
-        motion->constants[32];
+    const double t639 = (cos_delta * motion->constants[41]) - (motion->constants[24] * t625);
+    const double t642 = motion->constants[32] + t639 - motion->constants[48] -
+        motion->constants[49];
     const double t643 = sin_delta * t618;
-    const double t647 = motion->constants[18] + motion->constants[23] + motion->constants[30] -
+    const double t647 = motion->constants[35] + motion->constants[40] + motion->constants[47] -
         t643;
-    const double t648 = motion->constants[6] * t625;
-    const double t651 = t648 + t648 + motion->constants[33];
-    const double t653 = motion->constants[19] + motion->constants[26] + t651;
+    const double t648 = motion->constants[23] * t625;
+    const double t651 = t648 + t648 + motion->constants[50];
+    const double t653 = motion->constants[36] + motion->constants[43] + t651;
     const double t654 = t653 - t647;
     const double t655 = t15 * t27;
     const double t657 = t15 * t15;
     const double t658 = t642 + t642;
     const double t663 = t642 + (t654 * t655) + (t99 * t630) - (t657 * t658);
-    const double t667 = (t27 * motion->constants[35]) - (t15 * t628);
-    const double t669 = t99 * motion->constants[34];
+    const double t667 = (t27 * motion->constants[52]) - (t15 * t628);
+    const double t669 = t99 * motion->constants[51];
     const double t671 = t99 * (t667 - t669);
     const double t672 = t99 * t667;
     const double t673 = t99 * t669;
     const double t675 = t673 - t672 - t672;
-    const double t680 = motion->constants[16] + motion->constants[25] + t643 +
-        motion->constants[30] + t651 + t675;
-    const double t686 = t182 * motion->constants[34];
+    const double t680 = motion->constants[33] + motion->constants[42] + t643 +
+        motion->constants[47] + t651 + t675;
+    const double t686 = t182 * motion->constants[51];
     const double t691 = (t27 * t615) + (t182 * t667) + (t99 * t613) - (t15 * t621) - (t99 * t686);
     const double t694 = t671 + (t457 * t680) + (t530 * t691);
     const double t697 = t99 * (t613 - t686);
@@ -1865,11 +1886,11 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
     const double t707 = t653 + t705 - t701;
     const double t710 = t697 - (t457 * t691) - (t530 * t707);
     const double t713 = 1.0 - t457;
-    const double t714 = motion->constants[2] * t600;
+    const double t714 = motion->constants[18] * t600;
     const double t717 = t15 * sin_delta;
     const double t720 = t246 - (cos_delta * t457) - (t530 * t717);
     const double t726 = t232 + (cos_delta * t600) - (sin_delta * t27) - (t602 * t717);
-    const double t727 = motion->constants[3] * t726;
+    const double t727 = motion->constants[19] * t726;
     const double t733 = (t713 * t714) + (t720 * t727) - (t457 * t633) - (t530 * t663) - (t600 *
         t694) - (t602 * t710);
     const double t753 = t647 + t675 + t701 + t705 + (t600 * t633) + (t600 * (t633 + (t600 * t680) -
@@ -1883,11 +1904,11 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
     const double t763 = t90 - (sin_phi * t132);
     const double t765 = cos_phi * t132;
     const double t767 = t615 + t761;
-    const double t769 = motion->constants[26] + t648;
+    const double t769 = motion->constants[43] + t648;
     const double t774 = (t27 * t769) - (t15 * t639) - (t182 * t760);
-    const double t776 = motion->constants[2] * t763;
+    const double t776 = motion->constants[18] * t763;
     const double t781 = t241 + (cos_delta * t763) - (t717 * t765);
-    const double t782 = motion->constants[3] * t781;
+    const double t782 = motion->constants[19] * t781;
     const double t793 = t767 + (t680 * t763) - (t691 * t765);
     const double t798 = t774 + (t691 * t763) - (t707 * t765);
     const double t806 = (t15 * t769) + (t27 * t639) + (t99 * t625) + (t633 * t763) + (t600 * t793) +
@@ -1897,7 +1918,7 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
     const double t812 = t756 * t811;
     const double t818 = t761 + (t713 * t776) + (t720 * t782) - (t694 * t763) - (t710 * t765) -
         (t457 * t767);
-    const double t832 = motion->constants[26] + (t763 * t793) + (t763 * t767) + (t763 * t776) +
+    const double t832 = motion->constants[43] + (t763 * t793) + (t763 * t767) + (t763 * t776) +
         (t781 * t782) - (t765 * t798);
     const double t834 = t832 - (t765 * t774) - (t811 * t812);
     const double t835 = 1.0 / t834;
@@ -1906,14 +1927,14 @@ static void whipple_tyres_f64_compute_accelerations(const whipple_tyres_f64_moti
         t811);
     const double t852 = (t457 * t528) + (t530 * t578) - t456 - (t246 * t506) - (t611 * t758) -
         (t836 * t846);
-    const double t869 = t673 + (t457 * t694) + (t457 * t671) + (motion->constants[2] * t713 *
-        t713) + (motion->constants[3] * t720 * t720) - (t530 * t710);
+    const double t869 = t673 + (t457 * t694) + (t457 * t671) + (motion->constants[18] * t713 *
+        t713) + (motion->constants[19] * t720 * t720) - (t530 * t710);
     const double t873 = t852 / (t869 - (t530 * t697) - (t756 * t758 * t758) - (t834 * t836 * t836));
     const double t877 = (t835 * t846) - (t836 * t873);
     const double t881 = (t611 * t757) - (t811 * t877) - (t758 * t873);
     const double t885 = t335 + (t73 * t881) + (t90 * t877);
     const double t890 = (sin_phi * t93 * t95) + (t95 * t138) - (t99 * (t873 + t885));
-    const double t896 = (motion->constants[4] * t881) + (t93 * t99 * t138);
+    const double t896 = (motion->constants[21] * t881) + (t93 * t99 * t138);
     const double t898 = (cos_psi * t890) - (sin_psi * t896);
     const double t901 = (t890 * sin_psi) + (cos_psi * t896);
     const double t913 = t504 + (t232 * t881) + (t241 * t877) + (t246 * t873);
@@ -1950,43 +1971,43 @@ static void whipple_tyres_f64_compute_energy(const whipple_tyres_f64_motion_t *m
     double sin_delta = 0.0;
     double cos_delta = 0.0;
     carvallo_sin_cos_f64(positions[5], &sin_delta, &cos_delta);
-    const double t6 = sin_delta * motion->constants[28];
+    const double t6 = sin_delta * motion->constants[45];
     const double t7 = sin_delta * t6;
-    const double t11 = motion->constants[18] + motion->constants[23] + motion->constants[30] - t7;
-    const double t17 = cos_delta * motion->constants[21];
-    const double t18 = motion->constants[6] * t17;
-    const double t21 = t18 + t18 + motion->constants[33];
-    const double t23 = motion->constants[19] + motion->constants[26] + t21;
+    const double t11 = motion->constants[35] + motion->constants[40] + motion->constants[47] - t7;
+    const double t17 = cos_delta * motion->constants[38];
+    const double t18 = motion->constants[23] * t17;
+    const double t21 = t18 + t18 + motion->constants[50];
+    const double t23 = motion->constants[36] + motion->constants[43] + t21;
     const double t24 = t23 - t11;
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t32 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const double t32 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     const double t33 = t32 * t32;
-    const double t37 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const double t37 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const double t38 = t32 * t37;
-    const double t46 = (cos_delta * motion->constants[24]) - (t17 * motion->constants[7]);
-    const double t49 = motion->constants[15] + t46 - motion->constants[31] - motion->constants[32];
+    const double t46 = (cos_delta * motion->constants[41]) - (t17 * motion->constants[24]);
+    const double t49 = motion->constants[32] + t46 - motion->constants[48] - motion->constants[49];
     const double t50 = t49 + t49;
     const double t52 = (t24 * t33) + (t38 * t50);
     double sin_phi = 0.0;
     double cos_phi = 0.0;
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
-    const double t56 = motion->constants[4] * sin_phi;
-    const double t57 = sin_delta * motion->constants[21];
+    const double t56 = motion->constants[21] * sin_phi;
+    const double t57 = sin_delta * motion->constants[38];
     const double t58 = t56 * t57;
-    const double t60 = t56 * motion->constants[34];
+    const double t60 = t56 * motion->constants[51];
     const double t63 = (t56 * t60) - t58 - t58;
-    const double t67 = motion->constants[8] + (motion->constants[4] * cos_phi);
-    const double t73 = t17 + motion->constants[13] + motion->constants[29];
-    const double t75 = (t37 * motion->constants[35]) - (t32 * t73);
+    const double t67 = motion->constants[25] + (motion->constants[21] * cos_phi);
+    const double t73 = t17 + motion->constants[30] + motion->constants[46];
+    const double t75 = (t37 * motion->constants[52]) - (t32 * t73);
     const double t76 = t67 * t75;
-    const double t77 = motion->constants[34] * t67;
+    const double t77 = motion->constants[51] * t67;
     const double t78 = t67 * t77;
     const double t80 = t78 - t76 - t76;
-    const double t83 = (sin_delta * motion->constants[24]) - (motion->constants[7] * t57);
-    const double t87 = (t6 * cos_delta) - (motion->constants[6] * t57);
-    const double t91 = (t32 * motion->constants[35]) + (t37 * t73);
+    const double t83 = (sin_delta * motion->constants[41]) - (motion->constants[24] * t57);
+    const double t87 = (t6 * cos_delta) - (motion->constants[23] * t57);
+    const double t91 = (t32 * motion->constants[52]) + (t37 * t73);
     const double t94 = (t32 * t83) + (t37 * t87) + (t56 * t91);
     const double t96 = t32 * cos_phi;
     const double t99 = (sin_delta * sin_phi) - (cos_delta * t96);
@@ -1997,14 +2018,14 @@ static void whipple_tyres_f64_compute_energy(const whipple_tyres_f64_motion_t *m
     const double t108 = t101 * t105;
     const double t109 = cos_delta * t108;
     const double t111 = (t37 * t109) - (t32 * t106);
-    const double t116 = ((cos_delta * sin_phi) + (sin_delta * t96)) * motion->constants[11];
-    const double t119 = sin_delta * motion->constants[9];
-    const double t124 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const double t126 = (t37 * motion->constants[12]) - (t32 * t124);
+    const double t116 = ((cos_delta * sin_phi) + (sin_delta * t96)) * motion->constants[28];
+    const double t119 = sin_delta * motion->constants[26];
+    const double t124 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const double t126 = (t37 * motion->constants[29]) - (t32 * t124);
     const double t129 = (cos_phi * t119) - (t111 * t116) - (sin_phi * t126);
-    const double t130 = (sin_phi * motion->constants[8]) + t129;
+    const double t130 = (sin_phi * motion->constants[25]) + t129;
     const double t137 = (sin_delta * cos_phi * t108) + (sin_phi * ((t37 * t106) + (t32 * t109)));
-    const double t142 = (t116 * t137) + (t32 * motion->constants[12]) + (t37 * t124);
+    const double t142 = (t116 * t137) + (t32 * motion->constants[29]) + (t37 * t124);
     const double t144 = 1.0 / (cos_phi * t142);
     const double t145 = t130 * t144;
     const double t146 = sin_phi * t142;
@@ -2015,29 +2036,29 @@ static void whipple_tyres_f64_compute_energy(const whipple_tyres_f64_motion_t *m
     const double t158 = t145 - (sin_phi * t156);
     const double t165 = t49 + (t24 * t38) + (t67 * t91) - (t33 * t50);
     const double t166 = cos_phi * t156;
-    const double t174 = t7 + motion->constants[30] + t21 + t80 + motion->constants[16] +
-        motion->constants[25];
+    const double t174 = t7 + motion->constants[47] + t21 + t80 + motion->constants[33] +
+        motion->constants[42];
     const double t184 = (t37 * t83) + (t56 * t75) + (t57 * t67) - (t32 * t87) - (t60 * t67);
     const double t191 = t23 + t63 - t52;
-    const double t197 = t158 * motion->constants[2];
+    const double t197 = t158 * motion->constants[18];
     const double t201 = (t137 * t146) - (t111 * t148);
     const double t205 = (t137 * t142) - (t111 * t130);
-    const double t211 = 1.0 / (motion->constants[11] + (t104 * motion->constants[5]));
+    const double t211 = 1.0 / (motion->constants[28] + (t104 * motion->constants[22]));
     const double t215 = sin_delta * t32;
     const double t219 = (((t156 * t205) - (t145 * t201)) * t211) + (cos_delta * t158) - (sin_delta *
         t37) - (t166 * t215);
-    const double t221 = t219 * motion->constants[3];
+    const double t221 = t219 * motion->constants[19];
     const double t228 = t11 + t52 + t63 + t80 + (t94 * t158) + (t158 * (t94 + (t158 * t174) -
         (t166 * t184))) + (t158 * t197);
     const double t232 = speeds[0] * (t228 + (t219 * t221) - (t165 * t166) - (t166 * (t165 + (t158 *
         t184) - (t166 * t191))));
-    const double t234 = motion->constants[26] + t18;
-    const double t241 = (t37 * motion->constants[7]) - (motion->constants[6] * t32);
+    const double t234 = motion->constants[43] + t18;
+    const double t241 = (t37 * motion->constants[24]) - (motion->constants[23] * t32);
     const double t243 = t129 + (sin_phi * t241);
     const double t245 = t37 * sin_phi;
-    const double t249 = t142 - (t32 * motion->constants[7]) - (motion->constants[6] * t37);
+    const double t249 = t142 - (t32 * motion->constants[24]) - (motion->constants[23] * t37);
     const double t252 = t144 * ((t32 * t243) + (t245 * t249));
-    const double t261 = motion->constants[5] + (t104 * motion->constants[11]) + (sin_phi * t119) +
+    const double t261 = motion->constants[22] + (t104 * motion->constants[28]) + (sin_phi * t119) +
         (cos_phi * t126) - (cos_phi * t241);
     const double t263 = (t101 * t249) - (t32 * t261);
     const double t267 = (t245 * t261) + (t101 * t243);
@@ -2070,22 +2091,22 @@ static void whipple_tyres_f64_compute_energy(const whipple_tyres_f64_motion_t *m
         t325);
     const double t357 = (t197 * t342) + (t221 * t351) - (t94 * t323) - (t165 * t325) - (t158 *
         t332) - (t166 * t339);
-    const double t367 = motion->constants[2] * t274;
-    const double t369 = motion->constants[3] * t308;
-    const double t375 = motion->constants[26] + (t274 * t284) + (t274 * t280) + (t274 * t367) +
+    const double t367 = motion->constants[18] * t274;
+    const double t369 = motion->constants[19] * t308;
+    const double t375 = motion->constants[43] + (t274 * t284) + (t274 * t280) + (t274 * t367) +
         (t308 * t369) - (t276 * t294);
     const double t388 = t279 + (t342 * t367) + (t351 * t369) - (t274 * t332) - (t276 * t339) -
         (t280 * t323);
     const double t389 = t388 - (t290 * t325);
     const double t393 = speeds[1] * ((speeds[0] * t318) + (speeds[1] * (t375 - (t276 * t290))) +
         (speeds[2] * t389));
-    const double t408 = t78 + (t323 * t332) + (t323 * t328) + (motion->constants[2] * t342 * t342) +
-        (motion->constants[3] * t351 * t351) - (t325 * t339);
+    const double t408 = t78 + (t323 * t332) + (t323 * t328) + (motion->constants[18] * t342 *
+        t342) + (motion->constants[19] * t351 * t351) - (t325 * t339);
     const double t415 = (speeds[0] * (t232 + (speeds[1] * t318) + (speeds[2] * t357))) + t393 +
         (speeds[2] * ((speeds[0] * t357) + (speeds[1] * t389) + (speeds[2] * (t408 - (t325 *
         t335)))));
     const double t417 = t415 * 0.5;
-    const double t423 = -(motion->constants[27] * ((sin_phi * t334) + (cos_phi * t327)));
+    const double t423 = -(motion->constants[44] * ((sin_phi * t334) + (cos_phi * t327)));
     energy[0] = t417;
     energy[1] = t423;
 }
@@ -2117,22 +2138,22 @@ static void whipple_tyres_f64_compute_closure(const whipple_tyres_f64_motion_t *
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t15 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const double t15 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     const double t16 = cos_phi * t15;
     const double t20 = sin_phi * sin_delta;
     const double t21 = t20 - (cos_delta * t16);
-    const double t25 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const double t25 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const double t26 = cos_phi * t25;
     const double t29 = sqrt((t21 * t21) + (t26 * t26));
-    const double t38 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const double t46 = motion->constants[5] + (t29 * motion->constants[11]) + (t20 *
-        motion->constants[9]) + (cos_phi * ((t25 * motion->constants[12]) - (t15 * t38))) -
-        motion->constants[4] - (cos_phi * motion->constants[8]);
+    const double t38 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const double t46 = motion->constants[22] + (t29 * motion->constants[28]) + (t20 *
+        motion->constants[26]) + (cos_phi * ((t25 * motion->constants[29]) - (t15 * t38))) -
+        motion->constants[21] - (cos_phi * motion->constants[25]);
     const double t50 = 1.0 / t29;
     const double t51 = t26 * t50;
-    const double t62 = motion->constants[11] * ((cos_delta * sin_phi) + (t16 * sin_delta)) *
+    const double t62 = motion->constants[28] * ((cos_delta * sin_phi) + (t16 * sin_delta)) *
         ((cos_phi * sin_delta * t51) + (sin_phi * ((t21 * t25 * t50) + (cos_delta * t15 * t51))));
-    const double t68 = t46 / (cos_phi * (t62 + (t15 * motion->constants[12]) + (t25 * t38)));
+    const double t68 = t46 / (cos_phi * (t62 + (t15 * motion->constants[29]) + (t25 * t38)));
     below[0] = t46;
     steps[0] = t68;
 }
@@ -2215,8 +2236,8 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     double sin_pitch = 0.0;
     double cos_pitch = 0.0;
     carvallo_sin_cos_f64(positions[4], &sin_pitch, &cos_pitch);
-    const double t9 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
-    const double t13 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const double t9 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
+    const double t13 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     double sin_phi = 0.0;
     double cos_phi = 0.0;
     carvallo_sin_cos_f64(positions[3], &sin_phi, &cos_phi);
@@ -2234,23 +2255,23 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     const double t36 = (t13 * t34) - (t9 * t31);
     const double t43 = (cos_phi * sin_delta * t33) + (sin_phi * ((t13 * t31) + (t9 * t34)));
     const double t46 = (cos_delta * sin_phi) + (t19 * sin_delta);
-    const double t48 = t46 * motion->constants[11];
-    const double t55 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const double t58 = (t43 * t48) + (t9 * motion->constants[12]) + (t13 * t55);
+    const double t48 = t46 * motion->constants[28];
+    const double t55 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const double t58 = (t43 * t48) + (t9 * motion->constants[29]) + (t13 * t55);
     const double t59 = sin_phi * t58;
-    const double t64 = sin_delta * motion->constants[9];
-    const double t68 = (t13 * motion->constants[12]) - (t9 * t55);
+    const double t64 = sin_delta * motion->constants[26];
+    const double t68 = (t13 * motion->constants[29]) - (t9 * t55);
     const double t71 = (cos_phi * t64) - (t36 * t48) - (sin_phi * t68);
-    const double t72 = (sin_phi * motion->constants[8]) + t71;
+    const double t72 = (sin_phi * motion->constants[25]) + t71;
     const double t73 = sin_phi * t72;
     const double t75 = (t36 * t59) + (t43 * t73);
     const double t77 = 1.0 / (cos_phi * t58);
     const double t78 = t72 * t77;
     const double t82 = 1.0 / ((t36 * t58) + (t43 * t72));
     const double t84 = t75 * t78 * t82;
-    const double t91 = t58 - (t9 * motion->constants[7]) - (t13 * motion->constants[6]);
-    const double t99 = (t13 * motion->constants[7]) - (t9 * motion->constants[6]);
-    const double t104 = motion->constants[5] + (t29 * motion->constants[11]) + (sin_phi * t64) +
+    const double t91 = t58 - (t9 * motion->constants[24]) - (t13 * motion->constants[23]);
+    const double t99 = (t13 * motion->constants[24]) - (t9 * motion->constants[23]);
+    const double t104 = motion->constants[22] + (t29 * motion->constants[28]) + (sin_phi * t64) +
         (cos_phi * t68) - (cos_phi * t99);
     const double t106 = (t26 * t91) - (t9 * t104);
     const double t108 = t13 * sin_phi;
@@ -2258,22 +2279,22 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     const double t113 = (t104 * t108) + (t26 * t111);
     const double t118 = t77 * ((t9 * t111) + (t91 * t108));
     const double t122 = t82 * ((t36 * t106) + (t43 * t113) + (t75 * t118));
-    const double t127 = motion->constants[8] + (cos_phi * motion->constants[4]);
+    const double t127 = motion->constants[25] + (cos_phi * motion->constants[21]);
     const double t129 = t43 * t82 * t127;
     const double t132 = (speeds[0] * t84) + (speeds[1] * t122) + (speeds[2] * t129);
     const double t133 = cos_phi * t132;
     const double t135 = (speeds[0] * t13) + (t9 * t133);
     const double t138 = (t9 * speeds[0]) - (t13 * t133);
-    const double t143 = (t138 * motion->constants[13]) - (t135 * motion->constants[14]);
+    const double t143 = (t138 * motion->constants[30]) - (t135 * motion->constants[31]);
     const double t147 = (speeds[0] * t78) + (speeds[1] * t118);
     const double t148 = sin_phi * t132;
     const double t149 = t147 - t148;
-    const double t150 = motion->constants[14] * t149;
+    const double t150 = motion->constants[31] * t149;
     const double t152 = (t135 * t143) - (t149 * t150);
-    const double t154 = speeds[0] * motion->constants[8];
+    const double t154 = speeds[0] * motion->constants[25];
     const double t155 = t133 * t154;
-    const double t156 = motion->constants[7] * t149;
-    const double t158 = motion->constants[6] * t149;
+    const double t156 = motion->constants[24] * t149;
+    const double t158 = motion->constants[23] * t149;
     const double t160 = (t138 * t156) + (t135 * t158);
     const double t161 = speeds[0] * t148;
     const double t163 = t135 * t147;
@@ -2282,27 +2303,28 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     const double t168 = (t9 * t161) + t167;
     const double t170 = speeds[2] + t147;
     const double t171 = t133 * t170;
-    const double t173 = motion->constants[8] * t148;
+    const double t173 = motion->constants[25] * t148;
     const double t174 = t133 * t173;
     const double t175 = t174 - (t127 * t171);
-    const double t178 = t160 + (motion->constants[6] * t164) + (motion->constants[7] * t168) - t175;
-    const double t183 = (motion->constants[6] * t138) - (motion->constants[7] * t135);
+    const double t178 = t160 + (motion->constants[23] * t164) + (motion->constants[24] * t168) -
+        t175;
+    const double t183 = (motion->constants[23] * t138) - (motion->constants[24] * t135);
     const double t185 = (t149 * t158) + (t138 * t183);
     const double t186 = speeds[0] * t133;
-    const double t189 = sin_phi * motion->constants[4];
+    const double t189 = sin_phi * motion->constants[21];
     const double t190 = speeds[0] * t170;
     const double t194 = t155 + (t127 * t186) + (t189 * (t161 + t190));
     const double t200 = (t173 * (t170 - t148)) - (speeds[0] * t154);
     const double t201 = (t171 * t189) + t200;
-    const double t205 = (t13 * t194) + (t9 * t201) - t185 - (motion->constants[7] * t186);
+    const double t205 = (t13 * t194) + (t9 * t201) - t185 - (motion->constants[24] * t186);
     const double t207 = speeds[1] + t138;
     const double t211 = (cos_delta * t149) - (sin_delta * t135);
-    const double t212 = motion->constants[10] * t211;
+    const double t212 = motion->constants[27] * t211;
     const double t216 = (cos_delta * t135) + (sin_delta * t149);
-    const double t217 = motion->constants[9] * t211;
+    const double t217 = motion->constants[26] * t211;
     const double t222 = speeds[1] * t211;
     const double t224 = t222 - (cos_delta * t168) - (sin_delta * t186);
-    const double t227 = motion->constants[11] + (t29 * motion->constants[5]);
+    const double t227 = motion->constants[28] + (t29 * motion->constants[22]);
     const double t228 = t31 * t227;
     const double t231 = (t43 * t59) - (t36 * t73);
     const double t235 = (t43 * t58) - (t36 * t72);
@@ -2317,137 +2339,139 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     const double t268 = t30 * ((t31 * t216) + (t33 * t207)) * t48;
     const double t269 = t33 * t268;
     const double t271 = t31 * t268;
-    const double t277 = (cos_delta * t178) + (t207 * t212) + (t216 * t217) + (motion->constants[9] *
-        t164) + (t228 * t258) + (t207 * t269);
-    const double t281 = t277 + (t216 * t271) - (sin_delta * t205) - (motion->constants[10] * t224) -
+    const double t277 = (cos_delta * t178) + (t207 * t212) + (t216 * t217) +
+        (motion->constants[26] * t164) + (t228 * t258) + (t207 * t269);
+    const double t281 = t277 + (t216 * t271) - (sin_delta * t205) - (motion->constants[27] * t224) -
         (t260 * t262);
-    const double t288 = (motion->constants[9] * t207) - (motion->constants[10] * t216);
+    const double t288 = (motion->constants[26] * t207) - (motion->constants[27] * t216);
     const double t292 = speeds[1] * t216;
     const double t294 = (sin_delta * t168) - (cos_delta * t186) - t292;
-    const double t297 = t46 * motion->constants[5];
+    const double t297 = t46 * motion->constants[22];
     const double t299 = t211 + t256;
-    const double t304 = motion->constants[11] * ((t31 * t207) - (t33 * t216));
-    const double t310 = (cos_delta * t205) + (sin_delta * t178) + (motion->constants[10] * t294) +
+    const double t304 = motion->constants[28] * ((t31 * t207) - (t33 * t216));
+    const double t310 = (cos_delta * t205) + (sin_delta * t178) + (motion->constants[27] * t294) +
         (t260 * t294) - (t211 * t217) - (t207 * t288);
     const double t313 = t310 - (t258 * t297) - (t271 * t299) - (t207 * t304);
     const double t317 = (t135 * t183) - (t149 * t156);
-    const double t332 = t317 + (motion->constants[6] * t186) + (t9 * t194) + (t216 * t288) + (t262 *
-        t297) + (t216 * t304);
-    const double t337 = t332 - (t13 * t201) - (t211 * t212) - (motion->constants[9] * t294) -
+    const double t332 = t317 + (motion->constants[23] * t186) + (t9 * t194) + (t216 * t288) +
+        (t262 * t297) + (t216 * t304);
+    const double t337 = t332 - (t13 * t201) - (t211 * t212) - (motion->constants[26] * t294) -
         (t228 * t294) - (t269 * t299);
     const double t339 = (t31 * t313) + (t33 * t337);
     const double t344 = t77 * ((t46 * t281) + (t29 * t339));
     const double t348 = t82 * ((t29 * t281) + (t75 * t344) - (t46 * t339));
     const double t350 = t186 - t344;
     const double t351 = (sin_phi * t348) + t350;
-    const double t355 = cos_phi * motion->constants[27];
+    const double t355 = cos_phi * motion->constants[44];
     const double t356 = t201 + t355;
     const double t360 = t161 - (cos_phi * t348);
     const double t364 = (t127 * t351) + t155 + (t189 * (t190 + t360));
     const double t366 = (t13 * t356) - (t9 * t364);
-    const double t369 = t317 - t366 + (motion->constants[6] * t351);
+    const double t369 = t317 - t366 + (motion->constants[23] * t351);
     const double t375 = t167 + (t9 * t360);
     const double t378 = (sin_delta * t375) - (cos_delta * t351) - t292;
-    const double t383 = (t207 * motion->constants[21]) - (t216 * motion->constants[22]);
-    const double t385 = t211 * motion->constants[22];
+    const double t383 = (t207 * motion->constants[38]) - (t216 * motion->constants[39]);
+    const double t385 = t211 * motion->constants[39];
     const double t387 = (t216 * t383) - (t211 * t385);
-    const double t389 = (t369 * motion->constants[20]) + t387 - (motion->constants[21] * t378);
-    const double t394 = t152 + t389 - (motion->constants[17] * t366) + (motion->constants[13] *
+    const double t389 = (t369 * motion->constants[37]) + t387 - (motion->constants[38] * t378);
+    const double t394 = t152 + t389 - (motion->constants[34] * t366) + (motion->constants[30] *
         t351);
     const double t398 = (t9 * t356) + (t13 * t364);
-    const double t401 = t398 - (motion->constants[7] * t351) - t185;
+    const double t401 = t398 - (motion->constants[24] * t351) - t185;
     const double t404 = t163 + (t13 * t360);
-    const double t407 = sin_phi * motion->constants[27];
+    const double t407 = sin_phi * motion->constants[44];
     const double t408 = t175 + t407;
-    const double t411 = t160 + (motion->constants[6] * t404) + (motion->constants[7] * t375) - t408;
+    const double t411 = t160 + (motion->constants[23] * t404) + (motion->constants[24] * t375) -
+        t408;
     const double t413 = (cos_delta * t401) + (sin_delta * t411);
-    const double t416 = t211 * motion->constants[21];
+    const double t416 = t211 * motion->constants[38];
     const double t419 = (t211 * t416) + (t207 * t383);
-    const double t421 = (t413 * motion->constants[20]) + (motion->constants[22] * t378) - t419;
+    const double t421 = (t413 * motion->constants[37]) + (motion->constants[39] * t378) - t419;
     const double t425 = (cos_delta * t411) - (sin_delta * t401);
     const double t431 = t222 - (sin_delta * t351) - (cos_delta * t375);
     const double t435 = (t207 * t385) + (t216 * t416);
-    const double t438 = (t425 * motion->constants[20]) + (t404 * motion->constants[21]) + t435 -
-        (motion->constants[22] * t431);
+    const double t438 = (t425 * motion->constants[37]) + (t404 * motion->constants[38]) + t435 -
+        (motion->constants[39] * t431);
     const double t440 = (cos_delta * t421) - (sin_delta * t438);
-    const double t443 = motion->constants[13] * t149;
+    const double t443 = motion->constants[30] * t149;
     const double t446 = (t149 * t443) + (t138 * t143);
-    const double t449 = t440 + (motion->constants[17] * t398) - (motion->constants[14] * t351) -
+    const double t449 = t440 + (motion->constants[34] * t398) - (motion->constants[31] * t351) -
         t446;
     const double t451 = (t9 * t394) + (t13 * t449);
-    const double t453 = (t351 * motion->constants[2]) + (t127 * t451);
+    const double t453 = (t351 * motion->constants[18]) + (t127 * t451);
     const double t454 = sin_phi * t129;
-    const double t463 = (t135 * motion->constants[18]) + (t138 * motion->constants[15]);
-    const double t468 = (t135 * motion->constants[15]) + (t138 * motion->constants[19]);
+    const double t463 = (t135 * motion->constants[35]) + (t138 * motion->constants[32]);
+    const double t468 = (t135 * motion->constants[32]) + (t138 * motion->constants[36]);
     const double t470 = (t138 * t463) - (t135 * t468);
-    const double t479 = (t216 * motion->constants[24]) + (t207 * motion->constants[26]);
-    const double t485 = (t211 * motion->constants[25]) + (t299 * motion->constants[3]);
+    const double t479 = (t216 * motion->constants[41]) + (t207 * motion->constants[43]);
+    const double t485 = (t211 * motion->constants[42]) + (t299 * motion->constants[19]);
     const double t487 = (t211 * t479) - (t207 * t485);
-    const double t490 = (motion->constants[23] * t431) + (t404 * motion->constants[24]) + t487 -
-        (motion->constants[22] * t425);
+    const double t490 = (motion->constants[40] * t431) + (t404 * motion->constants[41]) + t487 -
+        (motion->constants[39] * t425);
     const double t502 = t238 * ((t31 * t337) + (t235 * t348) - (t33 * t313) - (t231 * t344));
-    const double t504 = motion->constants[3] * (t378 + t502);
-    const double t507 = (t216 * motion->constants[23]) + (t207 * motion->constants[24]);
+    const double t504 = motion->constants[19] * (t378 + t502);
+    const double t507 = (t216 * motion->constants[40]) + (t207 * motion->constants[41]);
     const double t510 = (t207 * t507) - (t216 * t479);
-    const double t514 = (motion->constants[22] * t413) + (motion->constants[25] * t378) + t504 +
-        t510 - (motion->constants[21] * t369);
-    const double t522 = (motion->constants[14] * t398) + (motion->constants[13] * t366) - (t351 *
-        motion->constants[16]) + t470 + (sin_delta * t490) + (cos_delta * t514);
-    const double t525 = t522 + (motion->constants[7] * t440) - t453 - (motion->constants[6] * t389);
+    const double t514 = (motion->constants[39] * t413) + (motion->constants[42] * t378) + t504 +
+        t510 - (motion->constants[38] * t369);
+    const double t522 = (motion->constants[31] * t398) + (motion->constants[30] * t366) - (t351 *
+        motion->constants[33]) + t470 + (sin_delta * t490) + (cos_delta * t514);
+    const double t525 = t522 + (motion->constants[24] * t440) - t453 - (motion->constants[23] *
+        t389);
     const double t527 = cos_phi * t129;
-    const double t534 = (t149 * motion->constants[16]) + (motion->constants[2] * (speeds[2] +
+    const double t534 = (t149 * motion->constants[33]) + (motion->constants[18] * (speeds[2] +
         t149));
     const double t537 = (t135 * t534) - (t149 * t463);
     const double t543 = (t216 * t485) - (t211 * t507);
-    const double t546 = (t425 * motion->constants[21]) + (t431 * motion->constants[24]) + (t404 *
-        motion->constants[26]) + t543;
+    const double t546 = (t425 * motion->constants[38]) + (t431 * motion->constants[41]) + (t404 *
+        motion->constants[43]) + t543;
     const double t549 = (sin_delta * t421) + (cos_delta * t438);
-    const double t555 = (motion->constants[19] * t404) + t537 + t546 + (motion->constants[6] *
-        t549) - (motion->constants[13] * t408) - (motion->constants[15] * t375);
+    const double t555 = (motion->constants[36] * t404) + t537 + t546 + (motion->constants[23] *
+        t549) - (motion->constants[30] * t408) - (motion->constants[32] * t375);
     const double t562 = (t149 * t468) - (t138 * t534);
-    const double t570 = (motion->constants[14] * t408) + (motion->constants[15] * t404) + t562 +
-        (cos_delta * t490) - (motion->constants[18] * t375) - (sin_delta * t514);
-    const double t571 = t570 - (motion->constants[7] * t549);
+    const double t570 = (motion->constants[31] * t408) + (motion->constants[32] * t404) + t562 +
+        (cos_delta * t490) - (motion->constants[35] * t375) - (sin_delta * t514);
+    const double t571 = t570 - (motion->constants[24] * t549);
     const double t575 = (t13 * t555) + (t189 * t451) - (t9 * t571);
     const double t590 = (t138 * t150) + (t135 * t443);
-    const double t595 = t127 * (t549 + (motion->constants[13] * t404) + (motion->constants[14] *
-        t375) + t590 - (motion->constants[17] * t408));
+    const double t595 = t127 * (t549 + (motion->constants[30] * t404) + (motion->constants[31] *
+        t375) + t590 - (motion->constants[34] * t408));
     const double t597 = t78 - (sin_phi * t84);
     const double t599 = cos_phi * t84;
     const double t604 = forces[0] + (t189 * ((t13 * t394) - (t9 * t449))) + (t575 * t599) - (t9 *
         t555);
     const double t608 = t604 - (t13 * t571) - t595 - (t525 * t597) - (t239 * t504);
-    const double t610 = sin_delta * motion->constants[21];
-    const double t612 = (sin_delta * motion->constants[24]) - (motion->constants[7] * t610);
-    const double t615 = sin_delta * motion->constants[28];
-    const double t618 = (cos_delta * t615) - (motion->constants[6] * t610);
-    const double t622 = cos_delta * motion->constants[21];
-    const double t625 = motion->constants[13] + t622 + motion->constants[29];
-    const double t627 = (t9 * motion->constants[35]) + (t13 * t625);
+    const double t610 = sin_delta * motion->constants[38];
+    const double t612 = (sin_delta * motion->constants[41]) - (motion->constants[24] * t610);
+    const double t615 = sin_delta * motion->constants[45];
+    const double t618 = (cos_delta * t615) - (motion->constants[23] * t610);
+    const double t622 = cos_delta * motion->constants[38];
+    const double t625 = motion->constants[30] + t622 + motion->constants[46];
+    const double t627 = (t9 * motion->constants[52]) + (t13 * t625);
     const double t630 = (t9 * t612) + (t13 * t618) + (t189 * t627);
-    const double t636 = (cos_delta * motion->constants[24]) - (motion->constants[7] * t622);
-    const double t639 = motion->constants[15] + t636 - motion->constants[31] -
-        motion->constants[32];
+    const double t636 = (cos_delta * motion->constants[41]) - (motion->constants[24] * t622);
+    const double t639 = motion->constants[32] + t636 - motion->constants[48] -
+        motion->constants[49];
     const double t640 = sin_delta * t615;
-    const double t644 = motion->constants[18] + motion->constants[23] + motion->constants[30] -
+    const double t644 = motion->constants[35] + motion->constants[40] + motion->constants[47] -
         t640;
-    const double t645 = motion->constants[6] * t622;
-    const double t648 = t645 + t645 + motion->constants[33];
-    const double t650 = motion->constants[19] + motion->constants[26] + t648;
+    const double t645 = motion->constants[23] * t622;
+    const double t648 = t645 + t645 + motion->constants[50];
+    const double t650 = motion->constants[36] + motion->constants[43] + t648;
     const double t651 = t650 - t644;
     const double t652 = t9 * t13;
     const double t654 = t9 * t9;
     const double t655 = t639 + t639;
     const double t660 = t639 + (t651 * t652) + (t127 * t627) - (t654 * t655);
-    const double t664 = (t13 * motion->constants[35]) - (t9 * t625);
-    const double t666 = t127 * motion->constants[34];
+    const double t664 = (t13 * motion->constants[52]) - (t9 * t625);
+    const double t666 = t127 * motion->constants[51];
     const double t668 = t127 * (t664 - t666);
     const double t669 = t127 * t664;
     const double t670 = t127 * t666;
     const double t672 = t670 - t669 - t669;
-    const double t677 = motion->constants[16] + motion->constants[25] + t640 +
-        motion->constants[30] + t648 + t672;
-    const double t683 = t189 * motion->constants[34];
+    const double t677 = motion->constants[33] + motion->constants[42] + t640 +
+        motion->constants[47] + t648 + t672;
+    const double t683 = t189 * motion->constants[51];
     const double t688 = (t13 * t612) + (t189 * t664) + (t127 * t610) - (t9 * t618) - (t127 * t683);
     const double t691 = t668 + (t454 * t677) + (t527 * t688);
     const double t694 = t127 * (t610 - t683);
@@ -2457,11 +2481,11 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     const double t704 = t650 + t702 - t698;
     const double t707 = t694 - (t454 * t688) - (t527 * t704);
     const double t710 = 1.0 - t454;
-    const double t711 = motion->constants[2] * t597;
+    const double t711 = motion->constants[18] * t597;
     const double t714 = t9 * sin_delta;
     const double t717 = t253 - (cos_delta * t454) - (t527 * t714);
     const double t723 = t239 + (cos_delta * t597) - (t13 * sin_delta) - (t599 * t714);
-    const double t724 = motion->constants[3] * t723;
+    const double t724 = motion->constants[19] * t723;
     const double t730 = (t710 * t711) + (t717 * t724) - (t454 * t630) - (t527 * t660) - (t597 *
         t691) - (t599 * t707);
     const double t750 = t644 + t672 + t698 + t702 + (t597 * t630) + (t597 * (t630 + (t597 * t677) -
@@ -2475,11 +2499,11 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     const double t760 = t118 - (sin_phi * t122);
     const double t762 = cos_phi * t122;
     const double t764 = t612 + t758;
-    const double t766 = motion->constants[26] + t645;
+    const double t766 = motion->constants[43] + t645;
     const double t771 = (t13 * t766) - (t9 * t636) - (t189 * t757);
-    const double t773 = motion->constants[2] * t760;
+    const double t773 = motion->constants[18] * t760;
     const double t778 = t248 + (cos_delta * t760) - (t714 * t762);
-    const double t779 = motion->constants[3] * t778;
+    const double t779 = motion->constants[19] * t778;
     const double t790 = t764 + (t677 * t760) - (t688 * t762);
     const double t795 = t771 + (t688 * t760) - (t704 * t762);
     const double t803 = (t9 * t766) + (t13 * t636) + (t127 * t622) + (t630 * t760) + (t597 * t790) +
@@ -2488,7 +2512,7 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     const double t809 = t753 * t808;
     const double t815 = t758 + (t710 * t773) + (t717 * t779) - (t691 * t760) - (t707 * t762) -
         (t454 * t764);
-    const double t829 = motion->constants[26] + (t760 * t790) + (t760 * t764) + (t760 * t773) +
+    const double t829 = motion->constants[43] + (t760 * t790) + (t760 * t764) + (t760 * t773) +
         (t778 * t779) - (t762 * t795);
     const double t831 = t829 - (t762 * t771) - (t808 * t809);
     const double t832 = 1.0 / t831;
@@ -2497,8 +2521,8 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
         t808);
     const double t849 = (t454 * t525) + (t527 * t575) + t453 - (t253 * t504) - (t608 * t755) -
         (t833 * t843);
-    const double t866 = t670 + (t454 * t691) + (t454 * t668) + (motion->constants[2] * t710 *
-        t710) + (motion->constants[3] * t717 * t717) - (t527 * t707);
+    const double t866 = t670 + (t454 * t691) + (t454 * t668) + (motion->constants[18] * t710 *
+        t710) + (motion->constants[19] * t717 * t717) - (t527 * t707);
     const double t870 = t849 / (t866 - (t527 * t694) - (t753 * t755 * t755) - (t831 * t833 * t833));
     const double t874 = (t832 * t843) - (t833 * t870);
     const double t878 = (t608 * t754) - (t808 * t874) - (t755 * t870);
@@ -2510,53 +2534,54 @@ static void whipple_tyres_f64_compute_contact_forces(const whipple_tyres_f64_mot
     const double t900 = t171 + t878;
     const double t903 = t200 + t355 + (t189 * t900);
     const double t905 = (t9 * t898) + (t13 * t903);
-    const double t910 = t317 - t905 - (motion->constants[6] * t890);
+    const double t910 = t317 - t905 - (motion->constants[23] * t890);
     const double t916 = (t13 * t878) - t167 - (t9 * t894);
     const double t919 = (cos_delta * t890) - t292 - (sin_delta * t916);
-    const double t922 = t387 + (motion->constants[20] * t910) - (motion->constants[21] * t919);
-    const double t925 = t152 + t922 - (motion->constants[17] * t905) - (motion->constants[13] *
+    const double t922 = t387 + (motion->constants[37] * t910) - (motion->constants[38] * t919);
+    const double t925 = t152 + t922 - (motion->constants[34] * t905) - (motion->constants[30] *
         t890);
     const double t929 = (t9 * t903) - (t13 * t898);
-    const double t934 = t929 + (motion->constants[7] * t890) - t185;
+    const double t934 = t929 + (motion->constants[24] * t890) - t185;
     const double t939 = t163 + (t13 * t894) + (t9 * t878);
     const double t944 = t174 + t407 - (t127 * t900);
-    const double t947 = t160 + (motion->constants[6] * t939) - (motion->constants[7] * t916) - t944;
+    const double t947 = t160 + (motion->constants[23] * t939) - (motion->constants[24] * t916) -
+        t944;
     const double t949 = (cos_delta * t934) + (sin_delta * t947);
-    const double t953 = (motion->constants[20] * t949) + (motion->constants[22] * t919) - t419;
+    const double t953 = (motion->constants[37] * t949) + (motion->constants[39] * t919) - t419;
     const double t957 = (cos_delta * t947) - (sin_delta * t934);
     const double t959 = t874 + t939;
     const double t964 = t222 + (cos_delta * t916) + (sin_delta * t890);
-    const double t968 = t435 + (motion->constants[20] * t957) + (motion->constants[21] * t959) -
-        (motion->constants[22] * t964);
+    const double t968 = t435 + (motion->constants[37] * t957) + (motion->constants[38] * t959) -
+        (motion->constants[39] * t964);
     const double t970 = (cos_delta * t953) - (sin_delta * t968);
-    const double t973 = (motion->constants[17] * t929) + (motion->constants[14] * t890) + t970 -
+    const double t973 = (motion->constants[34] * t929) + (motion->constants[31] * t890) + t970 -
         t446;
     const double t975 = (t9 * t925) + (t13 * t973);
-    const double t983 = motion->constants[3] * (t502 + t919 + (t239 * t878) + (t248 * t874) +
+    const double t983 = motion->constants[19] * (t502 + t919 + (t239 * t878) + (t248 * t874) +
         (t253 * t870));
     const double t984 = t238 * t983;
-    const double t995 = t487 + (motion->constants[23] * t964) + (motion->constants[24] * t959) -
-        (motion->constants[22] * t957);
-    const double t1003 = t510 + t983 + (motion->constants[22] * t949) + (motion->constants[25] *
-        t919) - (motion->constants[21] * t910);
-    const double t1012 = t470 + (motion->constants[14] * t929) + (motion->constants[13] * t905) +
-        (motion->constants[16] * t890) + (motion->constants[2] * t891) + (sin_delta * t995);
-    const double t1016 = t1012 + (cos_delta * t1003) + (motion->constants[7] * t970) -
-        (motion->constants[6] * t922) - (t127 * t975);
+    const double t995 = t487 + (motion->constants[40] * t964) + (motion->constants[41] * t959) -
+        (motion->constants[39] * t957);
+    const double t1003 = t510 + t983 + (motion->constants[39] * t949) + (motion->constants[42] *
+        t919) - (motion->constants[38] * t910);
+    const double t1012 = t470 + (motion->constants[31] * t929) + (motion->constants[30] * t905) +
+        (motion->constants[33] * t890) + (motion->constants[18] * t891) + (sin_delta * t995);
+    const double t1016 = t1012 + (cos_delta * t1003) + (motion->constants[24] * t970) -
+        (motion->constants[23] * t922) - (t127 * t975);
     const double t1026 = (sin_delta * t953) + (cos_delta * t968);
-    const double t1033 = t537 + t543 + (motion->constants[15] * t916) + (motion->constants[19] *
-        t939) + (motion->constants[21] * t957) + (motion->constants[24] * t964) +
-        (motion->constants[26] * t959);
-    const double t1047 = t562 + (motion->constants[14] * t944) + (motion->constants[18] * t916) +
-        (motion->constants[15] * t939) + (cos_delta * t995) - (sin_delta * t1003);
-    const double t1052 = (t13 * (t1033 + (motion->constants[6] * t1026) - (motion->constants[13] *
-        t944))) + (t189 * t975) - (t9 * (t1047 - (motion->constants[7] * t1026)));
+    const double t1033 = t537 + t543 + (motion->constants[32] * t916) + (motion->constants[36] *
+        t939) + (motion->constants[38] * t957) + (motion->constants[41] * t964) +
+        (motion->constants[43] * t959);
+    const double t1047 = t562 + (motion->constants[31] * t944) + (motion->constants[35] * t916) +
+        (motion->constants[32] * t939) + (cos_delta * t995) - (sin_delta * t1003);
+    const double t1052 = (t13 * (t1033 + (motion->constants[23] * t1026) - (motion->constants[30] *
+        t944))) + (t189 * t975) - (t9 * (t1047 - (motion->constants[24] * t1026)));
     const double t1057 = t82 * ((sin_phi * t1016) + (cos_phi * t1052) - (t235 * t984));
     const double t1059 = (t36 * t984) - (t43 * t1057);
     const double t1060 = t975 - t1059;
     const double t1065 = (t43 * t984) + (t36 * t1057);
-    const double t1072 = t590 + t1026 + (motion->constants[13] * t939) - (motion->constants[17] *
-        t944) - (motion->constants[14] * t916);
+    const double t1072 = t590 + t1026 + (motion->constants[30] * t939) - (motion->constants[34] *
+        t944) - (motion->constants[31] * t916);
     const double t1076 = (t13 * t925) - (t9 * t973);
     const double t1079 = (cos_phi * t1072) - t1065 - (sin_phi * t1076);
     const double t1081 = (cos_psi * t1060) - (sin_psi * t1079);
@@ -3379,99 +3404,116 @@ void whipple_tyres_f32_motion(const whipple_tyres_f32_t *p, whipple_tyres_f32_mo
     float sin_lam = 0.0F;
     float cos_lam = 0.0F;
     carvallo_sin_cos_f32(p->lam, &sin_lam, &cos_lam);
-    const float t9 = p->w + p->c;
-    const float t13 = (cos_lam * t9) - (sin_lam * p->rR);
-    const float t16 = (sin_lam * t9) + (cos_lam * p->rR);
-    const float t17 = p->rR - p->rhoR;
-    const float t18 = p->w - t9;
-    const float t22 = (cos_lam * t18) + (sin_lam * p->rF);
-    const float t25 = (sin_lam * t18) - (cos_lam * p->rF);
-    const float t26 = p->rF - p->rhoF;
-    const float t27 = t16 + t25;
-    const float t32 = p->rR + p->zB;
-    const float t34 = (cos_lam * p->xB) - (sin_lam * t32);
-    const float t35 = p->mB * t34;
-    const float t38 = (sin_lam * p->xB) + (cos_lam * t32);
-    const float t39 = p->mB * t38;
-    const float t43 = cos_lam * p->IBxz;
-    const float t44 = (sin_lam * p->IBxx) + t43;
-    const float t46 = sin_lam * p->IBxz;
-    const float t49 = t46 + (cos_lam * p->IBzz);
-    const float t53 = (cos_lam * t44) - (sin_lam * t49) - (t35 * t38);
-    const float t55 = t38 * t39;
-    const float t56 = t34 * t35;
-    const float t58 = p->IByy + t55 + t56;
-    const float t60 = p->mB + p->mR;
-    const float t70 = t55 + p->IRxx + (cos_lam * ((cos_lam * p->IBxx) - t46)) - (sin_lam * (t43 -
+    const float t24 = p->w + p->c;
+    const float t27 = (cos_lam * t24) - (sin_lam * p->rR);
+    const float t30 = (sin_lam * t24) + (cos_lam * p->rR);
+    const float t31 = p->rR - p->rhoR;
+    const float t32 = p->w - t24;
+    const float t35 = (cos_lam * t32) + (sin_lam * p->rF);
+    const float t38 = (sin_lam * t32) - (cos_lam * p->rF);
+    const float t39 = p->rF - p->rhoF;
+    const float t40 = t30 + t38;
+    const float t42 = p->rR + p->zB;
+    const float t44 = (cos_lam * p->xB) - (sin_lam * t42);
+    const float t45 = p->mB * t44;
+    const float t48 = (sin_lam * p->xB) + (cos_lam * t42);
+    const float t49 = p->mB * t48;
+    const float t51 = cos_lam * p->IBxz;
+    const float t52 = (sin_lam * p->IBxx) + t51;
+    const float t54 = sin_lam * p->IBxz;
+    const float t56 = t54 + (cos_lam * p->IBzz);
+    const float t60 = (cos_lam * t52) - (sin_lam * t56) - (t45 * t48);
+    const float t62 = t48 * t49;
+    const float t63 = t44 * t45;
+    const float t65 = p->IByy + t62 + t63;
+    const float t67 = p->mB + p->mR;
+    const float t77 = t62 + p->IRxx + (cos_lam * ((cos_lam * p->IBxx) - t54)) - (sin_lam * (t51 -
         (sin_lam * p->IBzz)));
-    const float t75 = t56 + p->IRxx + (sin_lam * t44) + (cos_lam * t49);
-    const float t78 = p->mH + p->mF;
-    const float t80 = p->xH - t9;
-    const float t84 = (cos_lam * t80) - (sin_lam * p->zH);
-    const float t85 = p->mH * t84;
-    const float t86 = t22 * p->mF;
-    const float t87 = t85 + t86;
-    const float t90 = (sin_lam * t80) + (cos_lam * p->zH);
-    const float t91 = p->mH * t90;
-    const float t92 = t25 * p->mF;
-    const float t93 = t91 + t92;
-    const float t98 = sin_lam * p->IHxz;
-    const float t101 = cos_lam * p->IHxz;
-    const float t108 = (t90 * t91) + (t25 * t92);
-    const float t111 = p->IFxx + (cos_lam * ((cos_lam * p->IHxx) - t98)) + t108 - (sin_lam * (t101 -
+    const float t82 = t63 + p->IRxx + (sin_lam * t52) + (cos_lam * t56);
+    const float t83 = p->mH + p->mF;
+    const float t84 = p->xH - t24;
+    const float t87 = (cos_lam * t84) - (sin_lam * p->zH);
+    const float t88 = p->mH * t87;
+    const float t89 = p->mF * t35;
+    const float t90 = t88 + t89;
+    const float t93 = (sin_lam * t84) + (cos_lam * p->zH);
+    const float t94 = p->mH * t93;
+    const float t95 = p->mF * t38;
+    const float t96 = t94 + t95;
+    const float t99 = sin_lam * p->IHxz;
+    const float t102 = cos_lam * p->IHxz;
+    const float t108 = (t93 * t94) + (t38 * t95);
+    const float t111 = p->IFxx + (cos_lam * ((cos_lam * p->IHxx) - t99)) + t108 - (sin_lam * (t102 -
         (sin_lam * p->IHzz)));
-    const float t113 = t101 + (sin_lam * p->IHxx);
-    const float t116 = t98 + (cos_lam * p->IHzz);
-    const float t122 = (cos_lam * t113) - (sin_lam * t116) - (t85 * t90) - (t25 * t86);
-    const float t126 = (t84 * t85) + (t22 * t86);
+    const float t113 = t102 + (sin_lam * p->IHxx);
+    const float t116 = t99 + (cos_lam * p->IHzz);
+    const float t122 = (cos_lam * t113) - (sin_lam * t116) - (t88 * t93) - (t38 * t89);
+    const float t126 = (t87 * t88) + (t35 * t89);
     const float t128 = t108 + p->IHyy + t126;
     const float t133 = p->IFxx + t126 + (sin_lam * t113) + (cos_lam * t116);
     const float t135 = t111 - t128;
-    const float t136 = t13 * t78;
-    const float t137 = t16 * t93;
-    const float t138 = t16 * t78;
-    const float t141 = t137 + t137 + (t16 * t138);
-    const float t142 = t13 * t93;
-    const float t143 = t16 * t136;
-    const float t144 = t13 * t136;
-    const float t145 = t60 + t78;
-    const float t147 = t39 + t93 + t138;
-    motion->constants[0] = sin_lam;
-    motion->constants[1] = cos_lam;
-    motion->constants[2] = p->IRyy;
-    motion->constants[3] = p->IFyy;
-    motion->constants[4] = p->rhoR;
-    motion->constants[5] = p->rhoF;
-    motion->constants[6] = t13;
-    motion->constants[7] = t16;
-    motion->constants[8] = t17;
-    motion->constants[9] = t22;
-    motion->constants[10] = t25;
-    motion->constants[11] = t26;
-    motion->constants[12] = t27;
-    motion->constants[13] = t35;
-    motion->constants[14] = t39;
-    motion->constants[15] = t53;
-    motion->constants[16] = t58;
-    motion->constants[17] = t60;
-    motion->constants[18] = t70;
-    motion->constants[19] = t75;
-    motion->constants[20] = t78;
-    motion->constants[21] = t87;
-    motion->constants[22] = t93;
-    motion->constants[23] = t111;
-    motion->constants[24] = t122;
-    motion->constants[25] = t128;
-    motion->constants[26] = t133;
-    motion->constants[27] = p->g;
-    motion->constants[28] = t135;
-    motion->constants[29] = t136;
-    motion->constants[30] = t141;
-    motion->constants[31] = t142;
-    motion->constants[32] = t143;
-    motion->constants[33] = t144;
-    motion->constants[34] = t145;
-    motion->constants[35] = t147;
+    const float t136 = t27 * t83;
+    const float t137 = t30 * t96;
+    const float t138 = t30 * t83;
+    const float t141 = t137 + t137 + (t30 * t138);
+    const float t142 = t27 * t96;
+    const float t143 = t30 * t136;
+    const float t144 = t27 * t136;
+    const float t145 = t67 + t83;
+    const float t147 = t49 + t96 + t138;
+    motion->constants[0] = p->w;
+    motion->constants[1] = p->c;
+    motion->constants[2] = sin_lam;
+    motion->constants[3] = cos_lam;
+    motion->constants[4] = p->rR;
+    motion->constants[5] = p->rF;
+    motion->constants[6] = p->IBxx;
+    motion->constants[7] = p->IBxz;
+    motion->constants[8] = p->IBzz;
+    motion->constants[9] = p->mB;
+    motion->constants[10] = p->xB;
+    motion->constants[11] = p->zB;
+    motion->constants[12] = p->IHxx;
+    motion->constants[13] = p->IHxz;
+    motion->constants[14] = p->IHzz;
+    motion->constants[15] = p->mH;
+    motion->constants[16] = p->xH;
+    motion->constants[17] = p->zH;
+    motion->constants[18] = p->IRyy;
+    motion->constants[19] = p->IFyy;
+    motion->constants[20] = p->mF;
+    motion->constants[21] = p->rhoR;
+    motion->constants[22] = p->rhoF;
+    motion->constants[23] = t27;
+    motion->constants[24] = t30;
+    motion->constants[25] = t31;
+    motion->constants[26] = t35;
+    motion->constants[27] = t38;
+    motion->constants[28] = t39;
+    motion->constants[29] = t40;
+    motion->constants[30] = t45;
+    motion->constants[31] = t49;
+    motion->constants[32] = t60;
+    motion->constants[33] = t65;
+    motion->constants[34] = t67;
+    motion->constants[35] = t77;
+    motion->constants[36] = t82;
+    motion->constants[37] = t83;
+    motion->constants[38] = t90;
+    motion->constants[39] = t96;
+    motion->constants[40] = t111;
+    motion->constants[41] = t122;
+    motion->constants[42] = t128;
+    motion->constants[43] = t133;
+    motion->constants[44] = p->g;
+    motion->constants[45] = t135;
+    motion->constants[46] = t136;
+    motion->constants[47] = t141;
+    motion->constants[48] = t142;
+    motion->constants[49] = t143;
+    motion->constants[50] = t144;
+    motion->constants[51] = t145;
+    motion->constants[52] = t147;
 }
 
 static void whipple_tyres_f32_compute_rates(const whipple_tyres_f32_motion_t *motion,
@@ -3481,17 +3523,17 @@ static void whipple_tyres_f32_compute_rates(const whipple_tyres_f32_motion_t *mo
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
-    const float t5 = motion->constants[8] + (motion->constants[4] * cos_phi);
+    const float t5 = motion->constants[25] + (motion->constants[21] * cos_phi);
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t17 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const float t17 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     float sin_delta = 0.0F;
     float cos_delta = 0.0F;
     carvallo_sin_cos_f32(positions[5], &sin_delta, &cos_delta);
     const float t20 = cos_phi * t17;
     const float t24 = (sin_phi * sin_delta) - (cos_delta * t20);
-    const float t28 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const float t28 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const float t29 = cos_phi * t28;
     const float t32 = sqrtf((t24 * t24) + (t29 * t29));
     const float t33 = 1.0F / t32;
@@ -3499,34 +3541,34 @@ static void whipple_tyres_f32_compute_rates(const whipple_tyres_f32_motion_t *mo
     const float t36 = t29 * t33;
     const float t37 = cos_delta * t36;
     const float t39 = (t28 * t37) - (t17 * t34);
-    const float t44 = ((sin_phi * cos_delta) + (t20 * sin_delta)) * motion->constants[11];
-    const float t47 = sin_delta * motion->constants[9];
-    const float t53 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const float t55 = (t28 * motion->constants[12]) - (t17 * t53);
+    const float t44 = ((sin_phi * cos_delta) + (t20 * sin_delta)) * motion->constants[28];
+    const float t47 = sin_delta * motion->constants[26];
+    const float t53 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const float t55 = (t28 * motion->constants[29]) - (t17 * t53);
     const float t58 = (cos_phi * t47) - (t39 * t44) - (sin_phi * t55);
-    const float t59 = (motion->constants[8] * sin_phi) + t58;
+    const float t59 = (motion->constants[25] * sin_phi) + t58;
     const float t66 = (cos_phi * sin_delta * t36) + (sin_phi * ((t28 * t34) + (t17 * t37)));
-    const float t71 = (t44 * t66) + (t17 * motion->constants[12]) + (t28 * t53);
+    const float t71 = (t44 * t66) + (t17 * motion->constants[29]) + (t28 * t53);
     const float t73 = 1.0F / (cos_phi * t71);
     const float t74 = t59 * t73;
-    const float t80 = (t28 * motion->constants[7]) - (t17 * motion->constants[6]);
+    const float t80 = (t28 * motion->constants[24]) - (t17 * motion->constants[23]);
     const float t82 = t58 + (sin_phi * t80);
     const float t84 = sin_phi * t28;
-    const float t88 = t71 - (t17 * motion->constants[7]) - (t28 * motion->constants[6]);
+    const float t88 = t71 - (t17 * motion->constants[24]) - (t28 * motion->constants[23]);
     const float t91 = t73 * ((t17 * t82) + (t84 * t88));
     const float t93 = (speeds[0] * t74) + (speeds[1] * t91);
     const float t95 = t5 * (speeds[2] + t93);
     float sin_psi = 0.0F;
     float cos_psi = 0.0F;
     carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
-    const float t99 = motion->constants[4] * speeds[0];
+    const float t99 = motion->constants[21] * speeds[0];
     const float t105 = (cos_psi * t99) - (t95 * sin_psi);
     const float t106 = sin_phi * t71;
     const float t108 = sin_phi * t59;
     const float t110 = (t39 * t106) + (t66 * t108);
     const float t114 = 1.0F / ((t39 * t71) + (t59 * t66));
     const float t116 = t74 * t110 * t114;
-    const float t127 = motion->constants[5] + (t32 * motion->constants[11]) + (sin_phi * t47) +
+    const float t127 = motion->constants[22] + (t32 * motion->constants[28]) + (sin_phi * t47) +
         (cos_phi * t55) - (cos_phi * t80);
     const float t129 = (t29 * t88) - (t17 * t127);
     const float t133 = (t84 * t127) + (t29 * t82);
@@ -3534,7 +3576,7 @@ static void whipple_tyres_f32_compute_rates(const whipple_tyres_f32_motion_t *mo
     const float t141 = t5 * t66 * t114;
     const float t147 = (t66 * t106) - (t39 * t108);
     const float t151 = (t66 * t71) - (t39 * t59);
-    const float t156 = 1.0F / (motion->constants[11] + (t32 * motion->constants[5]));
+    const float t156 = 1.0F / (motion->constants[28] + (t32 * motion->constants[22]));
     const float t173 = (speeds[0] * ((t116 * t151) - (t74 * t147)) * t156) + (speeds[1] * t156 *
         ((t39 * t133) + (t138 * t151) - (t66 * t129) - (t91 * t147)));
     const float t174 = t173 + (speeds[2] * t156 * ((t5 * t39) + (t141 * t151)));
@@ -3572,17 +3614,17 @@ static void whipple_tyres_f32_compute_derivatives(const whipple_tyres_f32_motion
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
-    const float t5 = motion->constants[8] + (motion->constants[4] * cos_phi);
+    const float t5 = motion->constants[25] + (motion->constants[21] * cos_phi);
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t17 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const float t17 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     float sin_delta = 0.0F;
     float cos_delta = 0.0F;
     carvallo_sin_cos_f32(positions[5], &sin_delta, &cos_delta);
     const float t20 = cos_phi * t17;
     const float t24 = (sin_phi * sin_delta) - (cos_delta * t20);
-    const float t28 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const float t28 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const float t29 = cos_phi * t28;
     const float t32 = sqrtf((t24 * t24) + (t29 * t29));
     const float t33 = 1.0F / t32;
@@ -3591,20 +3633,20 @@ static void whipple_tyres_f32_compute_derivatives(const whipple_tyres_f32_motion
     const float t37 = cos_delta * t36;
     const float t39 = (t28 * t37) - (t17 * t34);
     const float t42 = (sin_phi * cos_delta) + (t20 * sin_delta);
-    const float t44 = t42 * motion->constants[11];
-    const float t47 = sin_delta * motion->constants[9];
-    const float t53 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const float t55 = (t28 * motion->constants[12]) - (t17 * t53);
+    const float t44 = t42 * motion->constants[28];
+    const float t47 = sin_delta * motion->constants[26];
+    const float t53 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const float t55 = (t28 * motion->constants[29]) - (t17 * t53);
     const float t58 = (cos_phi * t47) - (t39 * t44) - (sin_phi * t55);
-    const float t59 = (motion->constants[8] * sin_phi) + t58;
+    const float t59 = (motion->constants[25] * sin_phi) + t58;
     const float t66 = (cos_phi * sin_delta * t36) + (sin_phi * ((t28 * t34) + (t17 * t37)));
-    const float t71 = (t44 * t66) + (t17 * motion->constants[12]) + (t28 * t53);
+    const float t71 = (t44 * t66) + (t17 * motion->constants[29]) + (t28 * t53);
     const float t73 = 1.0F / (cos_phi * t71);
     const float t74 = t59 * t73;
-    const float t80 = (t28 * motion->constants[7]) - (t17 * motion->constants[6]);
+    const float t80 = (t28 * motion->constants[24]) - (t17 * motion->constants[23]);
     const float t82 = t58 + (sin_phi * t80);
     const float t84 = sin_phi * t28;
-    const float t88 = t71 - (t17 * motion->constants[7]) - (t28 * motion->constants[6]);
+    const float t88 = t71 - (t17 * motion->constants[24]) - (t28 * motion->constants[23]);
     const float t91 = t73 * ((t17 * t82) + (t84 * t88));
     const float t93 = (speeds[0] * t74) + (speeds[1] * t91);
     const float t94 = speeds[2] + t93;
@@ -3612,14 +3654,14 @@ static void whipple_tyres_f32_compute_derivatives(const whipple_tyres_f32_motion
     float sin_psi = 0.0F;
     float cos_psi = 0.0F;
     carvallo_sin_cos_f32(positions[2], &sin_psi, &cos_psi);
-    const float t99 = motion->constants[4] * speeds[0];
+    const float t99 = motion->constants[21] * speeds[0];
     const float t105 = (cos_psi * t99) - (t95 * sin_psi);
     const float t106 = sin_phi * t71;
     const float t108 = sin_phi * t59;
     const float t110 = (t39 * t106) + (t66 * t108);
     const float t114 = 1.0F / ((t39 * t71) + (t59 * t66));
     const float t116 = t74 * t110 * t114;
-    const float t127 = motion->constants[5] + (t32 * motion->constants[11]) + (sin_phi * t47) +
+    const float t127 = motion->constants[22] + (t32 * motion->constants[28]) + (sin_phi * t47) +
         (cos_phi * t55) - (cos_phi * t80);
     const float t129 = (t29 * t88) - (t17 * t127);
     const float t133 = (t84 * t127) + (t29 * t82);
@@ -3628,7 +3670,7 @@ static void whipple_tyres_f32_compute_derivatives(const whipple_tyres_f32_motion
     const float t144 = (speeds[0] * t116) + (speeds[1] * t138) + (speeds[2] * t141);
     const float t147 = (t66 * t106) - (t39 * t108);
     const float t151 = (t66 * t71) - (t39 * t59);
-    const float t155 = motion->constants[11] + (t32 * motion->constants[5]);
+    const float t155 = motion->constants[28] + (t32 * motion->constants[22]);
     const float t156 = 1.0F / t155;
     const float t157 = ((t116 * t151) - (t74 * t147)) * t156;
     const float t166 = t156 * ((t39 * t133) + (t138 * t151) - (t66 * t129) - (t91 * t147));
@@ -3637,36 +3679,37 @@ static void whipple_tyres_f32_compute_derivatives(const whipple_tyres_f32_motion
     const float t177 = cos_phi * t144;
     const float t178 = t94 * t177;
     const float t180 = sin_phi * t144;
-    const float t181 = motion->constants[8] * t180;
+    const float t181 = motion->constants[25] * t180;
     const float t183 = (t177 * t181) - (t5 * t178);
-    const float t186 = t183 + (sin_phi * motion->constants[27]);
+    const float t186 = t183 + (sin_phi * motion->constants[44]);
     const float t191 = (speeds[0] * t17) - (t28 * t177);
     const float t192 = t93 * t191;
     const float t193 = speeds[0] * t180;
     const float t194 = t93 - t180;
-    const float t195 = motion->constants[7] * t194;
+    const float t195 = motion->constants[24] * t194;
     const float t199 = (speeds[0] * t28) + (t17 * t177);
-    const float t200 = motion->constants[6] * t194;
+    const float t200 = motion->constants[23] * t194;
     const float t202 = (t191 * t195) + (t199 * t200);
     const float t204 = t93 * t199;
     const float t205 = (t28 * t193) + t204;
     const float t208 = t192 + (t17 * t193);
-    const float t212 = t202 + (motion->constants[6] * t205) + (motion->constants[7] * t208) - t183;
-    const float t217 = (motion->constants[6] * t191) - (motion->constants[7] * t199);
+    const float t212 = t202 + (motion->constants[23] * t205) + (motion->constants[24] * t208) -
+        t183;
+    const float t217 = (motion->constants[23] * t191) - (motion->constants[24] * t199);
     const float t219 = (t194 * t200) + (t191 * t217);
     const float t220 = speeds[0] * t177;
-    const float t223 = motion->constants[4] * sin_phi;
+    const float t223 = motion->constants[21] * sin_phi;
     const float t224 = speeds[0] * t94;
-    const float t227 = motion->constants[8] * speeds[0];
+    const float t227 = motion->constants[25] * speeds[0];
     const float t228 = t177 * t227;
     const float t230 = (t5 * t220) + (t223 * (t193 + t224)) + t228;
     const float t237 = (t178 * t223) + (t181 * (t94 - t180)) - (speeds[0] * t227);
-    const float t241 = (t28 * t230) + (t17 * t237) - t219 - (motion->constants[7] * t220);
+    const float t241 = (t28 * t230) + (t17 * t237) - t219 - (motion->constants[24] * t220);
     const float t243 = speeds[1] + t191;
     const float t247 = (cos_delta * t194) - (sin_delta * t199);
-    const float t248 = motion->constants[10] * t247;
+    const float t248 = motion->constants[27] * t247;
     const float t252 = (cos_delta * t199) + (sin_delta * t194);
-    const float t253 = motion->constants[9] * t247;
+    const float t253 = motion->constants[26] * t247;
     const float t258 = speeds[1] * t247;
     const float t260 = t258 - (cos_delta * t208) - (sin_delta * t220);
     const float t262 = t34 * t155;
@@ -3676,139 +3719,141 @@ static void whipple_tyres_f32_compute_derivatives(const whipple_tyres_f32_motion
     const float t274 = t33 * ((t34 * t252) + (t36 * t243)) * t44;
     const float t275 = t36 * t274;
     const float t277 = t34 * t274;
-    const float t283 = (cos_delta * t212) + (t243 * t248) + (t252 * t253) + (motion->constants[9] *
+    const float t283 = (cos_delta * t212) + (t243 * t248) + (t252 * t253) + (motion->constants[26] *
         t205) + (t262 * t264) + (t243 * t275);
-    const float t287 = t283 + (t252 * t277) - (sin_delta * t241) - (motion->constants[10] * t260) -
+    const float t287 = t283 + (t252 * t277) - (sin_delta * t241) - (motion->constants[27] * t260) -
         (t266 * t268);
-    const float t294 = (motion->constants[9] * t243) - (motion->constants[10] * t252);
+    const float t294 = (motion->constants[26] * t243) - (motion->constants[27] * t252);
     const float t298 = speeds[1] * t252;
     const float t300 = (sin_delta * t208) - (cos_delta * t220) - t298;
-    const float t303 = t42 * motion->constants[5];
+    const float t303 = t42 * motion->constants[22];
     const float t305 = t174 + t247;
-    const float t310 = motion->constants[11] * ((t34 * t243) - (t36 * t252));
-    const float t316 = (cos_delta * t241) + (sin_delta * t212) + (motion->constants[10] * t300) +
+    const float t310 = motion->constants[28] * ((t34 * t243) - (t36 * t252));
+    const float t316 = (cos_delta * t241) + (sin_delta * t212) + (motion->constants[27] * t300) +
         (t266 * t300) - (t247 * t253) - (t243 * t294);
     const float t319 = t316 - (t264 * t303) - (t277 * t305) - (t243 * t310);
     const float t323 = (t199 * t217) - (t194 * t195);
-    const float t338 = t323 + (motion->constants[6] * t220) + (t17 * t230) + (t252 * t294) + (t268 *
-        t303) + (t252 * t310);
-    const float t343 = t338 - (t28 * t237) - (t247 * t248) - (motion->constants[9] * t300) - (t262 *
-        t300) - (t275 * t305);
+    const float t338 = t323 + (motion->constants[23] * t220) + (t17 * t230) + (t252 * t294) +
+        (t268 * t303) + (t252 * t310);
+    const float t343 = t338 - (t28 * t237) - (t247 * t248) - (motion->constants[26] * t300) -
+        (t262 * t300) - (t275 * t305);
     const float t345 = (t34 * t319) + (t36 * t343);
     const float t350 = t73 * ((t42 * t287) + (t32 * t345));
     const float t354 = t114 * ((t32 * t287) + (t110 * t350) - (t42 * t345));
     const float t356 = t193 - (cos_phi * t354);
     const float t358 = t192 + (t17 * t356);
     const float t362 = t204 + (t28 * t356);
-    const float t369 = (t194 * motion->constants[16]) + (motion->constants[2] * (speeds[2] + t194));
-    const float t374 = (t199 * motion->constants[18]) + (motion->constants[15] * t191);
-    const float t381 = t202 + (motion->constants[6] * t362) + (motion->constants[7] * t358) - t186;
+    const float t369 = (t194 * motion->constants[33]) + (motion->constants[18] * (speeds[2] +
+        t194));
+    const float t374 = (t199 * motion->constants[35]) + (motion->constants[32] * t191);
+    const float t381 = t202 + (motion->constants[23] * t362) + (motion->constants[24] * t358) -
+        t186;
     const float t385 = t350 - t220 - (sin_phi * t354);
     const float t391 = (t5 * t385) - t228 - (t223 * (t224 + t356));
-    const float t394 = t237 + (cos_phi * motion->constants[27]);
+    const float t394 = t237 + (cos_phi * motion->constants[44]);
     const float t396 = (t17 * t394) - (t28 * t391);
-    const float t398 = (motion->constants[7] * t385) + t396 - t219;
+    const float t398 = (motion->constants[24] * t385) + t396 - t219;
     const float t400 = (cos_delta * t381) - (sin_delta * t398);
     const float t406 = t258 + (sin_delta * t385) - (cos_delta * t358);
-    const float t414 = (t247 * motion->constants[25]) + (t305 * motion->constants[3]);
-    const float t419 = (t252 * motion->constants[23]) + (t243 * motion->constants[24]);
-    const float t424 = (motion->constants[21] * t400) + (motion->constants[24] * t406) + (t362 *
-        motion->constants[26]) + (t252 * t414) - (t247 * t419);
+    const float t414 = (t247 * motion->constants[42]) + (t305 * motion->constants[19]);
+    const float t419 = (t252 * motion->constants[40]) + (t243 * motion->constants[41]);
+    const float t424 = (motion->constants[38] * t400) + (motion->constants[41] * t406) + (t362 *
+        motion->constants[43]) + (t252 * t414) - (t247 * t419);
     const float t428 = (cos_delta * t398) + (sin_delta * t381);
     const float t434 = (cos_delta * t385) + (sin_delta * t358) - t298;
-    const float t436 = t247 * motion->constants[21];
-    const float t440 = (t243 * motion->constants[21]) - (t252 * motion->constants[22]);
-    const float t444 = (motion->constants[20] * t428) + (motion->constants[22] * t434) - (t247 *
+    const float t436 = t247 * motion->constants[38];
+    const float t440 = (t243 * motion->constants[38]) - (t252 * motion->constants[39]);
+    const float t444 = (motion->constants[37] * t428) + (motion->constants[39] * t434) - (t247 *
         t436) - (t243 * t440);
-    const float t449 = t247 * motion->constants[22];
-    const float t455 = (t400 * motion->constants[20]) + (t362 * motion->constants[21]) + (t243 *
-        t449) + (t252 * t436) - (t406 * motion->constants[22]);
+    const float t449 = t247 * motion->constants[39];
+    const float t455 = (t400 * motion->constants[37]) + (t362 * motion->constants[38]) + (t243 *
+        t449) + (t252 * t436) - (t406 * motion->constants[39]);
     const float t457 = (sin_delta * t444) + (cos_delta * t455);
-    const float t463 = (motion->constants[19] * t362) + (t199 * t369) + t424 +
-        (motion->constants[6] * t457) - (motion->constants[13] * t186) - (motion->constants[15] *
+    const float t463 = (motion->constants[36] * t362) + (t199 * t369) + t424 +
+        (motion->constants[23] * t457) - (motion->constants[30] * t186) - (motion->constants[32] *
         t358);
     const float t464 = t463 - (t194 * t374);
-    const float t472 = (motion->constants[15] * t199) + (t191 * motion->constants[19]);
-    const float t480 = (t252 * motion->constants[24]) + (t243 * motion->constants[26]);
-    const float t486 = (t406 * motion->constants[23]) + (t362 * motion->constants[24]) + (t247 *
-        t480) - (t400 * motion->constants[22]) - (t243 * t414);
+    const float t472 = (motion->constants[32] * t199) + (t191 * motion->constants[36]);
+    const float t480 = (t252 * motion->constants[41]) + (t243 * motion->constants[43]);
+    const float t486 = (t406 * motion->constants[40]) + (t362 * motion->constants[41]) + (t247 *
+        t480) - (t400 * motion->constants[39]) - (t243 * t414);
     const float t492 = (t28 * t394) + (t17 * t391);
-    const float t494 = t323 - (motion->constants[6] * t385) - t492;
+    const float t494 = t323 - (motion->constants[23] * t385) - t492;
     const float t505 = t434 + (t156 * ((t34 * t343) + (t151 * t354) - (t36 * t319) - (t147 *
         t350)));
-    const float t506 = motion->constants[3] * t505;
-    const float t513 = (t428 * motion->constants[22]) + (motion->constants[25] * t434) + t506 +
-        (t243 * t419) - (motion->constants[21] * t494) - (t252 * t480);
-    const float t520 = (t186 * motion->constants[14]) + (motion->constants[15] * t362) + (t194 *
-        t472) + (cos_delta * t486) - (t358 * motion->constants[18]) - (t191 * t369);
-    const float t522 = t520 - (sin_delta * t513) - (motion->constants[7] * t457);
-    const float t529 = (motion->constants[13] * t191) - (t199 * motion->constants[14]);
-    const float t531 = t194 * motion->constants[14];
-    const float t539 = (motion->constants[20] * t494) + (t252 * t440) - (motion->constants[21] *
+    const float t506 = motion->constants[19] * t505;
+    const float t513 = (t428 * motion->constants[39]) + (motion->constants[42] * t434) + t506 +
+        (t243 * t419) - (motion->constants[38] * t494) - (t252 * t480);
+    const float t520 = (t186 * motion->constants[31]) + (motion->constants[32] * t362) + (t194 *
+        t472) + (cos_delta * t486) - (t358 * motion->constants[35]) - (t191 * t369);
+    const float t522 = t520 - (sin_delta * t513) - (motion->constants[24] * t457);
+    const float t529 = (motion->constants[30] * t191) - (t199 * motion->constants[31]);
+    const float t531 = t194 * motion->constants[31];
+    const float t539 = (motion->constants[37] * t494) + (t252 * t440) - (motion->constants[38] *
         t434) - (t247 * t449);
-    const float t543 = (t199 * t529) + t539 - (t492 * motion->constants[17]) -
-        (motion->constants[13] * t385) - (t194 * t531);
-    const float t547 = motion->constants[13] * t194;
+    const float t543 = (t199 * t529) + t539 - (t492 * motion->constants[34]) -
+        (motion->constants[30] * t385) - (t194 * t531);
+    const float t547 = motion->constants[30] * t194;
     const float t552 = (cos_delta * t444) - (sin_delta * t455);
-    const float t556 = (t396 * motion->constants[17]) + (t385 * motion->constants[14]) + t552 -
+    const float t556 = (t396 * motion->constants[34]) + (t385 * motion->constants[31]) + t552 -
         (t194 * t547) - (t191 * t529);
-    const float t569 = t457 + (motion->constants[13] * t362) + (t358 * motion->constants[14]) +
-        (t191 * t531) + (t199 * t547) - (t186 * motion->constants[17]);
+    const float t569 = t457 + (motion->constants[30] * t362) + (t358 * motion->constants[31]) +
+        (t191 * t531) + (t199 * t547) - (t186 * motion->constants[34]);
     const float t572 = t74 - (sin_phi * t116);
     const float t585 = (t17 * t543) + (t28 * t556);
-    const float t587 = (motion->constants[2] * t385) - (t5 * t585);
-    const float t592 = (t396 * motion->constants[14]) + (motion->constants[13] * t492) +
-        (motion->constants[16] * t385) + (t191 * t374) + (sin_delta * t486) + (cos_delta * t513);
-    const float t596 = t592 + (motion->constants[7] * t552) + t587 - (t199 * t472) -
-        (motion->constants[6] * t539);
+    const float t587 = (motion->constants[18] * t385) - (t5 * t585);
+    const float t592 = (t396 * motion->constants[31]) + (motion->constants[30] * t492) +
+        (motion->constants[33] * t385) + (t191 * t374) + (sin_delta * t486) + (cos_delta * t513);
+    const float t596 = t592 + (motion->constants[24] * t552) + t587 - (t199 * t472) -
+        (motion->constants[23] * t539);
     const float t598 = cos_phi * t116;
     const float t603 = (t28 * t464) + (t223 * t585) - (t17 * t522);
     const float t608 = forces[0] + (t223 * ((t28 * t543) - (t17 * t556))) + (t598 * t603) - (t17 *
         t464);
     const float t612 = t608 - (t28 * t522) - (t5 * t569) - (t572 * t596) - (t157 * t506);
-    const float t614 = sin_delta * motion->constants[28];
+    const float t614 = sin_delta * motion->constants[45];
     const float t615 = sin_delta * t614;
-    const float t619 = motion->constants[18] + motion->constants[23] + motion->constants[30] - t615;
-    const float t620 = cos_delta * motion->constants[21];
-    const float t621 = motion->constants[6] * t620;
-    const float t624 = t621 + t621 + motion->constants[33];
-    const float t626 = motion->constants[19] + motion->constants[26] + t624;
+    const float t619 = motion->constants[35] + motion->constants[40] + motion->constants[47] - t615;
+    const float t620 = cos_delta * motion->constants[38];
+    const float t621 = motion->constants[23] * t620;
+    const float t624 = t621 + t621 + motion->constants[50];
+    const float t626 = motion->constants[36] + motion->constants[43] + t624;
     const float t627 = t626 - t619;
     const float t628 = t17 * t17;
     const float t630 = t17 * t28;
-    const float t635 = (cos_delta * motion->constants[24]) - (motion->constants[7] * t620);
-    const float t638 = motion->constants[15] + t635 - motion->constants[31] - motion->constants[32];
+    const float t635 = (cos_delta * motion->constants[41]) - (motion->constants[24] * t620);
+    const float t638 = motion->constants[32] + t635 - motion->constants[48] - motion->constants[49];
     const float t639 = t638 + t638;
     const float t641 = (t627 * t628) + (t630 * t639);
-    const float t642 = sin_delta * motion->constants[21];
+    const float t642 = sin_delta * motion->constants[38];
     const float t643 = t223 * t642;
-    const float t645 = t223 * motion->constants[34];
+    const float t645 = t223 * motion->constants[51];
     const float t648 = (t223 * t645) - t643 - t643;
-    const float t653 = motion->constants[13] + t620 + motion->constants[29];
-    const float t655 = (t28 * motion->constants[35]) - (t17 * t653);
+    const float t653 = motion->constants[30] + t620 + motion->constants[46];
+    const float t655 = (t28 * motion->constants[52]) - (t17 * t653);
     const float t656 = t5 * t655;
-    const float t657 = t5 * motion->constants[34];
+    const float t657 = t5 * motion->constants[51];
     const float t658 = t5 * t657;
     const float t660 = t658 - t656 - t656;
-    const float t663 = (sin_delta * motion->constants[24]) - (motion->constants[7] * t642);
-    const float t667 = (cos_delta * t614) - (motion->constants[6] * t642);
-    const float t671 = (t17 * motion->constants[35]) + (t28 * t653);
+    const float t663 = (sin_delta * motion->constants[41]) - (motion->constants[24] * t642);
+    const float t667 = (cos_delta * t614) - (motion->constants[23] * t642);
+    const float t671 = (t17 * motion->constants[52]) + (t28 * t653);
     const float t674 = (t17 * t663) + (t28 * t667) + (t223 * t671);
     const float t681 = t638 + (t627 * t630) + (t5 * t671) - (t628 * t639);
-    const float t687 = motion->constants[16] + motion->constants[25] + t615 +
-        motion->constants[30] + t624 + t660;
+    const float t687 = motion->constants[33] + motion->constants[42] + t615 +
+        motion->constants[47] + t624 + t660;
     const float t697 = (t28 * t663) + (t223 * t655) + (t5 * t642) - (t17 * t667) - (t5 * t645);
     const float t704 = t626 + t648 - t641;
-    const float t709 = motion->constants[2] * t572;
+    const float t709 = motion->constants[18] * t572;
     const float t713 = t17 * sin_delta;
     const float t717 = t157 + (cos_delta * t572) - (sin_delta * t28) - (t598 * t713);
-    const float t718 = motion->constants[3] * t717;
+    const float t718 = motion->constants[19] * t717;
     const float t725 = t619 + t641 + t648 + t660 + (t572 * t674) + (t572 * (t674 + (t572 * t687) -
         (t598 * t697))) + (t572 * t709);
     const float t728 = t725 + (t717 * t718) - (t598 * t681) - (t598 * (t681 + (t572 * t697) -
         (t598 * t704)));
     const float t729 = 1.0F / t728;
-    const float t731 = motion->constants[26] + t621;
+    const float t731 = motion->constants[43] + t621;
     const float t737 = t91 - (sin_phi * t138);
     const float t739 = cos_phi * t138;
     const float t741 = t28 * t642;
@@ -3821,10 +3866,10 @@ static void whipple_tyres_f32_compute_derivatives(const whipple_tyres_f32_motion
     const float t769 = (t17 * t731) + (t28 * t635) + (t5 * t620) + (t674 * t737) + (t572 * t747) +
         (t709 * t737);
     const float t774 = t729 * (t769 + (t718 * t763) - (t17 * t643) - (t681 * t739) - (t598 * t757));
-    const float t779 = motion->constants[2] * t737;
-    const float t781 = motion->constants[3] * t763;
+    const float t779 = motion->constants[18] * t737;
+    const float t781 = motion->constants[19] * t763;
     const float t783 = t728 * t774;
-    const float t789 = motion->constants[26] + (t737 * t747) + (t737 * t743) + (t737 * t779) +
+    const float t789 = motion->constants[43] + (t737 * t747) + (t737 * t743) + (t737 * t779) +
         (t763 * t781) - (t739 * t757);
     const float t791 = t789 - (t739 * t753) - (t774 * t783);
     const float t792 = 1.0F / t791;
@@ -3846,8 +3891,8 @@ static void whipple_tyres_f32_compute_derivatives(const whipple_tyres_f32_motion
     const float t850 = t792 * (t847 - (t753 * t808) - (t783 * t841));
     const float t860 = (t596 * t806) + (t603 * t808) - t587 - (t171 * t506) - (t612 * t841) -
         (t802 * t850);
-    const float t877 = t658 + (t806 * t811) + (t805 * t806) + (motion->constants[2] * t823 * t823) +
-        (motion->constants[3] * t828 * t828) - (t808 * t818);
+    const float t877 = t658 + (t806 * t811) + (t805 * t806) + (motion->constants[18] * t823 *
+        t823) + (motion->constants[19] * t828 * t828) - (t808 * t818);
     const float t881 = t860 / (t877 - (t808 * t814) - (t728 * t841 * t841) - (t791 * t850 * t850));
     const float t883 = (t792 * t802) - (t850 * t881);
     const float t887 = (t612 * t729) - (t774 * t883) - (t841 * t881);
@@ -3897,13 +3942,13 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t15 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const float t15 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     float sin_delta = 0.0F;
     float cos_delta = 0.0F;
     carvallo_sin_cos_f32(positions[5], &sin_delta, &cos_delta);
     const float t19 = t15 * cos_phi;
     const float t23 = (sin_phi * sin_delta) - (cos_delta * t19);
-    const float t27 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const float t27 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const float t28 = cos_phi * t27;
     const float t31 = sqrtf((t23 * t23) + (t28 * t28));
     const float t32 = 1.0F / t31;
@@ -3912,31 +3957,31 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
     const float t36 = cos_delta * t35;
     const float t38 = (t27 * t36) - (t15 * t33);
     const float t41 = (sin_phi * cos_delta) + (t19 * sin_delta);
-    const float t43 = t41 * motion->constants[11];
-    const float t46 = sin_delta * motion->constants[9];
-    const float t52 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const float t54 = (t27 * motion->constants[12]) - (t15 * t52);
+    const float t43 = t41 * motion->constants[28];
+    const float t46 = sin_delta * motion->constants[26];
+    const float t52 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const float t54 = (t27 * motion->constants[29]) - (t15 * t52);
     const float t57 = (cos_phi * t46) - (t38 * t43) - (sin_phi * t54);
-    const float t58 = (sin_phi * motion->constants[8]) + t57;
+    const float t58 = (sin_phi * motion->constants[25]) + t57;
     const float t65 = (cos_phi * sin_delta * t35) + (sin_phi * ((t27 * t33) + (t15 * t36)));
-    const float t70 = (t43 * t65) + (t15 * motion->constants[12]) + (t27 * t52);
+    const float t70 = (t43 * t65) + (t15 * motion->constants[29]) + (t27 * t52);
     const float t72 = 1.0F / (cos_phi * t70);
     const float t73 = t58 * t72;
-    const float t79 = (t27 * motion->constants[7]) - (t15 * motion->constants[6]);
+    const float t79 = (t27 * motion->constants[24]) - (t15 * motion->constants[23]);
     const float t81 = t57 + (sin_phi * t79);
     const float t83 = sin_phi * t27;
-    const float t87 = t70 - (t15 * motion->constants[7]) - (t27 * motion->constants[6]);
+    const float t87 = t70 - (t15 * motion->constants[24]) - (t27 * motion->constants[23]);
     const float t90 = t72 * ((t15 * t81) + (t83 * t87));
     const float t92 = (speeds[0] * t73) + (speeds[1] * t90);
     const float t93 = speeds[2] + t92;
-    const float t95 = speeds[0] * motion->constants[4];
-    const float t99 = motion->constants[8] + (cos_phi * motion->constants[4]);
+    const float t95 = speeds[0] * motion->constants[21];
+    const float t99 = motion->constants[25] + (cos_phi * motion->constants[21]);
     const float t103 = 1.0F / ((t38 * t70) + (t58 * t65));
     const float t104 = sin_phi * t70;
     const float t106 = sin_phi * t58;
     const float t108 = (t38 * t104) + (t65 * t106);
     const float t110 = t73 * t103 * t108;
-    const float t121 = motion->constants[5] + (t31 * motion->constants[11]) + (sin_phi * t46) +
+    const float t121 = motion->constants[22] + (t31 * motion->constants[28]) + (sin_phi * t46) +
         (cos_phi * t54) - (cos_phi * t79);
     const float t123 = (t28 * t87) - (t15 * t121);
     const float t127 = (t83 * t121) + (t28 * t81);
@@ -3948,9 +3993,9 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
     const float t143 = (speeds[0] * t15) - (t27 * t139);
     const float t144 = sin_phi * t138;
     const float t145 = t92 - t144;
-    const float t146 = motion->constants[7] * t145;
+    const float t146 = motion->constants[24] * t145;
     const float t150 = (speeds[0] * t27) + (t15 * t139);
-    const float t151 = motion->constants[6] * t145;
+    const float t151 = motion->constants[23] * t145;
     const float t153 = (t143 * t146) + (t150 * t151);
     const float t154 = speeds[0] * t144;
     const float t156 = t92 * t150;
@@ -3958,26 +4003,27 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
     const float t160 = t92 * t143;
     const float t161 = (t15 * t154) + t160;
     const float t163 = t93 * t139;
-    const float t165 = motion->constants[8] * t144;
+    const float t165 = motion->constants[25] * t144;
     const float t167 = (t139 * t165) - (t99 * t163);
-    const float t170 = t153 + (motion->constants[6] * t157) + (motion->constants[7] * t161) - t167;
-    const float t175 = (motion->constants[6] * t143) - (motion->constants[7] * t150);
+    const float t170 = t153 + (motion->constants[23] * t157) + (motion->constants[24] * t161) -
+        t167;
+    const float t175 = (motion->constants[23] * t143) - (motion->constants[24] * t150);
     const float t177 = (t145 * t151) + (t143 * t175);
-    const float t179 = speeds[0] * motion->constants[8];
+    const float t179 = speeds[0] * motion->constants[25];
     const float t180 = t139 * t179;
-    const float t182 = sin_phi * motion->constants[4];
+    const float t182 = sin_phi * motion->constants[21];
     const float t183 = speeds[0] * t93;
     const float t187 = t180 + (t99 * t140) + (t182 * (t154 + t183));
     const float t194 = (t163 * t182) + (t165 * (t93 - t144)) - (speeds[0] * t179);
-    const float t198 = (t27 * t187) + (t15 * t194) - t177 - (motion->constants[7] * t140);
+    const float t198 = (t27 * t187) + (t15 * t194) - t177 - (motion->constants[24] * t140);
     const float t200 = speeds[1] + t143;
     const float t204 = (cos_delta * t145) - (sin_delta * t150);
-    const float t205 = motion->constants[10] * t204;
+    const float t205 = motion->constants[27] * t204;
     const float t209 = (cos_delta * t150) + (sin_delta * t145);
-    const float t210 = motion->constants[9] * t204;
+    const float t210 = motion->constants[26] * t204;
     const float t215 = speeds[1] * t204;
     const float t217 = t215 - (cos_delta * t161) - (sin_delta * t140);
-    const float t220 = motion->constants[11] + (t31 * motion->constants[5]);
+    const float t220 = motion->constants[28] + (t31 * motion->constants[22]);
     const float t221 = t33 * t220;
     const float t224 = (t65 * t104) - (t38 * t106);
     const float t228 = (t65 * t70) - (t38 * t58);
@@ -3992,127 +4038,129 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
     const float t261 = t32 * ((t33 * t209) + (t35 * t200)) * t43;
     const float t262 = t35 * t261;
     const float t264 = t33 * t261;
-    const float t270 = (cos_delta * t170) + (t200 * t205) + (t209 * t210) + (motion->constants[9] *
+    const float t270 = (cos_delta * t170) + (t200 * t205) + (t209 * t210) + (motion->constants[26] *
         t157) + (t221 * t251) + (t200 * t262);
-    const float t274 = t270 + (t209 * t264) - (sin_delta * t198) - (motion->constants[10] * t217) -
+    const float t274 = t270 + (t209 * t264) - (sin_delta * t198) - (motion->constants[27] * t217) -
         (t253 * t255);
-    const float t281 = (motion->constants[9] * t200) - (motion->constants[10] * t209);
+    const float t281 = (motion->constants[26] * t200) - (motion->constants[27] * t209);
     const float t285 = speeds[1] * t209;
     const float t287 = (sin_delta * t161) - (cos_delta * t140) - t285;
-    const float t290 = t41 * motion->constants[5];
+    const float t290 = t41 * motion->constants[22];
     const float t292 = t204 + t249;
-    const float t297 = motion->constants[11] * ((t33 * t200) - (t35 * t209));
-    const float t303 = (cos_delta * t198) + (sin_delta * t170) + (motion->constants[10] * t287) +
+    const float t297 = motion->constants[28] * ((t33 * t200) - (t35 * t209));
+    const float t303 = (cos_delta * t198) + (sin_delta * t170) + (motion->constants[27] * t287) +
         (t253 * t287) - (t204 * t210) - (t200 * t281);
     const float t306 = t303 - (t251 * t290) - (t264 * t292) - (t200 * t297);
     const float t310 = (t150 * t175) - (t145 * t146);
-    const float t325 = t310 + (motion->constants[6] * t140) + (t15 * t187) + (t209 * t281) + (t255 *
-        t290) + (t209 * t297);
-    const float t330 = t325 - (t27 * t194) - (t204 * t205) - (motion->constants[9] * t287) - (t221 *
-        t287) - (t262 * t292);
+    const float t325 = t310 + (motion->constants[23] * t140) + (t15 * t187) + (t209 * t281) +
+        (t255 * t290) + (t209 * t297);
+    const float t330 = t325 - (t27 * t194) - (t204 * t205) - (motion->constants[26] * t287) -
+        (t221 * t287) - (t262 * t292);
     const float t332 = (t33 * t306) + (t35 * t330);
     const float t335 = t72 * ((t41 * t274) + (t31 * t332));
     const float t341 = t103 * ((t31 * t274) + (t108 * t335) - (t41 * t332));
     const float t344 = t335 - t140 - (sin_phi * t341);
-    const float t349 = t194 + (cos_phi * motion->constants[27]);
+    const float t349 = t194 + (cos_phi * motion->constants[44]);
     const float t353 = t154 - (cos_phi * t341);
     const float t357 = (t99 * t344) - t180 - (t182 * (t183 + t353));
     const float t359 = (t27 * t349) + (t15 * t357);
-    const float t362 = t310 - t359 - (motion->constants[6] * t344);
+    const float t362 = t310 - t359 - (motion->constants[23] * t344);
     const float t368 = t160 + (t15 * t353);
     const float t371 = (cos_delta * t344) + (sin_delta * t368) - t285;
-    const float t376 = (t200 * motion->constants[21]) - (t209 * motion->constants[22]);
-    const float t378 = t204 * motion->constants[22];
-    const float t382 = (t362 * motion->constants[20]) + (t209 * t376) - (motion->constants[21] *
+    const float t376 = (t200 * motion->constants[38]) - (t209 * motion->constants[39]);
+    const float t378 = t204 * motion->constants[39];
+    const float t382 = (t362 * motion->constants[37]) + (t209 * t376) - (motion->constants[38] *
         t371) - (t204 * t378);
-    const float t390 = (t143 * motion->constants[13]) - (motion->constants[14] * t150);
-    const float t392 = motion->constants[14] * t145;
-    const float t397 = t382 + (t150 * t390) - (t359 * motion->constants[17]) - (t344 *
-        motion->constants[13]) - (t145 * t392);
+    const float t390 = (t143 * motion->constants[30]) - (motion->constants[31] * t150);
+    const float t392 = motion->constants[31] * t145;
+    const float t397 = t382 + (t150 * t390) - (t359 * motion->constants[34]) - (t344 *
+        motion->constants[30]) - (t145 * t392);
     const float t401 = (t15 * t349) - (t27 * t357);
-    const float t404 = t401 + (motion->constants[7] * t344) - t177;
+    const float t404 = t401 + (motion->constants[24] * t344) - t177;
     const float t407 = t156 + (t27 * t353);
-    const float t411 = t167 + (sin_phi * motion->constants[27]);
-    const float t414 = t153 + (motion->constants[6] * t407) + (motion->constants[7] * t368) - t411;
+    const float t411 = t167 + (sin_phi * motion->constants[44]);
+    const float t414 = t153 + (motion->constants[23] * t407) + (motion->constants[24] * t368) -
+        t411;
     const float t416 = (cos_delta * t404) + (sin_delta * t414);
-    const float t419 = t204 * motion->constants[21];
-    const float t424 = (t416 * motion->constants[20]) + (motion->constants[22] * t371) - (t204 *
+    const float t419 = t204 * motion->constants[38];
+    const float t424 = (t416 * motion->constants[37]) + (motion->constants[39] * t371) - (t204 *
         t419) - (t200 * t376);
     const float t428 = (cos_delta * t414) - (sin_delta * t404);
     const float t434 = t215 + (sin_delta * t344) - (cos_delta * t368);
-    const float t441 = (t428 * motion->constants[20]) + (t407 * motion->constants[21]) + (t200 *
-        t378) + (t209 * t419) - (motion->constants[22] * t434);
+    const float t441 = (t428 * motion->constants[37]) + (t407 * motion->constants[38]) + (t200 *
+        t378) + (t209 * t419) - (motion->constants[39] * t434);
     const float t443 = (cos_delta * t424) - (sin_delta * t441);
-    const float t446 = t145 * motion->constants[13];
-    const float t452 = t443 + (t401 * motion->constants[17]) + (motion->constants[14] * t344) -
+    const float t446 = t145 * motion->constants[30];
+    const float t452 = t443 + (t401 * motion->constants[34]) + (motion->constants[31] * t344) -
         (t145 * t446) - (t143 * t390);
     const float t454 = (t15 * t397) + (t27 * t452);
-    const float t456 = (t344 * motion->constants[2]) - (t99 * t454);
+    const float t456 = (t344 * motion->constants[18]) - (t99 * t454);
     const float t457 = sin_phi * t135;
-    const float t466 = (t150 * motion->constants[18]) + (t143 * motion->constants[15]);
-    const float t471 = (t150 * motion->constants[15]) + (t143 * motion->constants[19]);
-    const float t481 = (t209 * motion->constants[24]) + (t200 * motion->constants[26]);
-    const float t487 = (t204 * motion->constants[25]) + (t292 * motion->constants[3]);
-    const float t492 = (motion->constants[23] * t434) + (t407 * motion->constants[24]) + (t204 *
-        t481) - (motion->constants[22] * t428) - (t200 * t487);
+    const float t466 = (t150 * motion->constants[35]) + (t143 * motion->constants[32]);
+    const float t471 = (t150 * motion->constants[32]) + (t143 * motion->constants[36]);
+    const float t481 = (t209 * motion->constants[41]) + (t200 * motion->constants[43]);
+    const float t487 = (t204 * motion->constants[42]) + (t292 * motion->constants[19]);
+    const float t492 = (motion->constants[40] * t434) + (t407 * motion->constants[41]) + (t204 *
+        t481) - (motion->constants[39] * t428) - (t200 * t487);
     const float t504 = t231 * ((t33 * t330) + (t228 * t341) - (t35 * t306) - (t224 * t335));
-    const float t506 = motion->constants[3] * (t371 + t504);
-    const float t509 = (t209 * motion->constants[23]) + (t200 * motion->constants[24]);
-    const float t516 = (motion->constants[22] * t416) + (motion->constants[25] * t371) + t506 +
-        (t200 * t509) - (motion->constants[21] * t362) - (t209 * t481);
-    const float t524 = (motion->constants[14] * t401) + (motion->constants[13] * t359) + (t344 *
-        motion->constants[16]) + (t143 * t466) + (sin_delta * t492) + (cos_delta * t516);
-    const float t528 = t524 + (motion->constants[7] * t443) + t456 - (t150 * t471) -
-        (motion->constants[6] * t382);
+    const float t506 = motion->constants[19] * (t371 + t504);
+    const float t509 = (t209 * motion->constants[40]) + (t200 * motion->constants[41]);
+    const float t516 = (motion->constants[39] * t416) + (motion->constants[42] * t371) + t506 +
+        (t200 * t509) - (motion->constants[38] * t362) - (t209 * t481);
+    const float t524 = (motion->constants[31] * t401) + (motion->constants[30] * t359) + (t344 *
+        motion->constants[33]) + (t143 * t466) + (sin_delta * t492) + (cos_delta * t516);
+    const float t528 = t524 + (motion->constants[24] * t443) + t456 - (t150 * t471) -
+        (motion->constants[23] * t382);
     const float t530 = cos_phi * t135;
-    const float t537 = (t145 * motion->constants[16]) + (motion->constants[2] * (speeds[2] + t145));
-    const float t548 = (t428 * motion->constants[21]) + (t434 * motion->constants[24]) + (t407 *
-        motion->constants[26]) + (t209 * t487) - (t204 * t509);
+    const float t537 = (t145 * motion->constants[33]) + (motion->constants[18] * (speeds[2] +
+        t145));
+    const float t548 = (t428 * motion->constants[38]) + (t434 * motion->constants[41]) + (t407 *
+        motion->constants[43]) + (t209 * t487) - (t204 * t509);
     const float t551 = (sin_delta * t424) + (cos_delta * t441);
-    const float t557 = (motion->constants[19] * t407) + (t150 * t537) + t548 +
-        (motion->constants[6] * t551) - (motion->constants[13] * t411) - (motion->constants[15] *
+    const float t557 = (motion->constants[36] * t407) + (t150 * t537) + t548 +
+        (motion->constants[23] * t551) - (motion->constants[30] * t411) - (motion->constants[32] *
         t368);
     const float t558 = t557 - (t145 * t466);
-    const float t572 = (motion->constants[14] * t411) + (motion->constants[15] * t407) + (t145 *
-        t471) + (cos_delta * t492) - (motion->constants[18] * t368) - (t143 * t537);
-    const float t574 = t572 - (sin_delta * t516) - (motion->constants[7] * t551);
+    const float t572 = (motion->constants[31] * t411) + (motion->constants[32] * t407) + (t145 *
+        t471) + (cos_delta * t492) - (motion->constants[35] * t368) - (t143 * t537);
+    const float t574 = t572 - (sin_delta * t516) - (motion->constants[24] * t551);
     const float t578 = (t27 * t558) + (t182 * t454) - (t15 * t574);
-    const float t597 = t551 + (motion->constants[13] * t407) + (motion->constants[14] * t368) +
-        (t143 * t392) + (t150 * t446) - (t411 * motion->constants[17]);
+    const float t597 = t551 + (motion->constants[30] * t407) + (motion->constants[31] * t368) +
+        (t143 * t392) + (t150 * t446) - (t411 * motion->constants[34]);
     const float t600 = t73 - (sin_phi * t110);
     const float t602 = cos_phi * t110;
     const float t607 = forces[0] + (t182 * ((t27 * t397) - (t15 * t452))) + (t578 * t602) - (t15 *
         t558);
     const float t611 = t607 - (t27 * t574) - (t99 * t597) - (t528 * t600) - (t232 * t506);
-    const float t613 = sin_delta * motion->constants[21];
-    const float t615 = (sin_delta * motion->constants[24]) - (motion->constants[7] * t613);
-    const float t618 = sin_delta * motion->constants[28];
-    const float t621 = (cos_delta * t618) - (motion->constants[6] * t613);
-    const float t625 = cos_delta * motion->constants[21];
-    const float t628 = motion->constants[13] + t625 + motion->constants[29];
-    const float t630 = (t15 * motion->constants[35]) + (t27 * t628);
+    const float t613 = sin_delta * motion->constants[38];
+    const float t615 = (sin_delta * motion->constants[41]) - (motion->constants[24] * t613);
+    const float t618 = sin_delta * motion->constants[45];
+    const float t621 = (cos_delta * t618) - (motion->constants[23] * t613);
+    const float t625 = cos_delta * motion->constants[38];
+    const float t628 = motion->constants[30] + t625 + motion->constants[46];
+    const float t630 = (t15 * motion->constants[52]) + (t27 * t628);
     const float t633 = (t15 * t615) + (t27 * t621) + (t182 * t630);
-    const float t639 = (cos_delta * motion->constants[24]) - (motion->constants[7] * t625);
-    const float t642 = motion->constants[15] + t639 - motion->constants[31] - motion->constants[32];
+    const float t639 = (cos_delta * motion->constants[41]) - (motion->constants[24] * t625);
+    const float t642 = motion->constants[32] + t639 - motion->constants[48] - motion->constants[49];
     const float t643 = sin_delta * t618;
-    const float t647 = motion->constants[18] + motion->constants[23] + motion->constants[30] - t643;
-    const float t648 = motion->constants[6] * t625;
-    const float t651 = t648 + t648 + motion->constants[33];
-    const float t653 = motion->constants[19] + motion->constants[26] + t651;
+    const float t647 = motion->constants[35] + motion->constants[40] + motion->constants[47] - t643;
+    const float t648 = motion->constants[23] * t625;
+    const float t651 = t648 + t648 + motion->constants[50];
+    const float t653 = motion->constants[36] + motion->constants[43] + t651;
     const float t654 = t653 - t647;
     const float t655 = t15 * t27;
     const float t657 = t15 * t15;
     const float t658 = t642 + t642;
     const float t663 = t642 + (t654 * t655) + (t99 * t630) - (t657 * t658);
-    const float t667 = (t27 * motion->constants[35]) - (t15 * t628);
-    const float t669 = t99 * motion->constants[34];
+    const float t667 = (t27 * motion->constants[52]) - (t15 * t628);
+    const float t669 = t99 * motion->constants[51];
     const float t671 = t99 * (t667 - t669);
     const float t672 = t99 * t667;
     const float t673 = t99 * t669;
     const float t675 = t673 - t672 - t672;
-    const float t680 = motion->constants[16] + motion->constants[25] + t643 +
-        motion->constants[30] + t651 + t675;
-    const float t686 = t182 * motion->constants[34];
+    const float t680 = motion->constants[33] + motion->constants[42] + t643 +
+        motion->constants[47] + t651 + t675;
+    const float t686 = t182 * motion->constants[51];
     const float t691 = (t27 * t615) + (t182 * t667) + (t99 * t613) - (t15 * t621) - (t99 * t686);
     const float t694 = t671 + (t457 * t680) + (t530 * t691);
     const float t697 = t99 * (t613 - t686);
@@ -4122,11 +4170,11 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
     const float t707 = t653 + t705 - t701;
     const float t710 = t697 - (t457 * t691) - (t530 * t707);
     const float t713 = 1.0F - t457;
-    const float t714 = motion->constants[2] * t600;
+    const float t714 = motion->constants[18] * t600;
     const float t717 = t15 * sin_delta;
     const float t720 = t246 - (cos_delta * t457) - (t530 * t717);
     const float t726 = t232 + (cos_delta * t600) - (sin_delta * t27) - (t602 * t717);
-    const float t727 = motion->constants[3] * t726;
+    const float t727 = motion->constants[19] * t726;
     const float t733 = (t713 * t714) + (t720 * t727) - (t457 * t633) - (t530 * t663) - (t600 *
         t694) - (t602 * t710);
     const float t753 = t647 + t675 + t701 + t705 + (t600 * t633) + (t600 * (t633 + (t600 * t680) -
@@ -4140,11 +4188,11 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
     const float t763 = t90 - (sin_phi * t132);
     const float t765 = cos_phi * t132;
     const float t767 = t615 + t761;
-    const float t769 = motion->constants[26] + t648;
+    const float t769 = motion->constants[43] + t648;
     const float t774 = (t27 * t769) - (t15 * t639) - (t182 * t760);
-    const float t776 = motion->constants[2] * t763;
+    const float t776 = motion->constants[18] * t763;
     const float t781 = t241 + (cos_delta * t763) - (t717 * t765);
-    const float t782 = motion->constants[3] * t781;
+    const float t782 = motion->constants[19] * t781;
     const float t793 = t767 + (t680 * t763) - (t691 * t765);
     const float t798 = t774 + (t691 * t763) - (t707 * t765);
     const float t806 = (t15 * t769) + (t27 * t639) + (t99 * t625) + (t633 * t763) + (t600 * t793) +
@@ -4153,7 +4201,7 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
     const float t812 = t756 * t811;
     const float t818 = t761 + (t713 * t776) + (t720 * t782) - (t694 * t763) - (t710 * t765) -
         (t457 * t767);
-    const float t832 = motion->constants[26] + (t763 * t793) + (t763 * t767) + (t763 * t776) +
+    const float t832 = motion->constants[43] + (t763 * t793) + (t763 * t767) + (t763 * t776) +
         (t781 * t782) - (t765 * t798);
     const float t834 = t832 - (t765 * t774) - (t811 * t812);
     const float t835 = 1.0F / t834;
@@ -4162,14 +4210,14 @@ static void whipple_tyres_f32_compute_accelerations(const whipple_tyres_f32_moti
         t811);
     const float t852 = (t457 * t528) + (t530 * t578) - t456 - (t246 * t506) - (t611 * t758) -
         (t836 * t846);
-    const float t869 = t673 + (t457 * t694) + (t457 * t671) + (motion->constants[2] * t713 * t713) +
-        (motion->constants[3] * t720 * t720) - (t530 * t710);
+    const float t869 = t673 + (t457 * t694) + (t457 * t671) + (motion->constants[18] * t713 *
+        t713) + (motion->constants[19] * t720 * t720) - (t530 * t710);
     const float t873 = t852 / (t869 - (t530 * t697) - (t756 * t758 * t758) - (t834 * t836 * t836));
     const float t877 = (t835 * t846) - (t836 * t873);
     const float t881 = (t611 * t757) - (t811 * t877) - (t758 * t873);
     const float t885 = t335 + (t73 * t881) + (t90 * t877);
     const float t890 = (sin_phi * t93 * t95) + (t95 * t138) - (t99 * (t873 + t885));
-    const float t896 = (motion->constants[4] * t881) + (t93 * t99 * t138);
+    const float t896 = (motion->constants[21] * t881) + (t93 * t99 * t138);
     const float t898 = (cos_psi * t890) - (sin_psi * t896);
     const float t901 = (t890 * sin_psi) + (cos_psi * t896);
     const float t913 = t504 + (t232 * t881) + (t241 * t877) + (t246 * t873);
@@ -4206,43 +4254,43 @@ static void whipple_tyres_f32_compute_energy(const whipple_tyres_f32_motion_t *m
     float sin_delta = 0.0F;
     float cos_delta = 0.0F;
     carvallo_sin_cos_f32(positions[5], &sin_delta, &cos_delta);
-    const float t6 = sin_delta * motion->constants[28];
+    const float t6 = sin_delta * motion->constants[45];
     const float t7 = sin_delta * t6;
-    const float t11 = motion->constants[18] + motion->constants[23] + motion->constants[30] - t7;
-    const float t17 = cos_delta * motion->constants[21];
-    const float t18 = motion->constants[6] * t17;
-    const float t21 = t18 + t18 + motion->constants[33];
-    const float t23 = motion->constants[19] + motion->constants[26] + t21;
+    const float t11 = motion->constants[35] + motion->constants[40] + motion->constants[47] - t7;
+    const float t17 = cos_delta * motion->constants[38];
+    const float t18 = motion->constants[23] * t17;
+    const float t21 = t18 + t18 + motion->constants[50];
+    const float t23 = motion->constants[36] + motion->constants[43] + t21;
     const float t24 = t23 - t11;
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t32 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const float t32 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     const float t33 = t32 * t32;
-    const float t37 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const float t37 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const float t38 = t32 * t37;
-    const float t46 = (cos_delta * motion->constants[24]) - (t17 * motion->constants[7]);
-    const float t49 = motion->constants[15] + t46 - motion->constants[31] - motion->constants[32];
+    const float t46 = (cos_delta * motion->constants[41]) - (t17 * motion->constants[24]);
+    const float t49 = motion->constants[32] + t46 - motion->constants[48] - motion->constants[49];
     const float t50 = t49 + t49;
     const float t52 = (t24 * t33) + (t38 * t50);
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
-    const float t56 = motion->constants[4] * sin_phi;
-    const float t57 = sin_delta * motion->constants[21];
+    const float t56 = motion->constants[21] * sin_phi;
+    const float t57 = sin_delta * motion->constants[38];
     const float t58 = t56 * t57;
-    const float t60 = t56 * motion->constants[34];
+    const float t60 = t56 * motion->constants[51];
     const float t63 = (t56 * t60) - t58 - t58;
-    const float t67 = motion->constants[8] + (motion->constants[4] * cos_phi);
-    const float t73 = t17 + motion->constants[13] + motion->constants[29];
-    const float t75 = (t37 * motion->constants[35]) - (t32 * t73);
+    const float t67 = motion->constants[25] + (motion->constants[21] * cos_phi);
+    const float t73 = t17 + motion->constants[30] + motion->constants[46];
+    const float t75 = (t37 * motion->constants[52]) - (t32 * t73);
     const float t76 = t67 * t75;
-    const float t77 = motion->constants[34] * t67;
+    const float t77 = motion->constants[51] * t67;
     const float t78 = t67 * t77;
     const float t80 = t78 - t76 - t76;
-    const float t83 = (sin_delta * motion->constants[24]) - (motion->constants[7] * t57);
-    const float t87 = (t6 * cos_delta) - (motion->constants[6] * t57);
-    const float t91 = (t32 * motion->constants[35]) + (t37 * t73);
+    const float t83 = (sin_delta * motion->constants[41]) - (motion->constants[24] * t57);
+    const float t87 = (t6 * cos_delta) - (motion->constants[23] * t57);
+    const float t91 = (t32 * motion->constants[52]) + (t37 * t73);
     const float t94 = (t32 * t83) + (t37 * t87) + (t56 * t91);
     const float t96 = t32 * cos_phi;
     const float t99 = (sin_delta * sin_phi) - (cos_delta * t96);
@@ -4253,14 +4301,14 @@ static void whipple_tyres_f32_compute_energy(const whipple_tyres_f32_motion_t *m
     const float t108 = t101 * t105;
     const float t109 = cos_delta * t108;
     const float t111 = (t37 * t109) - (t32 * t106);
-    const float t116 = ((cos_delta * sin_phi) + (sin_delta * t96)) * motion->constants[11];
-    const float t119 = sin_delta * motion->constants[9];
-    const float t124 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const float t126 = (t37 * motion->constants[12]) - (t32 * t124);
+    const float t116 = ((cos_delta * sin_phi) + (sin_delta * t96)) * motion->constants[28];
+    const float t119 = sin_delta * motion->constants[26];
+    const float t124 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const float t126 = (t37 * motion->constants[29]) - (t32 * t124);
     const float t129 = (cos_phi * t119) - (t111 * t116) - (sin_phi * t126);
-    const float t130 = (sin_phi * motion->constants[8]) + t129;
+    const float t130 = (sin_phi * motion->constants[25]) + t129;
     const float t137 = (sin_delta * cos_phi * t108) + (sin_phi * ((t37 * t106) + (t32 * t109)));
-    const float t142 = (t116 * t137) + (t32 * motion->constants[12]) + (t37 * t124);
+    const float t142 = (t116 * t137) + (t32 * motion->constants[29]) + (t37 * t124);
     const float t144 = 1.0F / (cos_phi * t142);
     const float t145 = t130 * t144;
     const float t146 = sin_phi * t142;
@@ -4271,29 +4319,29 @@ static void whipple_tyres_f32_compute_energy(const whipple_tyres_f32_motion_t *m
     const float t158 = t145 - (sin_phi * t156);
     const float t165 = t49 + (t24 * t38) + (t67 * t91) - (t33 * t50);
     const float t166 = cos_phi * t156;
-    const float t174 = t7 + motion->constants[30] + t21 + t80 + motion->constants[16] +
-        motion->constants[25];
+    const float t174 = t7 + motion->constants[47] + t21 + t80 + motion->constants[33] +
+        motion->constants[42];
     const float t184 = (t37 * t83) + (t56 * t75) + (t57 * t67) - (t32 * t87) - (t60 * t67);
     const float t191 = t23 + t63 - t52;
-    const float t197 = t158 * motion->constants[2];
+    const float t197 = t158 * motion->constants[18];
     const float t201 = (t137 * t146) - (t111 * t148);
     const float t205 = (t137 * t142) - (t111 * t130);
-    const float t211 = 1.0F / (motion->constants[11] + (t104 * motion->constants[5]));
+    const float t211 = 1.0F / (motion->constants[28] + (t104 * motion->constants[22]));
     const float t215 = sin_delta * t32;
     const float t219 = (((t156 * t205) - (t145 * t201)) * t211) + (cos_delta * t158) - (sin_delta *
         t37) - (t166 * t215);
-    const float t221 = t219 * motion->constants[3];
+    const float t221 = t219 * motion->constants[19];
     const float t228 = t11 + t52 + t63 + t80 + (t94 * t158) + (t158 * (t94 + (t158 * t174) - (t166 *
         t184))) + (t158 * t197);
     const float t232 = speeds[0] * (t228 + (t219 * t221) - (t165 * t166) - (t166 * (t165 + (t158 *
         t184) - (t166 * t191))));
-    const float t234 = motion->constants[26] + t18;
-    const float t241 = (t37 * motion->constants[7]) - (motion->constants[6] * t32);
+    const float t234 = motion->constants[43] + t18;
+    const float t241 = (t37 * motion->constants[24]) - (motion->constants[23] * t32);
     const float t243 = t129 + (sin_phi * t241);
     const float t245 = t37 * sin_phi;
-    const float t249 = t142 - (t32 * motion->constants[7]) - (motion->constants[6] * t37);
+    const float t249 = t142 - (t32 * motion->constants[24]) - (motion->constants[23] * t37);
     const float t252 = t144 * ((t32 * t243) + (t245 * t249));
-    const float t261 = motion->constants[5] + (t104 * motion->constants[11]) + (sin_phi * t119) +
+    const float t261 = motion->constants[22] + (t104 * motion->constants[28]) + (sin_phi * t119) +
         (cos_phi * t126) - (cos_phi * t241);
     const float t263 = (t101 * t249) - (t32 * t261);
     const float t267 = (t245 * t261) + (t101 * t243);
@@ -4325,22 +4373,22 @@ static void whipple_tyres_f32_compute_energy(const whipple_tyres_f32_motion_t *m
     const float t351 = (t211 * ((t67 * t111) + (t205 * t322))) - (cos_delta * t323) - (t215 * t325);
     const float t357 = (t197 * t342) + (t221 * t351) - (t94 * t323) - (t165 * t325) - (t158 *
         t332) - (t166 * t339);
-    const float t367 = motion->constants[2] * t274;
-    const float t369 = motion->constants[3] * t308;
-    const float t375 = motion->constants[26] + (t274 * t284) + (t274 * t280) + (t274 * t367) +
+    const float t367 = motion->constants[18] * t274;
+    const float t369 = motion->constants[19] * t308;
+    const float t375 = motion->constants[43] + (t274 * t284) + (t274 * t280) + (t274 * t367) +
         (t308 * t369) - (t276 * t294);
     const float t388 = t279 + (t342 * t367) + (t351 * t369) - (t274 * t332) - (t276 * t339) -
         (t280 * t323);
     const float t389 = t388 - (t290 * t325);
     const float t393 = speeds[1] * ((speeds[0] * t318) + (speeds[1] * (t375 - (t276 * t290))) +
         (speeds[2] * t389));
-    const float t408 = t78 + (t323 * t332) + (t323 * t328) + (motion->constants[2] * t342 * t342) +
-        (motion->constants[3] * t351 * t351) - (t325 * t339);
+    const float t408 = t78 + (t323 * t332) + (t323 * t328) + (motion->constants[18] * t342 * t342) +
+        (motion->constants[19] * t351 * t351) - (t325 * t339);
     const float t415 = (speeds[0] * (t232 + (speeds[1] * t318) + (speeds[2] * t357))) + t393 +
         (speeds[2] * ((speeds[0] * t357) + (speeds[1] * t389) + (speeds[2] * (t408 - (t325 *
         t335)))));
     const float t417 = t415 * 0.5F;
-    const float t423 = -(motion->constants[27] * ((sin_phi * t334) + (cos_phi * t327)));
+    const float t423 = -(motion->constants[44] * ((sin_phi * t334) + (cos_phi * t327)));
     energy[0] = t417;
     energy[1] = t423;
 }
@@ -4372,22 +4420,22 @@ static void whipple_tyres_f32_compute_closure(const whipple_tyres_f32_motion_t *
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t15 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
+    const float t15 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
     const float t16 = cos_phi * t15;
     const float t20 = sin_phi * sin_delta;
     const float t21 = t20 - (cos_delta * t16);
-    const float t25 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const float t25 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     const float t26 = cos_phi * t25;
     const float t29 = sqrtf((t21 * t21) + (t26 * t26));
-    const float t38 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const float t46 = motion->constants[5] + (t29 * motion->constants[11]) + (t20 *
-        motion->constants[9]) + (cos_phi * ((t25 * motion->constants[12]) - (t15 * t38))) -
-        motion->constants[4] - (cos_phi * motion->constants[8]);
+    const float t38 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const float t46 = motion->constants[22] + (t29 * motion->constants[28]) + (t20 *
+        motion->constants[26]) + (cos_phi * ((t25 * motion->constants[29]) - (t15 * t38))) -
+        motion->constants[21] - (cos_phi * motion->constants[25]);
     const float t50 = 1.0F / t29;
     const float t51 = t26 * t50;
-    const float t62 = motion->constants[11] * ((cos_delta * sin_phi) + (t16 * sin_delta)) *
+    const float t62 = motion->constants[28] * ((cos_delta * sin_phi) + (t16 * sin_delta)) *
         ((cos_phi * sin_delta * t51) + (sin_phi * ((t21 * t25 * t50) + (cos_delta * t15 * t51))));
-    const float t68 = t46 / (cos_phi * (t62 + (t15 * motion->constants[12]) + (t25 * t38)));
+    const float t68 = t46 / (cos_phi * (t62 + (t15 * motion->constants[29]) + (t25 * t38)));
     below[0] = t46;
     steps[0] = t68;
 }
@@ -4470,8 +4518,8 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     float sin_pitch = 0.0F;
     float cos_pitch = 0.0F;
     carvallo_sin_cos_f32(positions[4], &sin_pitch, &cos_pitch);
-    const float t9 = (motion->constants[1] * sin_pitch) + (motion->constants[0] * cos_pitch);
-    const float t13 = (motion->constants[1] * cos_pitch) - (sin_pitch * motion->constants[0]);
+    const float t9 = (motion->constants[3] * sin_pitch) + (motion->constants[2] * cos_pitch);
+    const float t13 = (motion->constants[3] * cos_pitch) - (sin_pitch * motion->constants[2]);
     float sin_phi = 0.0F;
     float cos_phi = 0.0F;
     carvallo_sin_cos_f32(positions[3], &sin_phi, &cos_phi);
@@ -4489,23 +4537,23 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     const float t36 = (t13 * t34) - (t9 * t31);
     const float t43 = (cos_phi * sin_delta * t33) + (sin_phi * ((t13 * t31) + (t9 * t34)));
     const float t46 = (cos_delta * sin_phi) + (t19 * sin_delta);
-    const float t48 = t46 * motion->constants[11];
-    const float t55 = motion->constants[6] + (cos_delta * motion->constants[9]);
-    const float t58 = (t43 * t48) + (t9 * motion->constants[12]) + (t13 * t55);
+    const float t48 = t46 * motion->constants[28];
+    const float t55 = motion->constants[23] + (cos_delta * motion->constants[26]);
+    const float t58 = (t43 * t48) + (t9 * motion->constants[29]) + (t13 * t55);
     const float t59 = sin_phi * t58;
-    const float t64 = sin_delta * motion->constants[9];
-    const float t68 = (t13 * motion->constants[12]) - (t9 * t55);
+    const float t64 = sin_delta * motion->constants[26];
+    const float t68 = (t13 * motion->constants[29]) - (t9 * t55);
     const float t71 = (cos_phi * t64) - (t36 * t48) - (sin_phi * t68);
-    const float t72 = (sin_phi * motion->constants[8]) + t71;
+    const float t72 = (sin_phi * motion->constants[25]) + t71;
     const float t73 = sin_phi * t72;
     const float t75 = (t36 * t59) + (t43 * t73);
     const float t77 = 1.0F / (cos_phi * t58);
     const float t78 = t72 * t77;
     const float t82 = 1.0F / ((t36 * t58) + (t43 * t72));
     const float t84 = t75 * t78 * t82;
-    const float t91 = t58 - (t9 * motion->constants[7]) - (t13 * motion->constants[6]);
-    const float t99 = (t13 * motion->constants[7]) - (t9 * motion->constants[6]);
-    const float t104 = motion->constants[5] + (t29 * motion->constants[11]) + (sin_phi * t64) +
+    const float t91 = t58 - (t9 * motion->constants[24]) - (t13 * motion->constants[23]);
+    const float t99 = (t13 * motion->constants[24]) - (t9 * motion->constants[23]);
+    const float t104 = motion->constants[22] + (t29 * motion->constants[28]) + (sin_phi * t64) +
         (cos_phi * t68) - (cos_phi * t99);
     const float t106 = (t26 * t91) - (t9 * t104);
     const float t108 = t13 * sin_phi;
@@ -4513,22 +4561,22 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     const float t113 = (t104 * t108) + (t26 * t111);
     const float t118 = t77 * ((t9 * t111) + (t91 * t108));
     const float t122 = t82 * ((t36 * t106) + (t43 * t113) + (t75 * t118));
-    const float t127 = motion->constants[8] + (cos_phi * motion->constants[4]);
+    const float t127 = motion->constants[25] + (cos_phi * motion->constants[21]);
     const float t129 = t43 * t82 * t127;
     const float t132 = (speeds[0] * t84) + (speeds[1] * t122) + (speeds[2] * t129);
     const float t133 = cos_phi * t132;
     const float t135 = (speeds[0] * t13) + (t9 * t133);
     const float t138 = (t9 * speeds[0]) - (t13 * t133);
-    const float t143 = (t138 * motion->constants[13]) - (t135 * motion->constants[14]);
+    const float t143 = (t138 * motion->constants[30]) - (t135 * motion->constants[31]);
     const float t147 = (speeds[0] * t78) + (speeds[1] * t118);
     const float t148 = sin_phi * t132;
     const float t149 = t147 - t148;
-    const float t150 = motion->constants[14] * t149;
+    const float t150 = motion->constants[31] * t149;
     const float t152 = (t135 * t143) - (t149 * t150);
-    const float t154 = speeds[0] * motion->constants[8];
+    const float t154 = speeds[0] * motion->constants[25];
     const float t155 = t133 * t154;
-    const float t156 = motion->constants[7] * t149;
-    const float t158 = motion->constants[6] * t149;
+    const float t156 = motion->constants[24] * t149;
+    const float t158 = motion->constants[23] * t149;
     const float t160 = (t138 * t156) + (t135 * t158);
     const float t161 = speeds[0] * t148;
     const float t163 = t135 * t147;
@@ -4537,27 +4585,28 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     const float t168 = (t9 * t161) + t167;
     const float t170 = speeds[2] + t147;
     const float t171 = t133 * t170;
-    const float t173 = motion->constants[8] * t148;
+    const float t173 = motion->constants[25] * t148;
     const float t174 = t133 * t173;
     const float t175 = t174 - (t127 * t171);
-    const float t178 = t160 + (motion->constants[6] * t164) + (motion->constants[7] * t168) - t175;
-    const float t183 = (motion->constants[6] * t138) - (motion->constants[7] * t135);
+    const float t178 = t160 + (motion->constants[23] * t164) + (motion->constants[24] * t168) -
+        t175;
+    const float t183 = (motion->constants[23] * t138) - (motion->constants[24] * t135);
     const float t185 = (t149 * t158) + (t138 * t183);
     const float t186 = speeds[0] * t133;
-    const float t189 = sin_phi * motion->constants[4];
+    const float t189 = sin_phi * motion->constants[21];
     const float t190 = speeds[0] * t170;
     const float t194 = t155 + (t127 * t186) + (t189 * (t161 + t190));
     const float t200 = (t173 * (t170 - t148)) - (speeds[0] * t154);
     const float t201 = (t171 * t189) + t200;
-    const float t205 = (t13 * t194) + (t9 * t201) - t185 - (motion->constants[7] * t186);
+    const float t205 = (t13 * t194) + (t9 * t201) - t185 - (motion->constants[24] * t186);
     const float t207 = speeds[1] + t138;
     const float t211 = (cos_delta * t149) - (sin_delta * t135);
-    const float t212 = motion->constants[10] * t211;
+    const float t212 = motion->constants[27] * t211;
     const float t216 = (cos_delta * t135) + (sin_delta * t149);
-    const float t217 = motion->constants[9] * t211;
+    const float t217 = motion->constants[26] * t211;
     const float t222 = speeds[1] * t211;
     const float t224 = t222 - (cos_delta * t168) - (sin_delta * t186);
-    const float t227 = motion->constants[11] + (t29 * motion->constants[5]);
+    const float t227 = motion->constants[28] + (t29 * motion->constants[22]);
     const float t228 = t31 * t227;
     const float t231 = (t43 * t59) - (t36 * t73);
     const float t235 = (t43 * t58) - (t36 * t72);
@@ -4572,134 +4621,137 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     const float t268 = t30 * ((t31 * t216) + (t33 * t207)) * t48;
     const float t269 = t33 * t268;
     const float t271 = t31 * t268;
-    const float t277 = (cos_delta * t178) + (t207 * t212) + (t216 * t217) + (motion->constants[9] *
+    const float t277 = (cos_delta * t178) + (t207 * t212) + (t216 * t217) + (motion->constants[26] *
         t164) + (t228 * t258) + (t207 * t269);
-    const float t281 = t277 + (t216 * t271) - (sin_delta * t205) - (motion->constants[10] * t224) -
+    const float t281 = t277 + (t216 * t271) - (sin_delta * t205) - (motion->constants[27] * t224) -
         (t260 * t262);
-    const float t288 = (motion->constants[9] * t207) - (motion->constants[10] * t216);
+    const float t288 = (motion->constants[26] * t207) - (motion->constants[27] * t216);
     const float t292 = speeds[1] * t216;
     const float t294 = (sin_delta * t168) - (cos_delta * t186) - t292;
-    const float t297 = t46 * motion->constants[5];
+    const float t297 = t46 * motion->constants[22];
     const float t299 = t211 + t256;
-    const float t304 = motion->constants[11] * ((t31 * t207) - (t33 * t216));
-    const float t310 = (cos_delta * t205) + (sin_delta * t178) + (motion->constants[10] * t294) +
+    const float t304 = motion->constants[28] * ((t31 * t207) - (t33 * t216));
+    const float t310 = (cos_delta * t205) + (sin_delta * t178) + (motion->constants[27] * t294) +
         (t260 * t294) - (t211 * t217) - (t207 * t288);
     const float t313 = t310 - (t258 * t297) - (t271 * t299) - (t207 * t304);
     const float t317 = (t135 * t183) - (t149 * t156);
-    const float t332 = t317 + (motion->constants[6] * t186) + (t9 * t194) + (t216 * t288) + (t262 *
+    const float t332 = t317 + (motion->constants[23] * t186) + (t9 * t194) + (t216 * t288) + (t262 *
         t297) + (t216 * t304);
-    const float t337 = t332 - (t13 * t201) - (t211 * t212) - (motion->constants[9] * t294) - (t228 *
-        t294) - (t269 * t299);
+    const float t337 = t332 - (t13 * t201) - (t211 * t212) - (motion->constants[26] * t294) -
+        (t228 * t294) - (t269 * t299);
     const float t339 = (t31 * t313) + (t33 * t337);
     const float t344 = t77 * ((t46 * t281) + (t29 * t339));
     const float t348 = t82 * ((t29 * t281) + (t75 * t344) - (t46 * t339));
     const float t350 = t186 - t344;
     const float t351 = (sin_phi * t348) + t350;
-    const float t355 = cos_phi * motion->constants[27];
+    const float t355 = cos_phi * motion->constants[44];
     const float t356 = t201 + t355;
     const float t360 = t161 - (cos_phi * t348);
     const float t364 = (t127 * t351) + t155 + (t189 * (t190 + t360));
     const float t366 = (t13 * t356) - (t9 * t364);
-    const float t369 = t317 - t366 + (motion->constants[6] * t351);
+    const float t369 = t317 - t366 + (motion->constants[23] * t351);
     const float t375 = t167 + (t9 * t360);
     const float t378 = (sin_delta * t375) - (cos_delta * t351) - t292;
-    const float t383 = (t207 * motion->constants[21]) - (t216 * motion->constants[22]);
-    const float t385 = t211 * motion->constants[22];
+    const float t383 = (t207 * motion->constants[38]) - (t216 * motion->constants[39]);
+    const float t385 = t211 * motion->constants[39];
     const float t387 = (t216 * t383) - (t211 * t385);
-    const float t389 = (t369 * motion->constants[20]) + t387 - (motion->constants[21] * t378);
-    const float t394 = t152 + t389 - (motion->constants[17] * t366) + (motion->constants[13] *
+    const float t389 = (t369 * motion->constants[37]) + t387 - (motion->constants[38] * t378);
+    const float t394 = t152 + t389 - (motion->constants[34] * t366) + (motion->constants[30] *
         t351);
     const float t398 = (t9 * t356) + (t13 * t364);
-    const float t401 = t398 - (motion->constants[7] * t351) - t185;
+    const float t401 = t398 - (motion->constants[24] * t351) - t185;
     const float t404 = t163 + (t13 * t360);
-    const float t407 = sin_phi * motion->constants[27];
+    const float t407 = sin_phi * motion->constants[44];
     const float t408 = t175 + t407;
-    const float t411 = t160 + (motion->constants[6] * t404) + (motion->constants[7] * t375) - t408;
+    const float t411 = t160 + (motion->constants[23] * t404) + (motion->constants[24] * t375) -
+        t408;
     const float t413 = (cos_delta * t401) + (sin_delta * t411);
-    const float t416 = t211 * motion->constants[21];
+    const float t416 = t211 * motion->constants[38];
     const float t419 = (t211 * t416) + (t207 * t383);
-    const float t421 = (t413 * motion->constants[20]) + (motion->constants[22] * t378) - t419;
+    const float t421 = (t413 * motion->constants[37]) + (motion->constants[39] * t378) - t419;
     const float t425 = (cos_delta * t411) - (sin_delta * t401);
     const float t431 = t222 - (sin_delta * t351) - (cos_delta * t375);
     const float t435 = (t207 * t385) + (t216 * t416);
-    const float t438 = (t425 * motion->constants[20]) + (t404 * motion->constants[21]) + t435 -
-        (motion->constants[22] * t431);
+    const float t438 = (t425 * motion->constants[37]) + (t404 * motion->constants[38]) + t435 -
+        (motion->constants[39] * t431);
     const float t440 = (cos_delta * t421) - (sin_delta * t438);
-    const float t443 = motion->constants[13] * t149;
+    const float t443 = motion->constants[30] * t149;
     const float t446 = (t149 * t443) + (t138 * t143);
-    const float t449 = t440 + (motion->constants[17] * t398) - (motion->constants[14] * t351) -
+    const float t449 = t440 + (motion->constants[34] * t398) - (motion->constants[31] * t351) -
         t446;
     const float t451 = (t9 * t394) + (t13 * t449);
-    const float t453 = (t351 * motion->constants[2]) + (t127 * t451);
+    const float t453 = (t351 * motion->constants[18]) + (t127 * t451);
     const float t454 = sin_phi * t129;
-    const float t463 = (t135 * motion->constants[18]) + (t138 * motion->constants[15]);
-    const float t468 = (t135 * motion->constants[15]) + (t138 * motion->constants[19]);
+    const float t463 = (t135 * motion->constants[35]) + (t138 * motion->constants[32]);
+    const float t468 = (t135 * motion->constants[32]) + (t138 * motion->constants[36]);
     const float t470 = (t138 * t463) - (t135 * t468);
-    const float t479 = (t216 * motion->constants[24]) + (t207 * motion->constants[26]);
-    const float t485 = (t211 * motion->constants[25]) + (t299 * motion->constants[3]);
+    const float t479 = (t216 * motion->constants[41]) + (t207 * motion->constants[43]);
+    const float t485 = (t211 * motion->constants[42]) + (t299 * motion->constants[19]);
     const float t487 = (t211 * t479) - (t207 * t485);
-    const float t490 = (motion->constants[23] * t431) + (t404 * motion->constants[24]) + t487 -
-        (motion->constants[22] * t425);
+    const float t490 = (motion->constants[40] * t431) + (t404 * motion->constants[41]) + t487 -
+        (motion->constants[39] * t425);
     const float t502 = t238 * ((t31 * t337) + (t235 * t348) - (t33 * t313) - (t231 * t344));
-    const float t504 = motion->constants[3] * (t378 + t502);
-    const float t507 = (t216 * motion->constants[23]) + (t207 * motion->constants[24]);
+    const float t504 = motion->constants[19] * (t378 + t502);
+    const float t507 = (t216 * motion->constants[40]) + (t207 * motion->constants[41]);
     const float t510 = (t207 * t507) - (t216 * t479);
-    const float t514 = (motion->constants[22] * t413) + (motion->constants[25] * t378) + t504 +
-        t510 - (motion->constants[21] * t369);
-    const float t522 = (motion->constants[14] * t398) + (motion->constants[13] * t366) - (t351 *
-        motion->constants[16]) + t470 + (sin_delta * t490) + (cos_delta * t514);
-    const float t525 = t522 + (motion->constants[7] * t440) - t453 - (motion->constants[6] * t389);
+    const float t514 = (motion->constants[39] * t413) + (motion->constants[42] * t378) + t504 +
+        t510 - (motion->constants[38] * t369);
+    const float t522 = (motion->constants[31] * t398) + (motion->constants[30] * t366) - (t351 *
+        motion->constants[33]) + t470 + (sin_delta * t490) + (cos_delta * t514);
+    const float t525 = t522 + (motion->constants[24] * t440) - t453 - (motion->constants[23] *
+        t389);
     const float t527 = cos_phi * t129;
-    const float t534 = (t149 * motion->constants[16]) + (motion->constants[2] * (speeds[2] + t149));
+    const float t534 = (t149 * motion->constants[33]) + (motion->constants[18] * (speeds[2] +
+        t149));
     const float t537 = (t135 * t534) - (t149 * t463);
     const float t543 = (t216 * t485) - (t211 * t507);
-    const float t546 = (t425 * motion->constants[21]) + (t431 * motion->constants[24]) + (t404 *
-        motion->constants[26]) + t543;
+    const float t546 = (t425 * motion->constants[38]) + (t431 * motion->constants[41]) + (t404 *
+        motion->constants[43]) + t543;
     const float t549 = (sin_delta * t421) + (cos_delta * t438);
-    const float t555 = (motion->constants[19] * t404) + t537 + t546 + (motion->constants[6] *
-        t549) - (motion->constants[13] * t408) - (motion->constants[15] * t375);
+    const float t555 = (motion->constants[36] * t404) + t537 + t546 + (motion->constants[23] *
+        t549) - (motion->constants[30] * t408) - (motion->constants[32] * t375);
     const float t562 = (t149 * t468) - (t138 * t534);
-    const float t570 = (motion->constants[14] * t408) + (motion->constants[15] * t404) + t562 +
-        (cos_delta * t490) - (motion->constants[18] * t375) - (sin_delta * t514);
-    const float t571 = t570 - (motion->constants[7] * t549);
+    const float t570 = (motion->constants[31] * t408) + (motion->constants[32] * t404) + t562 +
+        (cos_delta * t490) - (motion->constants[35] * t375) - (sin_delta * t514);
+    const float t571 = t570 - (motion->constants[24] * t549);
     const float t575 = (t13 * t555) + (t189 * t451) - (t9 * t571);
     const float t590 = (t138 * t150) + (t135 * t443);
-    const float t595 = t127 * (t549 + (motion->constants[13] * t404) + (motion->constants[14] *
-        t375) + t590 - (motion->constants[17] * t408));
+    const float t595 = t127 * (t549 + (motion->constants[30] * t404) + (motion->constants[31] *
+        t375) + t590 - (motion->constants[34] * t408));
     const float t597 = t78 - (sin_phi * t84);
     const float t599 = cos_phi * t84;
     const float t604 = forces[0] + (t189 * ((t13 * t394) - (t9 * t449))) + (t575 * t599) - (t9 *
         t555);
     const float t608 = t604 - (t13 * t571) - t595 - (t525 * t597) - (t239 * t504);
-    const float t610 = sin_delta * motion->constants[21];
-    const float t612 = (sin_delta * motion->constants[24]) - (motion->constants[7] * t610);
-    const float t615 = sin_delta * motion->constants[28];
-    const float t618 = (cos_delta * t615) - (motion->constants[6] * t610);
-    const float t622 = cos_delta * motion->constants[21];
-    const float t625 = motion->constants[13] + t622 + motion->constants[29];
-    const float t627 = (t9 * motion->constants[35]) + (t13 * t625);
+    const float t610 = sin_delta * motion->constants[38];
+    const float t612 = (sin_delta * motion->constants[41]) - (motion->constants[24] * t610);
+    const float t615 = sin_delta * motion->constants[45];
+    const float t618 = (cos_delta * t615) - (motion->constants[23] * t610);
+    const float t622 = cos_delta * motion->constants[38];
+    const float t625 = motion->constants[30] + t622 + motion->constants[46];
+    const float t627 = (t9 * motion->constants[52]) + (t13 * t625);
     const float t630 = (t9 * t612) + (t13 * t618) + (t189 * t627);
-    const float t636 = (cos_delta * motion->constants[24]) - (motion->constants[7] * t622);
-    const float t639 = motion->constants[15] + t636 - motion->constants[31] - motion->constants[32];
+    const float t636 = (cos_delta * motion->constants[41]) - (motion->constants[24] * t622);
+    const float t639 = motion->constants[32] + t636 - motion->constants[48] - motion->constants[49];
     const float t640 = sin_delta * t615;
-    const float t644 = motion->constants[18] + motion->constants[23] + motion->constants[30] - t640;
-    const float t645 = motion->constants[6] * t622;
-    const float t648 = t645 + t645 + motion->constants[33];
-    const float t650 = motion->constants[19] + motion->constants[26] + t648;
+    const float t644 = motion->constants[35] + motion->constants[40] + motion->constants[47] - t640;
+    const float t645 = motion->constants[23] * t622;
+    const float t648 = t645 + t645 + motion->constants[50];
+    const float t650 = motion->constants[36] + motion->constants[43] + t648;
     const float t651 = t650 - t644;
     const float t652 = t9 * t13;
     const float t654 = t9 * t9;
     const float t655 = t639 + t639;
     const float t660 = t639 + (t651 * t652) + (t127 * t627) - (t654 * t655);
-    const float t664 = (t13 * motion->constants[35]) - (t9 * t625);
-    const float t666 = t127 * motion->constants[34];
+    const float t664 = (t13 * motion->constants[52]) - (t9 * t625);
+    const float t666 = t127 * motion->constants[51];
     const float t668 = t127 * (t664 - t666);
     const float t669 = t127 * t664;
     const float t670 = t127 * t666;
     const float t672 = t670 - t669 - t669;
-    const float t677 = motion->constants[16] + motion->constants[25] + t640 +
-        motion->constants[30] + t648 + t672;
-    const float t683 = t189 * motion->constants[34];
+    const float t677 = motion->constants[33] + motion->constants[42] + t640 +
+        motion->constants[47] + t648 + t672;
+    const float t683 = t189 * motion->constants[51];
     const float t688 = (t13 * t612) + (t189 * t664) + (t127 * t610) - (t9 * t618) - (t127 * t683);
     const float t691 = t668 + (t454 * t677) + (t527 * t688);
     const float t694 = t127 * (t610 - t683);
@@ -4709,11 +4761,11 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     const float t704 = t650 + t702 - t698;
     const float t707 = t694 - (t454 * t688) - (t527 * t704);
     const float t710 = 1.0F - t454;
-    const float t711 = motion->constants[2] * t597;
+    const float t711 = motion->constants[18] * t597;
     const float t714 = t9 * sin_delta;
     const float t717 = t253 - (cos_delta * t454) - (t527 * t714);
     const float t723 = t239 + (cos_delta * t597) - (t13 * sin_delta) - (t599 * t714);
-    const float t724 = motion->constants[3] * t723;
+    const float t724 = motion->constants[19] * t723;
     const float t730 = (t710 * t711) + (t717 * t724) - (t454 * t630) - (t527 * t660) - (t597 *
         t691) - (t599 * t707);
     const float t750 = t644 + t672 + t698 + t702 + (t597 * t630) + (t597 * (t630 + (t597 * t677) -
@@ -4727,11 +4779,11 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     const float t760 = t118 - (sin_phi * t122);
     const float t762 = cos_phi * t122;
     const float t764 = t612 + t758;
-    const float t766 = motion->constants[26] + t645;
+    const float t766 = motion->constants[43] + t645;
     const float t771 = (t13 * t766) - (t9 * t636) - (t189 * t757);
-    const float t773 = motion->constants[2] * t760;
+    const float t773 = motion->constants[18] * t760;
     const float t778 = t248 + (cos_delta * t760) - (t714 * t762);
-    const float t779 = motion->constants[3] * t778;
+    const float t779 = motion->constants[19] * t778;
     const float t790 = t764 + (t677 * t760) - (t688 * t762);
     const float t795 = t771 + (t688 * t760) - (t704 * t762);
     const float t803 = (t9 * t766) + (t13 * t636) + (t127 * t622) + (t630 * t760) + (t597 * t790) +
@@ -4740,7 +4792,7 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     const float t809 = t753 * t808;
     const float t815 = t758 + (t710 * t773) + (t717 * t779) - (t691 * t760) - (t707 * t762) -
         (t454 * t764);
-    const float t829 = motion->constants[26] + (t760 * t790) + (t760 * t764) + (t760 * t773) +
+    const float t829 = motion->constants[43] + (t760 * t790) + (t760 * t764) + (t760 * t773) +
         (t778 * t779) - (t762 * t795);
     const float t831 = t829 - (t762 * t771) - (t808 * t809);
     const float t832 = 1.0F / t831;
@@ -4749,8 +4801,8 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
         t808);
     const float t849 = (t454 * t525) + (t527 * t575) + t453 - (t253 * t504) - (t608 * t755) -
         (t833 * t843);
-    const float t866 = t670 + (t454 * t691) + (t454 * t668) + (motion->constants[2] * t710 * t710) +
-        (motion->constants[3] * t717 * t717) - (t527 * t707);
+    const float t866 = t670 + (t454 * t691) + (t454 * t668) + (motion->constants[18] * t710 *
+        t710) + (motion->constants[19] * t717 * t717) - (t527 * t707);
     const float t870 = t849 / (t866 - (t527 * t694) - (t753 * t755 * t755) - (t831 * t833 * t833));
     const float t874 = (t832 * t843) - (t833 * t870);
     const float t878 = (t608 * t754) - (t808 * t874) - (t755 * t870);
@@ -4762,53 +4814,54 @@ static void whipple_tyres_f32_compute_contact_forces(const whipple_tyres_f32_mot
     const float t900 = t171 + t878;
     const float t903 = t200 + t355 + (t189 * t900);
     const float t905 = (t9 * t898) + (t13 * t903);
-    const float t910 = t317 - t905 - (motion->constants[6] * t890);
+    const float t910 = t317 - t905 - (motion->constants[23] * t890);
     const float t916 = (t13 * t878) - t167 - (t9 * t894);
     const float t919 = (cos_delta * t890) - t292 - (sin_delta * t916);
-    const float t922 = t387 + (motion->constants[20] * t910) - (motion->constants[21] * t919);
-    const float t925 = t152 + t922 - (motion->constants[17] * t905) - (motion->constants[13] *
+    const float t922 = t387 + (motion->constants[37] * t910) - (motion->constants[38] * t919);
+    const float t925 = t152 + t922 - (motion->constants[34] * t905) - (motion->constants[30] *
         t890);
     const float t929 = (t9 * t903) - (t13 * t898);
-    const float t934 = t929 + (motion->constants[7] * t890) - t185;
+    const float t934 = t929 + (motion->constants[24] * t890) - t185;
     const float t939 = t163 + (t13 * t894) + (t9 * t878);
     const float t944 = t174 + t407 - (t127 * t900);
-    const float t947 = t160 + (motion->constants[6] * t939) - (motion->constants[7] * t916) - t944;
+    const float t947 = t160 + (motion->constants[23] * t939) - (motion->constants[24] * t916) -
+        t944;
     const float t949 = (cos_delta * t934) + (sin_delta * t947);
-    const float t953 = (motion->constants[20] * t949) + (motion->constants[22] * t919) - t419;
+    const float t953 = (motion->constants[37] * t949) + (motion->constants[39] * t919) - t419;
     const float t957 = (cos_delta * t947) - (sin_delta * t934);
     const float t959 = t874 + t939;
     const float t964 = t222 + (cos_delta * t916) + (sin_delta * t890);
-    const float t968 = t435 + (motion->constants[20] * t957) + (motion->constants[21] * t959) -
-        (motion->constants[22] * t964);
+    const float t968 = t435 + (motion->constants[37] * t957) + (motion->constants[38] * t959) -
+        (motion->constants[39] * t964);
     const float t970 = (cos_delta * t953) - (sin_delta * t968);
-    const float t973 = (motion->constants[17] * t929) + (motion->constants[14] * t890) + t970 -
+    const float t973 = (motion->constants[34] * t929) + (motion->constants[31] * t890) + t970 -
         t446;
     const float t975 = (t9 * t925) + (t13 * t973);
-    const float t983 = motion->constants[3] * (t502 + t919 + (t239 * t878) + (t248 * t874) + (t253 *
-        t870));
+    const float t983 = motion->constants[19] * (t502 + t919 + (t239 * t878) + (t248 * t874) +
+        (t253 * t870));
     const float t984 = t238 * t983;
-    const float t995 = t487 + (motion->constants[23] * t964) + (motion->constants[24] * t959) -
-        (motion->constants[22] * t957);
-    const float t1003 = t510 + t983 + (motion->constants[22] * t949) + (motion->constants[25] *
-        t919) - (motion->constants[21] * t910);
-    const float t1012 = t470 + (motion->constants[14] * t929) + (motion->constants[13] * t905) +
-        (motion->constants[16] * t890) + (motion->constants[2] * t891) + (sin_delta * t995);
-    const float t1016 = t1012 + (cos_delta * t1003) + (motion->constants[7] * t970) -
-        (motion->constants[6] * t922) - (t127 * t975);
+    const float t995 = t487 + (motion->constants[40] * t964) + (motion->constants[41] * t959) -
+        (motion->constants[39] * t957);
+    const float t1003 = t510 + t983 + (motion->constants[39] * t949) + (motion->constants[42] *
+        t919) - (motion->constants[38] * t910);
+    const float t1012 = t470 + (motion->constants[31] * t929) + (motion->constants[30] * t905) +
+        (motion->constants[33] * t890) + (motion->constants[18] * t891) + (sin_delta * t995);
+    const float t1016 = t1012 + (cos_delta * t1003) + (motion->constants[24] * t970) -
+        (motion->constants[23] * t922) - (t127 * t975);
     const float t1026 = (sin_delta * t953) + (cos_delta * t968);
-    const float t1033 = t537 + t543 + (motion->constants[15] * t916) + (motion->constants[19] *
-        t939) + (motion->constants[21] * t957) + (motion->constants[24] * t964) +
-        (motion->constants[26] * t959);
-    const float t1047 = t562 + (motion->constants[14] * t944) + (motion->constants[18] * t916) +
-        (motion->constants[15] * t939) + (cos_delta * t995) - (sin_delta * t1003);
-    const float t1052 = (t13 * (t1033 + (motion->constants[6] * t1026) - (motion->constants[13] *
-        t944))) + (t189 * t975) - (t9 * (t1047 - (motion->constants[7] * t1026)));
+    const float t1033 = t537 + t543 + (motion->constants[32] * t916) + (motion->constants[36] *
+        t939) + (motion->constants[38] * t957) + (motion->constants[41] * t964) +
+        (motion->constants[43] * t959);
+    const float t1047 = t562 + (motion->constants[31] * t944) + (motion->constants[35] * t916) +
+        (motion->constants[32] * t939) + (cos_delta * t995) - (sin_delta * t1003);
+    const float t1052 = (t13 * (t1033 + (motion->constants[23] * t1026) - (motion->constants[30] *
+        t944))) + (t189 * t975) - (t9 * (t1047 - (motion->constants[24] * t1026)));
     const float t1057 = t82 * ((sin_phi * t1016) + (cos_phi * t1052) - (t235 * t984));
     const float t1059 = (t36 * t984) - (t43 * t1057);
     const float t1060 = t975 - t1059;
     const float t1065 = (t43 * t984) + (t36 * t1057);
-    const float t1072 = t590 + t1026 + (motion->constants[13] * t939) - (motion->constants[17] *
-        t944) - (motion->constants[14] * t916);
+    const float t1072 = t590 + t1026 + (motion->constants[30] * t939) - (motion->constants[34] *
+        t944) - (motion->constants[31] * t916);
     const float t1076 = (t13 * t925) - (t9 * t973);
     const float t1079 = (cos_phi * t1072) - t1065 - (sin_phi * t1076);
     const float t1081 = (cos_psi * t1060) - (sin_psi * t1079);

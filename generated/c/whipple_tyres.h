@@ -458,7 +458,7 @@ void whipple_tyres_f64_with_respect_to(const whipple_tyres_f64_derivatives_t *de
  */
 typedef struct {
     /** In an order of their own. */
-    double constants[36U];
+    double constants[53U];
 } whipple_tyres_f64_motion_t;
 
 /**
@@ -804,7 +804,7 @@ void whipple_tyres_f32_with_respect_to(const whipple_tyres_f32_derivatives_t *de
  */
 typedef struct {
     /** In an order of their own. */
-    float constants[36U];
+    float constants[53U];
 } whipple_tyres_f32_motion_t;
 
 /**

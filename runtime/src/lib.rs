@@ -83,7 +83,7 @@ pub use model::{
     Model, ModelInfo, Nonlinear, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo,
     WithDerivatives,
 };
-pub use motion::{Motion, MotionError};
+pub use motion::{Linearizable, Motion, MotionError};
 /// The library of matrices, in the version that has the types of this crate.
 pub use nalgebra;
 pub use nalgebra::Complex;

@@ -61,7 +61,7 @@ pub const COLUMNS: &str =
     "model\tprogram\tadditions\tmultiplications\tdivisions\tnegations\troots\ttrigonometric\ttotal";
 
 /// The functions that may be there.
-const PROGRAMS: [&str; 11] = [
+const PROGRAMS: [&str; 13] = [
     "kinematics",
     "matrices",
     "matrices_and_derivatives",
@@ -73,10 +73,12 @@ const PROGRAMS: [&str; 11] = [
     "accelerations_unchecked",
     "energy_unchecked",
     "contact_forces_unchecked",
+    "linearize_unchecked",
+    "by_parameters_unchecked",
 ];
 
 /// For each shipped model and each of its programs (the matrices, also with their derivatives, the rates and forces of a
-/// mechanism, the requirements in `validate`, the nonlinear equations) its name and its operations, in alphabetical order.
+/// mechanism, the requirements in `validate`, the nonlinear equations and their derivatives) its name and its operations, in alphabetical order.
 ///
 /// # Panics
 /// If the generated code cannot be read.

@@ -162,9 +162,11 @@ impl<T: Scalar> DoublePendulum<T> {
 /// - accelerations: 17 additions, 25 multiplications, 2 divisions and 4 trigonometric functions: 48 operations
 /// - energy: 10 additions, 13 multiplications, 1 negation and 4 trigonometric functions: 28 operations
 /// - contact forces: no operations
+/// - linearization: 43 additions, 71 multiplications, 2 divisions, 3 negations and 4 trigonometric functions: 123 operations
+/// - by parameters: 58 additions, 97 multiplications, 2 divisions, 6 negations and 4 trigonometric functions: 167 operations
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulumMotion<T = f64> {
-    constants: [T; 9],
+    constants: [T; 12],
 }
 
 impl<T: Scalar> DoublePendulum<T> {
@@ -174,15 +176,17 @@ impl<T: Scalar> DoublePendulum<T> {
     /// The parameters are not validated.
     #[must_use]
     pub fn motion(&self) -> DoublePendulumMotion<T> {
-        let t4 = self.m1 * self.a1;
-        let t7 = self.I1 + self.a1 * t4;
+        let t5 = self.m1 * self.a1;
+        let t8 = self.I1 + self.a1 * t5;
         let t10 = self.l1 - self.l1 - self.a2;
         let t11 = self.m2 * t10;
         let t14 = self.I2 + t10 * t11;
         let t16 = self.l1 * self.m2;
         let t17 = self.l1 * t16;
         DoublePendulumMotion {
-            constants: [self.l1, self.m2, t4, t7, t11, t14, self.g, t16, t17],
+            constants: [
+                self.l1, self.m1, self.a1, self.m2, self.a2, t5, t8, t11, t14, self.g, t16, t17,
+            ],
         }
     }
 }
@@ -228,6 +232,13 @@ impl<T: Scalar> carvallo::motion::Motion for DoublePendulumMotion<T> {
         ],
         wheels: &[],
     };
+
+    fn linearize_into(
+        &self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2], a: &mut [T], b: &mut [T],
+    ) -> Option<Result<(), carvallo::motion::MotionError>> {
+        let found = carvallo::motion::Linearizable::linearize(self, positions, speeds, forces);
+        Some(found.map(|found| carvallo::motion::Linearization::copy_into(&found, a, b)))
+    }
 }
 
 #[allow(unused_variables)]
@@ -254,71 +265,229 @@ impl<T: Scalar> carvallo::motion::Unchecked for DoublePendulumMotion<T> {
 
     fn derivatives_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> ([T; 2], [T; 2]) {
         let (sin_theta1, cos_theta1) = positions[0].sin_cos();
-        let t7 = sin_theta1 * self.constants[6];
+        let t7 = sin_theta1 * self.constants[9];
         let (sin_theta2, cos_theta2) = positions[1].sin_cos();
         let t19 = speeds[0] * speeds[0] * self.constants[0]
-            - self.constants[6] * cos_theta1;
+            - self.constants[9] * cos_theta1;
         let t21 = sin_theta2 * t19 - t7 * cos_theta2;
-        let t22 = self.constants[4] * t21;
+        let t22 = self.constants[7] * t21;
         let t30 = speeds[0] + speeds[1];
-        let t35 = cos_theta2 * t21 * self.constants[1]
+        let t35 = cos_theta2 * t21 * self.constants[3]
             - sin_theta2
-                * (self.constants[1] * (cos_theta2 * t19 + t7 * sin_theta2)
-                    - self.constants[4] * t30 * t30);
-        let t39 = forces[0] + self.constants[2] * t7 + t22 - self.constants[0] * t35;
-        let t42 = self.constants[4] * cos_theta2 * self.constants[0];
-        let t45 = self.constants[5] - t42;
-        let t48 = self.constants[3] + self.constants[8] + t45 - t42;
+                * (self.constants[3] * (cos_theta2 * t19 + t7 * sin_theta2)
+                    - self.constants[7] * t30 * t30);
+        let t39 = forces[0] + self.constants[5] * t7 + t22 - self.constants[0] * t35;
+        let t42 = self.constants[7] * cos_theta2 * self.constants[0];
+        let t45 = self.constants[8] - t42;
+        let t48 = self.constants[6] + self.constants[11] + t45 - t42;
         let t49 = self.constants[0].like(1.0) / t48;
         let t51 = t45 * t49;
-        let t59 = (t22 + forces[1] - t39 * t51) / (self.constants[5] - t48 * t51 * t51);
+        let t59 = (t22 + forces[1] - t39 * t51) / (self.constants[8] - t48 * t51 * t51);
         let t61 = t39 * t49 - t51 * t59;
         ([speeds[0], speeds[1]], [t61, t59])
     }
 
     fn accelerations_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> [T; 2] {
         let (sin_theta1, cos_theta1) = positions[0].sin_cos();
-        let t5 = sin_theta1 * self.constants[6];
+        let t5 = sin_theta1 * self.constants[9];
         let (sin_theta2, cos_theta2) = positions[1].sin_cos();
         let t18 = self.constants[0] * speeds[0] * speeds[0]
-            - self.constants[6] * cos_theta1;
+            - self.constants[9] * cos_theta1;
         let t20 = sin_theta2 * t18 - t5 * cos_theta2;
-        let t21 = self.constants[4] * t20;
+        let t21 = self.constants[7] * t20;
         let t30 = speeds[0] + speeds[1];
-        let t35 = cos_theta2 * t20 * self.constants[1]
+        let t35 = cos_theta2 * t20 * self.constants[3]
             - sin_theta2
-                * (self.constants[1] * (cos_theta2 * t18 + t5 * sin_theta2)
-                    - self.constants[4] * t30 * t30);
-        let t39 = forces[0] + self.constants[2] * t5 + t21 - self.constants[0] * t35;
-        let t42 = self.constants[4] * cos_theta2 * self.constants[0];
-        let t45 = self.constants[5] - t42;
-        let t48 = self.constants[3] + self.constants[8] + t45 - t42;
+                * (self.constants[3] * (cos_theta2 * t18 + t5 * sin_theta2)
+                    - self.constants[7] * t30 * t30);
+        let t39 = forces[0] + self.constants[5] * t5 + t21 - self.constants[0] * t35;
+        let t42 = self.constants[7] * cos_theta2 * self.constants[0];
+        let t45 = self.constants[8] - t42;
+        let t48 = self.constants[6] + self.constants[11] + t45 - t42;
         let t49 = self.constants[0].like(1.0) / t48;
         let t51 = t45 * t49;
-        let t59 = (t21 + forces[1] - t39 * t51) / (self.constants[5] - t48 * t51 * t51);
+        let t59 = (t21 + forces[1] - t39 * t51) / (self.constants[8] - t48 * t51 * t51);
         let t61 = t39 * t49 - t51 * t59;
         [t61, t59]
     }
 
     fn energy_unchecked(&self, positions: &[T; 2], speeds: &[T; 2]) -> [T; 2] {
         let (sin_theta2, cos_theta2) = positions[1].sin_cos();
-        let t6 = cos_theta2 * self.constants[4];
+        let t6 = cos_theta2 * self.constants[7];
         let t7 = self.constants[0] * t6;
-        let t10 = self.constants[5] - t7;
+        let t10 = self.constants[8] - t7;
         let t18 = speeds[0]
-            * (speeds[0] * (self.constants[3] + self.constants[8] + t10 - t7)
+            * (speeds[0] * (self.constants[6] + self.constants[11] + t10 - t7)
                 + t10 * speeds[1]);
-        let t25 = (t18 + speeds[1] * (speeds[0] * t10 + self.constants[5] * speeds[1]))
+        let t25 = (t18 + speeds[1] * (speeds[0] * t10 + self.constants[8] * speeds[1]))
             * self.constants[0].like(0.5);
         let (sin_theta1, cos_theta1) = positions[0].sin_cos();
-        let t40 = -(self.constants[6]
-            * (cos_theta1 * (t6 - self.constants[2] - self.constants[7])
-                - self.constants[4] * sin_theta1 * sin_theta2));
+        let t40 = -(self.constants[9]
+            * (cos_theta1 * (t6 - self.constants[5] - self.constants[10])
+                - self.constants[7] * sin_theta1 * sin_theta2));
         [t25, t40]
     }
 
     fn contact_forces_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> [[T; 3]; 0] {
         []
+    }
+}
+
+#[allow(unused_variables)]
+impl<T: Scalar> carvallo::motion::UncheckedPartials for DoublePendulumMotion<T> {
+    type State = [T; 4];
+
+    type ByState = [[T; 4]; 4];
+
+    type ByForces = [[T; 2]; 4];
+
+    type Parameters = [T; 8];
+
+    type ByParameters = [[T; 8]; 4];
+
+    fn linearize_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> ([[T; 4]; 4], [[T; 2]; 4]) {
+        let zero = self.constants[0].like(0.0);
+        let (sin_theta2, cos_theta2) = positions[1].sin_cos();
+        let t8 = self.constants[0] * cos_theta2 * self.constants[7];
+        let t11 = self.constants[8] - t8;
+        let t14 = self.constants[6] + self.constants[11] + t11 - t8;
+        let t15 = self.constants[0].like(1.0) / t14;
+        let (sin_theta1, cos_theta1) = positions[0].sin_cos();
+        let t20 = cos_theta1 * self.constants[9];
+        let t23 = self.constants[0] * sin_theta2;
+        let t28 = self.constants[9] * sin_theta1;
+        let t29 = cos_theta2 * self.constants[3];
+        let t34 = self.constants[0] * t29 - self.constants[7];
+        let t35 = sin_theta2 * t28;
+        let t37 = t35 - cos_theta2 * t20;
+        let t40 = self.constants[5] * t20
+            + t23 * (t20 * sin_theta2 * self.constants[3] + t28 * t29) - t34 * t37;
+        let t42 = t11 * t15;
+        let t46 = self.constants[0].like(1.0) / (self.constants[8] - t14 * t42 * t42);
+        let t50 = t46 * (self.constants[7] * t37 - t40 * t42);
+        let t52 = t15 * t40 - t42 * t50;
+        let t54 = self.constants[0] * speeds[0];
+        let t56 = speeds[0] * t54 - t20;
+        let t57 = sin_theta2 * t56;
+        let t61 = t57 - cos_theta2 * t28;
+        let t62 = self.constants[7] * t61;
+        let t64 = cos_theta2 * t56;
+        let t68 = speeds[0] + speeds[1];
+        let t69 = self.constants[7] * t68;
+        let t70 = t68 * t69;
+        let t74 = self.constants[0]
+            * (t29 * t61 - sin_theta2 * (self.constants[3] * (t35 + t64) - t70));
+        let t77 = forces[0] + self.constants[5] * t28 + t62 - t74;
+        let t83 = t46 * (t62 + forces[1] - t42 * t77);
+        let t85 = t15 * t77 - t42 * t83;
+        let t87 = self.constants[0] * t85 - t28;
+        let t90 = self.constants[3] * (t57 + cos_theta2 * t87);
+        let t96 = t64 - sin_theta2 * t87;
+        let t101 = self.constants[0]
+            * (sin_theta2 * (t90 - self.constants[7] * (t83 + t85))
+                + cos_theta2 * (self.constants[3] * t96 - t70));
+        let t105 = t23 * t90 + t34 * t96 - t101;
+        let t110 = t46 * (self.constants[7] * t96 + t42 * t105);
+        let t113 = t69 + t69;
+        let t114 = t54 + t54;
+        let t118 = sin_theta2 * t114;
+        let t120 = t23 * (t29 * t114 - t113) - t34 * t118;
+        let t125 = t46 * (self.constants[7] * t118 - t42 * t120);
+        let t127 = t15 * t120 - t42 * t125;
+        let t128 = t23 * t113;
+        let t130 = t42 * t46;
+        let t131 = t128 * t130;
+        let t135 = t15 + t42 * t130;
+        let t136 = -(t15 * t105 + t42 * t110);
+        let t137 = -(t15 * t128 + t42 * t131);
+        let t138 = -t130;
+        (
+            [
+                [zero, zero, self.constants[0].like(1.0), zero],
+                [zero, zero, zero, self.constants[0].like(1.0)], [t52, t136, t127, t137],
+                [t50, t110, t125, t131],
+            ],
+            [[zero, zero], [zero, zero], [t135, t138], [t138, t46]],
+        )
+    }
+
+    fn by_parameters_unchecked(&self, positions: &[T; 2], speeds: &[T; 2], forces: &[T; 2]) -> [[T; 8]; 4] {
+        let zero = self.constants[0].like(0.0);
+        let (sin_theta2, cos_theta2) = positions[1].sin_cos();
+        let t7 = self.constants[0] * cos_theta2 * self.constants[7];
+        let t10 = self.constants[8] - t7;
+        let t13 = self.constants[6] + self.constants[11] + t10 - t7;
+        let t14 = self.constants[0].like(1.0) / t13;
+        let (sin_theta1, cos_theta1) = positions[0].sin_cos();
+        let t22 = speeds[0] * speeds[0];
+        let t24 = self.constants[0] * t22 - cos_theta1 * self.constants[9];
+        let t25 = sin_theta2 * t24;
+        let t27 = self.constants[9] * sin_theta1;
+        let t32 = t25 - cos_theta2 * t27;
+        let t33 = self.constants[7] * t32;
+        let t34 = cos_theta2 * self.constants[3];
+        let t36 = cos_theta2 * t24;
+        let t41 = speeds[0] + speeds[1];
+        let t42 = t41 * t41;
+        let t43 = self.constants[7] * t42;
+        let t46 = t32 * t34
+            - sin_theta2 * (self.constants[3] * (t36 + sin_theta2 * t27) - t43);
+        let t50 = forces[0] + t27 * self.constants[5] + t33 - self.constants[0] * t46;
+        let t52 = t10 * t14;
+        let t60 = self.constants[0].like(1.0) / (self.constants[8] - t13 * t52 * t52);
+        let t61 = (t33 + forces[1] - t50 * t52) * t60;
+        let t63 = t14 * t50 - t52 * t61;
+        let t65 = self.constants[0] * t63 - t27;
+        let t67 = t25 + cos_theta2 * t65;
+        let t69 = t61 + t63;
+        let t70 = self.constants[7] * t69;
+        let t74 = t36 - sin_theta2 * t65;
+        let t80 = sin_theta2 * t22 + cos_theta2 * t63;
+        let t81 = self.constants[7] * t80;
+        let t82 = sin_theta2 * t34;
+        let t85 = self.constants[3] * sin_theta2 * sin_theta2;
+        let t93 = sin_theta2 * (self.constants[3] * t74 - t43) + t81
+            - cos_theta2 * (self.constants[3] * t67 - t70)
+            - self.constants[0] * (t63 * t85 + t34 * t80 - t22 * t82);
+        let t97 = t60 * (t81 - t52 * t93);
+        let t99 = t14 * t93 - t52 * t97;
+        let t104 = t63 * self.constants[2] - t27;
+        let t106 = self.constants[5] * t63 + self.constants[1] * t104;
+        let t108 = t52 * t60;
+        let t109 = t106 * t108;
+        let t112 = self.constants[2] * t104;
+        let t114 = t108 * t112;
+        let t118 = t63 * t108;
+        let t123 = self.constants[0] - self.constants[0] - self.constants[4];
+        let t125 = t69 * t123 - t67;
+        let t127 = t70 + self.constants[3] * t125;
+        let t130 = sin_theta2 * t42 - cos_theta2 * t69;
+        let t133 = t127 + self.constants[0] * self.constants[3] * t130;
+        let t137 = t60 * (t127 - t52 * t133);
+        let t139 = t14 * t133 - t52 * t137;
+        let t140 = t123 * t125;
+        let t147 = t140
+            + self.constants[0] * (cos_theta2 * t67 + t123 * t130 - sin_theta2 * t74);
+        let t151 = t60 * (t52 * t147 - t140);
+        let t157 = t60 * (t52 * t69 - t69);
+        let t163 = sin_theta2 * cos_theta1 + cos_theta2 * sin_theta1;
+        let t164 = self.constants[7] * t163;
+        let t172 = sin_theta1 * self.constants[5] - t164
+            - self.constants[0] * (cos_theta1 * t82 - sin_theta1 * t85 - t34 * t163);
+        let t176 = t60 * (t164 + t52 * t172);
+        let t178 = t14 * t172 + t52 * t176;
+        let t179 = -(t14 * t106 + t52 * t109);
+        let t180 = -(t14 * t112 + t52 * t114);
+        let t181 = -(t14 * t63 + t52 * t118);
+        let t182 = -(t14 * t147 + t52 * t151);
+        let t183 = -(t14 * t69 + t52 * t157);
+        let t184 = -t176;
+        [
+            [zero, zero, zero, zero, zero, zero, zero, zero],
+            [zero, zero, zero, zero, zero, zero, zero, zero],
+            [t99, t179, t180, t181, t139, t182, t183, t178],
+            [t97, t109, t114, t118, t137, t151, t157, t184],
+        ]
     }
 }
 

@@ -157,6 +157,8 @@ impl<T: Scalar> RollingDisc<T> {
 /// - accelerations: 20 additions, 43 multiplications, 3 divisions, 3 negations and 4 trigonometric functions: 73 operations
 /// - energy: 7 additions, 17 multiplications and 2 trigonometric functions: 26 operations
 /// - contact forces: 29 additions, 55 multiplications, 3 divisions, 1 negation and 4 trigonometric functions: 92 operations
+/// - linearization: 53 additions, 101 multiplications, 3 divisions, 7 negations and 4 trigonometric functions: 168 operations
+/// - by parameters: 38 additions, 83 multiplications, 3 divisions, 7 negations and 4 trigonometric functions: 135 operations
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingDiscMotion<T = f64> {
     constants: [T; 9],
@@ -232,6 +234,13 @@ impl<T: Scalar> carvallo::motion::Motion for RollingDiscMotion<T> {
             },
         ],
     };
+
+    fn linearize_into(
+        &self, positions: &[T; 5], speeds: &[T; 3], forces: &[T; 0], a: &mut [T], b: &mut [T],
+    ) -> Option<Result<(), carvallo::motion::MotionError>> {
+        let found = carvallo::motion::Linearizable::linearize(self, positions, speeds, forces);
+        Some(found.map(|found| carvallo::motion::Linearization::copy_into(&found, a, b)))
+    }
 }
 
 #[allow(unused_variables)]
@@ -382,6 +391,171 @@ impl<T: Scalar> carvallo::motion::Unchecked for RollingDiscMotion<T> {
         let t103 = cos_phi * t93 - sin_phi * t86;
         let t104 = -(t65 * sin_psi + cos_psi * t95);
         [[t97, t104, t103]]
+    }
+}
+
+#[allow(unused_variables)]
+impl<T: Scalar> carvallo::motion::UncheckedPartials for RollingDiscMotion<T> {
+    type State = [T; 8];
+
+    type ByState = [[T; 8]; 8];
+
+    type ByForces = [[T; 0]; 8];
+
+    type Parameters = [T; 5];
+
+    type ByParameters = [[T; 5]; 8];
+
+    fn linearize_unchecked(&self, positions: &[T; 5], speeds: &[T; 3], forces: &[T; 0]) -> ([[T; 8]; 8], [[T; 0]; 8]) {
+        let zero = self.constants[0].like(0.0);
+        let t3 = self.constants[0] * speeds[2];
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let t6 = t3 * sin_psi;
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t15 = sin_phi * self.constants[6];
+        let t19 = cos_phi * self.constants[1];
+        let t22 = sin_phi * self.constants[2];
+        let t25 = sin_phi * t15 + cos_phi * t19 + sin_phi * t22;
+        let t26 = self.constants[0].like(1.0) / t25;
+        let t29 = sin_phi * speeds[0];
+        let t31 = self.constants[2] * (speeds[2] + t29);
+        let t33 = self.constants[1] * speeds[1];
+        let t35 = speeds[1] * t31 - t29 * t33;
+        let t36 = speeds[1] * t29;
+        let t37 = cos_phi * speeds[0];
+        let t39 = self.constants[1] * t37;
+        let t41 = t33 * t37 - speeds[1] * t39;
+        let t42 = speeds[1] * t37;
+        let t45 = self.constants[0] * speeds[1];
+        let t46 = t37 * t45;
+        let t49 = self.constants[0] * self.constants[3];
+        let t51 = self.constants[2] * t42 + (self.constants[0] * t42 + t46) * t49;
+        let t57 = sin_phi * (t41 + t51) + cos_phi * (t35 - self.constants[1] * t36);
+        let t60 = t26 * (t15 + t22);
+        let t67 = self.constants[0].like(1.0) / (self.constants[8] - t25 * t60 * t60);
+        let t68 = (t57 * t60 - t51) * t67;
+        let t70 = t26 * t57 + t60 * t68;
+        let t72 = t36 + cos_phi * t70;
+        let t76 = sin_phi * t70;
+        let t79 = t42 + t68 - t76;
+        let t89 = cos_phi * speeds[1];
+        let t90 = self.constants[2] * t89;
+        let t92 = t90 - cos_phi * t33 - t19 * speeds[1];
+        let t95 = sin_phi * self.constants[5];
+        let t96 = t29 * t45;
+        let t99 = t22 + self.constants[0] * t95;
+        let t103 = sin_phi * (t35 - self.constants[1] * t72) + t95 * t96 + t72 * t99
+            - t19 * t76;
+        let t104 = t103
+            - cos_phi
+                * (t41 + self.constants[2] * t79
+                    + t49 * (t46 + self.constants[0] * t79));
+        let t105 = t104 - t37 * t92;
+        let t108 = self.constants[6] + self.constants[2];
+        let t113 = t67 * (self.constants[5] * t96 + t72 * t108 - t60 * t105);
+        let t115 = t26 * t105 - t60 * t113;
+        let t117 = cos_phi * t45;
+        let t121 = sin_phi * t92 + t95 * t117 + t89 * t99;
+        let t128 = t67 * (t60 * t121 - self.constants[5] * t117 - t89 * t108);
+        let t132 = self.constants[1] * t29 - t31;
+        let t135 = self.constants[0] * t37;
+        let t140 = t95 * t135 + t37 * t99 - cos_phi * t132 - t19 * t29;
+        let t142 = self.constants[5] * t135;
+        let t147 = t67 * (t60 * t140 - t142 - t37 * t108);
+        let t152 = t60 * t67 * t90;
+        let t159 = t142 + self.constants[2] * t37;
+        let t160 = t39 - t159;
+        let t165 = t132 - self.constants[5] * (t3 + self.constants[0] * t29);
+        let t170 = self.constants[0].like(1.0) / self.constants[7];
+        let t171 = (cos_phi * self.constants[5] * self.constants[4] + t29 * t165
+            - t37 * t160) * t170;
+        let t176 = t159 * t170;
+        let t177 = -(self.constants[0] * cos_psi);
+        let t178 = -(t3 * cos_psi);
+        let t179 = -(self.constants[0] * sin_psi);
+        let t180 = -(t26 * t121 + t60 * t128);
+        let t181 = -(t26 * t140 + t60 * t147);
+        let t182 = -(t26 * t90 + t60 * t152);
+        let t183 = -(t170 * (sin_phi * t160 + cos_phi * t165));
+        (
+            [
+                [zero, zero, t6, zero, zero, zero, zero, t177],
+                [zero, zero, t178, zero, zero, zero, zero, t179],
+                [zero, zero, zero, zero, zero, self.constants[0].like(1.0), zero, zero],
+                [zero, zero, zero, zero, zero, zero, self.constants[0].like(1.0), zero],
+                [zero, zero, zero, zero, zero, zero, zero, self.constants[0].like(1.0)],
+                [zero, zero, zero, t115, zero, t180, t181, t182],
+                [zero, zero, zero, t171, zero, t183, zero, t176],
+                [zero, zero, zero, t113, zero, t128, t147, t152],
+            ],
+            [[], [], [], [], [], [], [], []],
+        )
+    }
+
+    fn by_parameters_unchecked(&self, positions: &[T; 5], speeds: &[T; 3], forces: &[T; 0]) -> [[T; 5]; 8] {
+        let (sin_psi, cos_psi) = positions[2].sin_cos();
+        let zero = self.constants[0].like(0.0);
+        let (sin_phi, cos_phi) = positions[3].sin_cos();
+        let t10 = sin_phi * self.constants[6];
+        let t17 = sin_phi * self.constants[2];
+        let t20 = sin_phi * t10 + self.constants[1] * cos_phi * cos_phi + sin_phi * t17;
+        let t21 = self.constants[0].like(1.0) / t20;
+        let t26 = cos_phi * speeds[0];
+        let t27 = self.constants[0] * t26;
+        let t28 = speeds[1] * t27;
+        let t29 = speeds[1] * t26;
+        let t33 = self.constants[3] * self.constants[0];
+        let t35 = self.constants[2] * t29 + (t28 + self.constants[0] * t29) * t33;
+        let t36 = self.constants[1] * speeds[1];
+        let t38 = self.constants[1] * t26;
+        let t43 = sin_phi * speeds[0];
+        let t44 = speeds[1] * t43;
+        let t46 = speeds[2] + t43;
+        let t47 = self.constants[2] * t46;
+        let t53 = sin_phi * (t26 * t36 + t35 - speeds[1] * t38)
+            + cos_phi * (speeds[1] * t47 - self.constants[1] * t44 - t36 * t43);
+        let t55 = t21 * (t10 + t17);
+        let t62 = self.constants[0].like(1.0) / (self.constants[8] - t20 * t55 * t55);
+        let t63 = (t53 * t55 - t35) * t62;
+        let t66 = t21 * t53 + t55 * t63;
+        let t69 = t29 + t63 - sin_phi * t66;
+        let t71 = t28 + self.constants[0] * t69;
+        let t75 = self.constants[3] * t71 + t33 * (t29 + t69);
+        let t76 = sin_phi * t75;
+        let t80 = t62 * (t55 * t76 - t75);
+        let t83 = self.constants[0] * t71;
+        let t84 = sin_phi * t83;
+        let t88 = t62 * (t55 * t84 - t83);
+        let t94 = cos_phi * speeds[1] * t46 + sin_phi * t69;
+        let t98 = t62 * (t55 * t94 - t69);
+        let t104 = cos_phi * (t44 + t44 + cos_phi * t66);
+        let t107 = t55 * t62 * t104;
+        let t109 = t21 * t104 + t55 * t107;
+        let t111 = self.constants[0].like(1.0) / self.constants[7];
+        let t115 = t27 * t43 + sin_phi * self.constants[4];
+        let t116 = speeds[2] * t26;
+        let t124 = t111
+            * (t38 * t43 - t26 * t47 - t33 * (self.constants[0] * t116 + t115));
+        let t125 = t116 + t124;
+        let t127 = t115 + self.constants[0] * t125;
+        let t129 = t26 * t43;
+        let t133 = t111 * (self.constants[3] * t127 + t33 * (t125 + t129));
+        let t135 = self.constants[0] * t111 * t127;
+        let t137 = t26 * t46 * t111;
+        let t141 = sin_phi * t33 * t111;
+        let t142 = -(speeds[2] * cos_psi);
+        let t143 = -(speeds[2] * sin_psi);
+        let t144 = -(t21 * t76 + t55 * t80);
+        let t145 = -(t21 * t84 + t55 * t88);
+        let t146 = -(t21 * t94 + t55 * t98);
+        let t147 = -(t111 * (t129 - t124));
+        let t148 = -t107;
+        [
+            [t142, zero, zero, zero, zero], [t143, zero, zero, zero, zero],
+            [zero, zero, zero, zero, zero], [zero, zero, zero, zero, zero],
+            [zero, zero, zero, zero, zero], [t144, t145, t146, t109, zero],
+            [t133, t135, t137, t147, t141], [t80, t88, t98, t148, zero],
+        ]
     }
 }
 

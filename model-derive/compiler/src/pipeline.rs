@@ -86,7 +86,8 @@ fn build_programs(model: &Model) -> Result<Programs, (Region, Failure)> {
     let kinematics = programs.next();
     let derivatives =
         model.derivatives.map(|span| derivatives::compile(model, &matrices).map_err(|why| (span.into(), why)));
-    let motion = model.motion.as_ref().map(|motion| nonlinear::compile(&motion.machine, &motion.layout));
+    let motion = model.motion.as_ref();
+    let motion = motion.map(|motion| nonlinear::compile(&motion.machine, &motion.layout, model.derivatives.is_some()));
     Ok(Programs { matrices, requirements, kinematics, motion, derivatives: derivatives.transpose()? })
 }
 

@@ -201,6 +201,11 @@
 /// links to the ground from what rolls over it, and forces on its displacements. Springs and dampers, joints and links, rotors and applied
 /// forces are as for the matrices.
 ///
+/// Together with `derivatives;` it asks for the exact derivatives of these equations as well, about any state: with respect to
+/// positions, speeds and forces, and to all parameters. Positions that the heights of the wheels determine follow the others;
+/// see [`Linearizable`](crate::motion::Linearizable). They take about five times the operations of the equations by state, and
+/// about seven times by parameters.
+///
 /// # Units
 /// Every formula is analysed: the terms of a sum are in one unit, `sin`, `cos` and `tan` take pure numbers, and each
 /// entry of a matrix is in the unit that follows from the coordinates of its row and column, which are angles or lengths:
@@ -225,7 +230,7 @@
 /// `derivatives;` asks for the exact derivatives of all entries of the matrices with respect to all parameters. They are
 /// derived symbolically and optimized together with the matrices, in one program: `Name::matrices_and_derivatives`. Which
 /// of them are zero for all parameters is proved, and those take neither time nor memory. A model that does not ask for
-/// them pays nothing.
+/// them pays nothing. What it asks for beside `nonlinear;` is said there.
 ///
 /// At valid parameters every derivative exists. A root has none where its argument is zero, so a model with derivatives
 /// is refused unless domains or a `require` keep the arguments of its roots above zero.
@@ -284,7 +289,8 @@
 ///   derivatives have them, and `with_respect_to` for all matrices derived with respect to one parameter; and
 ///   [`Differentiable<N>`](crate::Differentiable), with all of them as [`Coefficients`](crate::Coefficients).
 /// - With `nonlinear;` a struct `NameMotion<T>` with [`Motion`](crate::Motion), and `Name::motion`, which computes what does
-///   not depend on the state; and [`Nonlinear<N>`](crate::Nonlinear).
+///   not depend on the state; and [`Nonlinear<N>`](crate::Nonlinear). With `derivatives;` as well it has
+///   [`Linearizable`](crate::motion::Linearizable).
 /// - For a mechanism a struct `NameKinematics<T>` and `Name::kinematics`, if anything moves or acts beside the coordinates.
 ///
 /// A model whose structs have the names of something else in their module is one error, at its name, where that stands

@@ -111,6 +111,27 @@ pub trait Motion: Unchecked {
         let all = contact_forces.as_ref().iter().flatten().all(|force| force.is_finite());
         if all { Ok(contact_forces) } else { Err(MotionError::Singular { quantity: "a contact force" }) }
     }
+
+    /// Writes A and B of [`Linearizable::linearize`](super::Linearizable::linearize) row by row; nothing for a model whose
+    /// declaration does not say `derivatives;`.
+    ///
+    /// For code that takes any motion. What needs them takes a [`Linearizable`](super::Linearizable) one.
+    ///
+    /// # Errors
+    /// As there.
+    ///
+    /// # Panics
+    /// If there are not as many places as entries.
+    fn linearize_into(
+        &self,
+        _positions: &Self::Positions,
+        _speeds: &Self::Speeds,
+        _forces: &Self::Forces,
+        _a: &mut [Self::Scalar],
+        _b: &mut [Self::Scalar],
+    ) -> Option<Result<(), MotionError>> {
+        None
+    }
 }
 
 /// The straight-line programs behind [`Motion`], as they are generated: nothing is checked, and what has no value is
@@ -173,7 +194,7 @@ pub struct Energy<T = f64> {
     pub potential: T,
 }
 
-fn state<T: Scalar>(info: &MotionInfo, positions: &[T], speeds: &[T]) -> Result<(), MotionError> {
+pub(super) fn state<T: Scalar>(info: &MotionInfo, positions: &[T], speeds: &[T]) -> Result<(), MotionError> {
     finite(info, "position", positions, |place| place)?;
     finite(info, "rate", speeds, |speed| info.speeds[speed])
 }
@@ -193,7 +214,7 @@ fn finite<T: Scalar>(
     }
 }
 
-fn applied<T: Scalar>(info: &MotionInfo, forces: &[T]) -> Result<(), MotionError> {
+pub(super) fn applied<T: Scalar>(info: &MotionInfo, forces: &[T]) -> Result<(), MotionError> {
     match forces.iter().zip(info.forces).find(|(value, _)| !value.is_finite()) {
         None => Ok(()),
         Some((value, force)) => Err(MotionError::NotFinite { name: force.name, what: "force", value: value.to_f64() }),
@@ -201,7 +222,7 @@ fn applied<T: Scalar>(info: &MotionInfo, forces: &[T]) -> Result<(), MotionError
 }
 
 /// Results that are all finite.
-fn valued<T: Scalar, V: Vector<T>>(quantity: &'static str, values: V) -> Result<V, MotionError> {
+pub(super) fn valued<T: Scalar, V: Vector<T>>(quantity: &'static str, values: V) -> Result<V, MotionError> {
     if values.as_ref().iter().all(|value| value.is_finite()) {
         Ok(values)
     } else {

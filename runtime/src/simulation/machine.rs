@@ -1,6 +1,8 @@
 //! A mechanism that moves, whichever it is.
 
-use crate::motion::{Energy, Motion, MotionError, MotionInfo, Vector};
+use nalgebra::DMatrix;
+
+use crate::motion::{Energy, Linearization, Motion, MotionError, MotionInfo, Vector};
 
 /// A [`Motion`] whose arrays are slices, so that what is done with it is compiled once for all of them, and machines of all
 /// kinds go into one list. Every [`Motion`] in `f64` is one.
@@ -47,6 +49,18 @@ pub trait Machine {
         accelerations: &mut [f64],
     ) -> Result<(), MotionError>;
 
+    /// See [`Linearizable::linearize`](crate::motion::Linearizable::linearize): nothing for a model whose declaration does not
+    /// say `derivatives;`.
+    ///
+    /// # Errors
+    /// As there.
+    fn linearize(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+    ) -> Option<Result<MachineLinearization, MotionError>>;
+
     /// See [`Motion::energy`].
     ///
     /// # Errors
@@ -59,6 +73,9 @@ pub trait Machine {
     /// As there.
     fn contact_forces(&self, positions: &[f64], speeds: &[f64], forces: &[f64]) -> Result<Vec<[f64; 3]>, MotionError>;
 }
+
+/// The equations of any machine to first order, with as many rows and columns as it has positions and speeds, and forces.
+pub type MachineLinearization = Linearization<DMatrix<f64>, DMatrix<f64>>;
 
 fn array<V: Vector<f64>>(values: &[f64]) -> V {
     V::from_fn(|place| values[place])
@@ -103,6 +120,20 @@ impl<M: Motion<Scalar = f64>> Machine for M {
         let found = Motion::accelerations(self, &array(positions), &array(speeds), &array(forces))?;
         accelerations.copy_from_slice(found.as_ref());
         Ok(())
+    }
+
+    fn linearize(
+        &self,
+        positions: &[f64],
+        speeds: &[f64],
+        forces: &[f64],
+    ) -> Option<Result<MachineLinearization, MotionError>> {
+        let states = positions.len() + speeds.len();
+        // Rows are written one after the other, and matrices have columns so.
+        let (mut a, mut b) = (DMatrix::zeros(states, states), DMatrix::zeros(forces.len(), states));
+        let (to_a, to_b) = (a.as_mut_slice(), b.as_mut_slice());
+        let done = self.linearize_into(&array(positions), &array(speeds), &array(forces), to_a, to_b)?;
+        Some(done.map(|()| Linearization { a: a.transpose(), b: b.transpose() }))
     }
 
     fn energy(&self, positions: &[f64], speeds: &[f64]) -> Result<Energy, MotionError> {

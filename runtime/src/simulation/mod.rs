@@ -39,7 +39,7 @@ pub use error::SimulationError;
 pub use force::{Force, ForceError};
 pub use linear::{LinearMotion, Snapshot};
 #[cfg(feature = "simulation")]
-pub use machine::Machine;
+pub use machine::{Machine, MachineLinearization};
 #[cfg(feature = "simulation")]
 pub use nonlinear::{End, Moment, Ride, RideRow, Simulation};
 #[cfg(feature = "simulation")]

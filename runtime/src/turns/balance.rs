@@ -2,7 +2,10 @@
 
 use core::cell::RefCell;
 
+use nalgebra::DMatrix;
+
 use super::TurnsError;
+use super::differences::jacobian;
 use crate::motion::{MotionError, PositionKind};
 use crate::simulation::Machine;
 
@@ -95,8 +98,32 @@ impl<'a> Balance<'a> {
         Ok(self.rates.iter().map(|&place| of_speeds[place]).collect())
     }
 
-    /// The derivatives of free positions and speeds, by these: what decides how a turn goes on.
-    pub fn derivatives(&self, state: &[f64]) -> Result<Vec<f64>, MotionError> {
+    /// The derivatives of the rates of free positions and of the speeds, with respect to these: what decides how a turn goes on,
+    /// and where the next one is.
+    pub fn slopes(&self, free: &[f64], speeds: &[f64]) -> Result<DMatrix<f64>, MotionError> {
+        let info = self.machine.info();
+        let At { positions, .. } = self.at(free, 0.0)?;
+        let Some(linearization) = self.machine.linearize(&positions, speeds, &vec![0.0; info.forces.len()]) else {
+            return jacobian(&[free, speeds].concat(), |state| self.derivatives(state));
+        };
+        let states: Vec<usize> =
+            self.free.iter().copied().chain((0..speeds.len()).map(|i| positions.len() + i)).collect();
+        Ok(linearization?.a.select_rows(&states).select_columns(&states))
+    }
+
+    /// The derivatives of the accelerations of the free positions with respect to these, and to the speed.
+    pub fn slopes_of_turns(&self, free: &[f64], speed: f64) -> Result<DMatrix<f64>, MotionError> {
+        let slopes = self.slopes(free, &self.at(free, speed)?.speeds)?;
+        let count = self.free.len();
+        let entry = |row: usize, column: usize| {
+            let place = count + self.rates[row];
+            if column < count { slopes[(place, column)] } else { slopes[(place, count + self.drive.0)] * self.drive.1 }
+        };
+        Ok(DMatrix::from_fn(count, count + 1, entry))
+    }
+
+    /// The derivatives of free positions and speeds in time.
+    fn derivatives(&self, state: &[f64]) -> Result<Vec<f64>, MotionError> {
         let (free, speeds) = state.split_at(self.free.len());
         let at = At { speeds: speeds.to_vec(), ..self.at(free, 0.0)? };
         let of_speeds = self.of_speeds(&at)?;

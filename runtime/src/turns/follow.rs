@@ -3,7 +3,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::balance::{At, Balance};
-use super::differences::jacobian;
 use super::stability::eigenvalues;
 use super::{Turn, Turns, TurnsEnd, TurnsError};
 use crate::motion::MotionError;
@@ -41,8 +40,9 @@ impl Turns {
     /// positive.
     ///
     /// The curve is followed in steps of at most 0.04 rad, or as much of that speed, with Newton's method at each point, until
-    /// it comes to rest or to straight running, or the machine would have fallen. Derivatives are differences of four points
-    /// each; the turns themselves do not depend on their errors.
+    /// it comes to rest or to straight running, or the machine would have fallen. Derivatives are those of a
+    /// declaration that says `derivatives;`, else differences of four points each; the turns themselves do not depend on their
+    /// errors.
     ///
     /// # Errors
     /// If the machine does not run on wheels, or if at the speed no lean and steer are in balance.
@@ -180,7 +180,10 @@ impl Curve<'_> {
     }
 
     fn slopes(&self, point: &DVector<f64>) -> Result<DMatrix<f64>, MotionError> {
-        jacobian(point.as_slice(), |point| self.accelerations(point))
+        let (free, share) = point.as_slice().split_at(self.balance.free.len());
+        let mut slopes = self.balance.slopes_of_turns(free, share[0] * self.unit)?;
+        slopes.column_mut(free.len()).scale_mut(self.unit);
+        Ok(slopes)
     }
 
     /// The direction in which turns depart from straight running: the free positions that are closest to balance.

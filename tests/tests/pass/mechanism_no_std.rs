@@ -17,7 +17,7 @@ mod names {
     pub struct Rate;
 }
 
-use carvallo::Motion as _;
+use carvallo::{Linearizable as _, Motion as _};
 #[allow(unused_imports)]
 use names::*;
 
@@ -45,6 +45,7 @@ carvallo::model! {
             body bag: mass 0.5 [kg], at (0.1 [m], 0, -r), inertia [0, 0, 0.01 [kg*m^2]];
             force T "hip torque" on theta;
         }
+        derivatives;
         nonlinear;
         coordinates { phi: rad; theta: rad; yaw: rad; }
         set example { r = 0.3; m = 1; h = 0.5; k = 20; g = 9.81; }
@@ -76,4 +77,16 @@ fn main() {
     assert!((rates[0] - 3.0).abs() < 1e-6);
     let energy = single.energy(&places, &[0.0; 4]).expect("it is regular");
     assert!(energy.potential.is_finite() && single.accelerations(&[f32::NAN; 9], &[0.0; 4], &[0.0]).is_err());
+
+    // About standing still: the torque turns the rider against the spring, by the same share of both.
+    let places = motion.close(&[0.0; 9]).expect("both wheels touch the ground");
+    let about = motion.linearize(&places, &[0.0; 4], &[0.0]).expect("it is regular");
+    assert_eq!(about.a[5][10], 1.0);
+    let (_, pushed) = motion.derivatives(&places, &[0.0; 4], &[1.0]).expect("it is regular");
+    assert!((about.b[10][0] - pushed[1]).abs() < 1e-12 * pushed[1]);
+    // The spring k is the fourth parameter, and pulls nothing where it is relaxed.
+    let by_parameters = motion.by_parameters(&places, &[0.0; 4], &[0.0]).expect("it is regular");
+    assert!(by_parameters.iter().all(|row| row[3] == 0.0));
+    let about = single.linearize(&[0.0; 9], &[0.0; 4], &[0.0]).expect("it is regular");
+    assert!(about.a.iter().flatten().all(|entry: &f32| entry.is_finite()));
 }

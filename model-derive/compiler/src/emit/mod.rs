@@ -12,6 +12,7 @@ mod fields;
 mod info;
 mod kinematics;
 mod lanes;
+mod linearization;
 mod motion;
 mod names;
 mod nesting;

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::body::{Body, Inputs};
 use super::names::GeneratedNames;
-use super::{derive, docs};
+use super::{derive, docs, linearization};
 use crate::model::Model;
 use crate::motion::{MotionModel, PositionKind};
 use crate::nonlinear::MotionPrograms;
@@ -42,6 +42,7 @@ pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Programs>) 
         None => quote!(loop {}),
     };
     let traits = emit_traits(model, names, motion, programs);
+    let partials = linearization::emit(model, names, motion, programs);
     let n = Literal::usize_unsuffixed(model.coordinates.len());
     Some(quote! {
         #struct_docs
@@ -70,6 +71,8 @@ pub fn emit(model: &Model, names: &GeneratedNames, programs: Option<&Programs>) 
         }
 
         #traits
+
+        #partials
     })
 }
 
@@ -102,15 +105,17 @@ fn emit_traits(
         Some(programs) => {
             let (statements, values) =
                 emit_values(model, names, motion, &programs.contact_forces, programs, &arguments);
-            let rows = values.chunks(3).map(|row| quote!([#(#row),*]));
-            quote!(#statements [#(#rows),*])
+            let rows = rows(&values, wheels.len(), 3);
+            quote!(#statements #rows)
         }
         None => quote!(loop {}),
     };
+    let written = model.derivatives.map(|_| linearization::emit_written(names, [p.clone(), n.clone(), f.clone()]));
     quote! {
         #allow
         impl<#scalar: #runtime::Scalar> #runtime::motion::Motion for #output<#scalar> {
             const INFO: &'static #runtime::motion::MotionInfo = #info;
+            #written
         }
 
         #allow
@@ -165,6 +170,12 @@ fn emit_traits(
     }
 }
 
+/// Values as so many arrays of so many.
+pub fn rows(values: &[TokenStream], rows: usize, columns: usize) -> TokenStream {
+    let rows = (0..rows).map(|row| &values[row * columns..][..columns]).map(|row| quote!([#(#row),*]));
+    quote!([#(#rows),*])
+}
+
 /// The outputs of a program as one array, or as a pair of arrays of these lengths.
 fn emit_body(
     model: &Model,
@@ -185,7 +196,8 @@ fn emit_body(
     }
 }
 
-fn emit_values(
+/// The statements of a program, and what they make of each output.
+pub fn emit_values(
     model: &Model,
     names: &GeneratedNames,
     motion: &MotionModel,
@@ -298,6 +310,9 @@ fn describe(motion: &MotionModel, programs: Option<&MotionPrograms>) -> String {
         .collect();
     let mut text = format!("Positions: {}.\nSpeeds: the rates of {}.", positions.join(", "), speeds.join(", "));
     if let Some(programs) = programs {
+        let partials = programs.partials.iter();
+        let partials =
+            partials.flat_map(|all| [("linearization", &all.by_state), ("by parameters", &all.by_parameters)]);
         for (what, program) in [
             ("closure", &programs.closure),
             ("rates", &programs.rates),
@@ -305,7 +320,10 @@ fn describe(motion: &MotionModel, programs: Option<&MotionPrograms>) -> String {
             ("accelerations", &programs.accelerations),
             ("energy", &programs.energy),
             ("contact forces", &programs.contact_forces),
-        ] {
+        ]
+        .into_iter()
+        .chain(partials)
+        {
             text.push_str(&format!("\n- {what}: {}", Counts::of(program)));
         }
         text = text.replacen("\n- ", "\n\nEach from one straight-line program:\n- ", 1);

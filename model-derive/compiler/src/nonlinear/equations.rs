@@ -18,20 +18,20 @@ use crate::program::Value;
 
 /// A machine at a state, as far as its velocities.
 pub struct Equations<'a, 'm> {
-    layout: &'m Layout,
-    mechanism: Mechanism<Quantity<'a>>,
-    frames: Frames<'a>,
-    contacts: Vec<Contact<'a>>,
+    pub(super) layout: &'m Layout,
+    pub(super) mechanism: Mechanism<Quantity<'a>>,
+    pub(super) frames: Frames<'a>,
+    pub(super) contacts: Vec<Contact<'a>>,
     loads: Vec<Load<'a>>,
     links: Vec<Stretched<'a>>,
-    zero: Quantity<'a>,
+    pub(super) zero: Quantity<'a>,
     gravity: Quantity<'a>,
     /// By joint.
-    positions: Vec<Quantity<'a>>,
-    forces: Vec<Quantity<'a>>,
+    pub(super) positions: Vec<Quantity<'a>>,
+    pub(super) forces: Vec<Quantity<'a>>,
     /// The rate of each joint by the speeds.
     shares: Matrix<'a>,
-    speeds: Vec<Quantity<'a>>,
+    pub(super) speeds: Vec<Quantity<'a>>,
     /// By joint.
     rates: Vec<Quantity<'a>>,
     /// The frame of the root whose axes the whole machine is seen in.
@@ -117,11 +117,15 @@ impl<'a, 'm> Equations<'a, 'm> {
         ]
     }
 
+    /// How far the wheels behind the first are below it.
+    pub(super) fn find_below(&self) -> Vec<Quantity<'a>> {
+        let Some(first) = self.contacts.first() else { return Vec::new() };
+        self.contacts[1..].iter().map(|contact| contact.from(first)[2]).collect()
+    }
+
     fn find_closure(&self) -> Vec<Quantity<'a>> {
         let Layout { heights, standing, .. } = self.layout;
-        let Some(first) = self.contacts.first() else { return Vec::new() };
-        let below = self.contacts[1..].iter().map(|contact| contact.from(first)[2]);
-        let below: Vec<Quantity<'a>> = below.collect();
+        let below = self.find_below();
         let rows = find_rows(&self.mechanism, &self.frames, &self.contacts, heights, standing);
         let sides = vec![below.iter().map(|below| -*below).collect()];
         let steps = solve(&rows, &sides).into_iter().flatten();
@@ -129,7 +133,7 @@ impl<'a, 'm> Equations<'a, 'm> {
     }
 
     /// The accelerations of joints where the speeds do not change.
-    fn find_drift(&self) -> Vec<Quantity<'a>> {
+    pub(super) fn find_drift(&self) -> Vec<Quantity<'a>> {
         let mut drift = vec![self.zero; self.mechanism.joints.len()];
         if self.contacts.is_empty() {
             return drift;
@@ -191,10 +195,10 @@ impl<'a, 'm> Equations<'a, 'm> {
         Composites::new(&self.mechanism, &self.frames, &self.loads, self.axes, self.point)
     }
 
-    fn find_speed_rates(&self, drift: &[Quantity<'a>]) -> Vec<Quantity<'a>> {
+    /// What is left of the forces that drive each speed in a motion with accelerations of the joints.
+    pub(super) fn find_unbalanced(&self, second: &[Quantity<'a>]) -> Vec<Quantity<'a>> {
         let composites = self.composites();
-        let mass = composites.mass(&self.shares, &self.contacts);
-        let Taken { by_joint, moment, .. } = self.take(drift);
+        let Taken { by_joint, moment, .. } = self.take(second);
         let applied = self.applied();
         let side = |speed: usize| {
             // The joints of the root together turn the machine about its point of contact.
@@ -206,12 +210,19 @@ impl<'a, 'm> Equations<'a, 'm> {
                 sum + self.shares[joint][speed] * (applied[joint] - taken)
             })
         };
-        let side: Vec<Quantity<'a>> = (0..self.speeds.len()).map(side).collect();
-        solve_definite(&mass, &side)
+        (0..self.speeds.len()).map(side).collect()
+    }
+
+    pub(super) fn find_mass(&self) -> Matrix<'a> {
+        self.composites().mass(&self.shares, &self.contacts)
+    }
+
+    fn find_speed_rates(&self, drift: &[Quantity<'a>]) -> Vec<Quantity<'a>> {
+        solve_definite(&self.find_mass(), &self.find_unbalanced(drift))
     }
 
     /// The accelerations of all joints.
-    fn find_second(&self, drift: &[Quantity<'a>], speed_rates: &[Quantity<'a>]) -> Vec<Quantity<'a>> {
+    pub(super) fn find_second(&self, drift: &[Quantity<'a>], speed_rates: &[Quantity<'a>]) -> Vec<Quantity<'a>> {
         let second = |(share, drift): (&Vec<Quantity<'a>>, &Quantity<'a>)| {
             share.iter().zip(speed_rates).fold(*drift, |sum, (share, rate)| sum + *share * *rate)
         };
@@ -242,7 +253,7 @@ impl<'a, 'm> Equations<'a, 'm> {
         all.map(value).collect()
     }
 
-    fn position_rates(&self) -> Vec<Quantity<'a>> {
+    pub(super) fn position_rates(&self) -> Vec<Quantity<'a>> {
         let progress = self.contacts.first().map_or([self.zero; 2], |first| {
             find_progress(first, self.velocities.spins[first.frame], first.sum_about_axle(&self.rates))
         });

@@ -9,11 +9,13 @@
 //! There is a division by what conditions and mass matrix are solved with, and by the sine of the angle between the axle of
 //! a wheel and the vertical, if it is steered: nothing else, so that nothing happens at zero lean, steer or speed.
 
+mod chain;
 mod equations;
 mod forces;
 mod frames;
 mod inertia;
 mod layout;
+mod linearization;
 mod movement;
 mod quantity;
 mod rolling;
@@ -25,7 +27,9 @@ mod wheels;
 pub use self::layout::{Layout, Undetermined};
 
 use self::equations::Equations;
+use self::linearization::Linearized;
 use self::quantity::{Arithmetic, Quantity};
+use self::solve::Matrix;
 use self::split::{Split, split};
 use crate::formula::Formula;
 use crate::mechanics::Mechanism;
@@ -65,27 +69,51 @@ pub struct MotionPrograms {
     pub energy: Program,
     /// For each wheel three components.
     pub contact_forces: Program,
+    /// If they are asked for.
+    pub partials: Option<PartialPrograms>,
 }
 
 impl MotionPrograms {
-    /// All of them.
+    /// All of them but those of derivatives.
     pub fn all(&self) -> [&Program; 7] {
-        let Self { constants, closure, rates, derivatives, accelerations, energy, contact_forces } = self;
+        let Self { constants, closure, rates, derivatives, accelerations, energy, contact_forces, .. } = self;
         [constants, closure, rates, derivatives, accelerations, energy, contact_forces]
     }
 }
 
-/// Derives the programs.
-pub fn compile(machine: &Machine, layout: &Layout) -> MotionPrograms {
-    let arithmetic = Arithmetic::new(
-        machine.parameters
-            + layout.positions.len()
-            + layout.conditions.independent.len()
-            + machine.mechanism.forces.len(),
-    );
-    let outputs = Equations::new(machine, layout, &arithmetic).outputs();
-    let all: Vec<Value> = outputs.iter().flatten().copied().collect();
-    let Split { constants, programs } = split(&arithmetic.program(&all), machine.parameters, &outputs);
+/// Programs of derivatives along motions that the conditions leave, for each of the values of
+/// [`MotionPrograms::derivatives`].
+#[derive(Debug)]
+pub struct PartialPrograms {
+    /// With respect to all positions, of which those that depend on others have zeros, then to speeds and forces.
+    pub by_state: Program,
+    /// With respect to the parameters.
+    pub by_parameters: Program,
+}
+
+/// Derives the programs, and those of the derivatives if they are asked for.
+pub fn compile(machine: &Machine, layout: &Layout, with_partials: bool) -> MotionPrograms {
+    let speeds = layout.conditions.independent.len();
+    let inputs = machine.parameters + layout.positions.len() + speeds + machine.mechanism.forces.len();
+    let arithmetic = Arithmetic::new(inputs);
+    let equations = Equations::new(machine, layout, &arithmetic);
+    let mut outputs: Vec<Vec<Value>> = equations.outputs().into();
+    let speed_rates = outputs[2][layout.positions.len()..].to_vec();
+    // Further inputs stand for the rates of the speeds where these are held constant.
+    let held: Vec<Quantity<'_>> = (inputs..inputs + speeds).map(|index| arithmetic.input(index)).collect();
+    if with_partials {
+        let partials = Linearized::new(&arithmetic, &equations, &held).find_partials(machine.parameters);
+        let values = |matrix: Matrix<'_>| matrix.iter().flatten().map(|entry| entry.value).collect();
+        outputs.extend([partials.by_state, partials.by_parameters].map(values));
+    }
+    let release = |value: Value| {
+        let place = held.iter().position(|held| held.value == value);
+        place.map_or(value, |place| speed_rates[place])
+    };
+    outputs.iter_mut().flatten().for_each(|value| *value = release(*value));
+    let mut program = Program { parameters: inputs, ..arithmetic.program(&[]) };
+    program.instructions.iter_mut().for_each(|instruction| *instruction = instruction.map(release));
+    let Split { constants, programs } = split(&program, machine.parameters, &outputs, 2 * usize::from(with_partials));
     let mut programs = programs.into_iter();
     let mut next = || programs.next().unwrap_or_else(|| unreachable!("a program for each"));
     MotionPrograms {
@@ -96,6 +124,7 @@ pub fn compile(machine: &Machine, layout: &Layout) -> MotionPrograms {
         accelerations: next(),
         energy: next(),
         contact_forces: next(),
+        partials: with_partials.then(|| PartialPrograms { by_state: next(), by_parameters: next() }),
     }
 }
 

@@ -43,6 +43,11 @@ impl Arithmetic {
         self.push(Instruction::Constant(if value == 0.0 { 0.0 } else { value }))
     }
 
+    /// A value that is there already.
+    pub fn at(&self, value: Value) -> Quantity<'_> {
+        Quantity { arithmetic: self, value }
+    }
+
     /// The value of a formula, with those of its definitions.
     pub fn formula<'a>(&'a self, formula: &Formula, definitions: &[Quantity<'a>]) -> Quantity<'a> {
         let Ok(value) = formula.fold(&Formulas { arithmetic: self, definitions });
@@ -58,7 +63,8 @@ impl Arithmetic {
 }
 
 impl<'a> Quantity<'a> {
-    fn instruction(self) -> Instruction {
+    /// What computes it.
+    pub fn instruction(self) -> Instruction {
         self.arithmetic.builder.borrow().instruction(self.value)
     }
 
@@ -81,8 +87,27 @@ impl<'a> Quantity<'a> {
         self.arithmetic.number(value)
     }
 
+    /// A value of the same program.
+    pub fn beside(self, value: Value) -> Self {
+        Self { value, ..self }
+    }
+
     pub fn square(self) -> Self {
         self * self
+    }
+
+    /// A whole power.
+    pub fn power(self, exponent: i32) -> Self {
+        match exponent {
+            0 => self.number(1.0),
+            1 => self,
+            2 => self.square(),
+            _ => self.arithmetic.push(Instruction::Power(self.value, exponent)),
+        }
+    }
+
+    pub fn recip(self) -> Self {
+        if self.is_one() { self } else { self.arithmetic.push(Instruction::Reciprocal(self.value)) }
     }
 
     pub fn sqrt(self) -> Self {
@@ -97,10 +122,14 @@ impl<'a> Quantity<'a> {
         self.arithmetic.push(Instruction::Cos(self.value))
     }
 
+    pub fn tan(self) -> Self {
+        self.arithmetic.push(Instruction::Tan(self.value))
+    }
+
     /// What it is the negative of, if it is one as it stands.
     fn opposite(self) -> Option<Self> {
         match self.instruction() {
-            Instruction::Neg(value) => Some(Self { value, ..self }),
+            Instruction::Neg(value) => Some(self.beside(value)),
             _ => None,
         }
     }
@@ -246,19 +275,14 @@ impl<'a> Algebra for Formulas<'a, '_> {
     }
 
     fn power(&self, base: Quantity<'a>, exponent: i32) -> Result<Quantity<'a>, Infallible> {
-        Ok(match exponent {
-            0 => self.arithmetic.number(1.0),
-            1 => base,
-            2 => base.square(),
-            _ => self.arithmetic.push(Instruction::Power(base.value, exponent)),
-        })
+        Ok(base.power(exponent))
     }
 
     fn call(&self, function: Function, argument: Quantity<'a>) -> Result<Quantity<'a>, Infallible> {
         Ok(match function {
             Function::Sin => argument.sin(),
             Function::Cos => argument.cos(),
-            Function::Tan => self.arithmetic.push(Instruction::Tan(argument.value)),
+            Function::Tan => argument.tan(),
             Function::Sqrt => argument.sqrt(),
         })
     }

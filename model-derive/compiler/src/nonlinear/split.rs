@@ -11,8 +11,9 @@ pub struct Split {
     pub programs: Vec<Program>,
 }
 
-/// Splits the program of some outputs; of its inputs the first `parameters` are constant.
-pub fn split(program: &Program, parameters: usize, outputs: &[Vec<Value>]) -> Split {
+/// Splits the program of some outputs; of its inputs the first `parameters` are constant. The last `more` of the programs
+/// have to do with what the others make of these, and with the parameters themselves.
+pub fn split(program: &Program, parameters: usize, outputs: &[Vec<Value>], more: usize) -> Split {
     let mut varies: Vec<bool> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         varies.push(match instruction {
@@ -22,14 +23,23 @@ pub fn split(program: &Program, parameters: usize, outputs: &[Vec<Value>]) -> Sp
     }
     let is_number = |value: Value| matches!(program.instructions[value], Instruction::Constant(_));
     let is_constant = |value: Value| !varies[value] && !is_number(value);
-    let needed: Vec<Vec<bool>> = outputs.iter().map(|outputs| find_needed(program, outputs, &varies)).collect();
+    let (first, last) = outputs.split_at(outputs.len() - more);
+    let mut needed: Vec<Vec<bool>> = first.iter().map(|outputs| find_needed(program, outputs, &varies)).collect();
     // What is read by what varies, or is a result itself.
     let mut read = vec![false; program.instructions.len()];
-    outputs.iter().flatten().for_each(|value| read[*value] = true);
+    first.iter().flatten().for_each(|value| read[*value] = true);
     for (user, instruction) in program.instructions.iter().enumerate() {
         if varies[user] && needed.iter().any(|needed| needed[user]) {
             instruction.operands().for_each(|value| read[value] = true);
         }
+    }
+    let computed: Vec<bool> = (0..read.len()).map(|value| varies[value] || !read[value]).collect();
+    for outputs in last {
+        let more = find_needed(program, outputs, &computed);
+        for (value, instruction) in program.instructions.iter().enumerate() {
+            read[value] |= more[value] && matches!(instruction, Instruction::Parameter(_));
+        }
+        needed.push(more);
     }
     let constants: Vec<Value> = (0..read.len()).filter(|value| is_constant(*value) && read[*value]).collect();
     let inputs = constants.len() + program.parameters - parameters;

@@ -1,7 +1,9 @@
 //! The programs of a compiled mechanism, run by the interpreter.
 
+use std::cell::OnceCell;
+
 use carvallo_compiler::Compiled;
-use carvallo_compiler::nonlinear::{Layout, MotionPrograms};
+use carvallo_compiler::nonlinear::{self, Layout, MotionPrograms};
 use carvallo_compiler::program::{Instruction, Program};
 
 /// A number, and its derivative with respect to something.
@@ -40,13 +42,29 @@ pub fn differentiate(program: &Program, inputs: &[Dual]) -> Vec<Dual> {
 /// A mechanism with values of its parameters.
 pub struct Interpreted<'a> {
     compiled: &'a Compiled,
+    values: Vec<f64>,
     constants: Vec<f64>,
+    /// With those of derivatives, which not every model asks for.
+    with_partials: OnceCell<MotionPrograms>,
+}
+
+/// What derivatives are with respect to, by its place.
+#[derive(Clone, Copy)]
+pub enum Input {
+    Parameter(usize),
+    /// Among all positions, speeds and forces.
+    State(usize),
 }
 
 impl<'a> Interpreted<'a> {
     pub fn new(compiled: &'a Compiled, values: &[f64]) -> Self {
         let programs = compiled.programs.motion.as_ref().expect("nonlinear equations");
-        Self { compiled, constants: programs.constants.interpret(values) }
+        Self {
+            compiled,
+            values: values.to_vec(),
+            constants: programs.constants.interpret(values),
+            with_partials: OnceCell::new(),
+        }
     }
 
     fn programs(&self) -> &MotionPrograms {
@@ -144,5 +162,37 @@ impl<'a> Interpreted<'a> {
     pub fn contact_force(&self, positions: &[f64], speeds: &[f64]) -> [f64; 3] {
         let forces = self.unforced(&self.programs().contact_forces, positions, speeds);
         forces.chunks(3).fold([0.0; 3], |sum, force| [0, 1, 2].map(|axis| sum[axis] + force[axis]))
+    }
+
+    /// The derivatives of the rates of all positions, and then of those of the speeds, in a state with forces, by numbers that
+    /// carry them through the programs of the equations: where dependent positions follow by a step of Newton's method.
+    pub fn differentiate(&self, state: &[f64], input: Input) -> Vec<f64> {
+        let programs = self.programs();
+        let mut parameters: Vec<Dual> = self.values.iter().map(|value| Dual(*value, 0.0)).collect();
+        let mut state: Vec<Dual> = state.iter().map(|value| Dual(*value, 0.0)).collect();
+        match input {
+            Input::Parameter(index) => parameters[index].1 = 1.0,
+            Input::State(index) => state[index].1 = 1.0,
+        }
+        let constants = differentiate(&programs.constants, &parameters);
+        let run = |program: &Program, state: &[Dual]| differentiate(program, &[constants.as_slice(), state].concat());
+        let closure = run(&programs.closure, &state);
+        for (joint, step) in self.layout().standing.iter().zip(&closure[self.layout().standing.len()..]) {
+            assert!(step.0.abs() < 1e-12, "the wheels touch the ground");
+            state[self.place(*joint)].1 = step.1;
+        }
+        run(&programs.derivatives, &state).iter().map(|rate| rate.1).collect()
+    }
+
+    /// The same derivatives by the programs that were compiled for them: a row for each rate, with respect to the state and to
+    /// the parameters.
+    pub fn partials(&self, state: &[f64]) -> [Vec<Vec<f64>>; 2] {
+        let described = self.compiled.model.motion.as_ref().expect("nonlinear equations");
+        let programs =
+            self.with_partials.get_or_init(|| nonlinear::compile(&described.machine, &described.layout, true));
+        let partials = programs.partials.as_ref().expect("what is asked for");
+        let inputs = [programs.constants.interpret(&self.values), state.to_vec()].concat();
+        [(&partials.by_state, state.len()), (&partials.by_parameters, self.values.len())]
+            .map(|(program, columns)| program.interpret(&inputs).chunks(columns).map(<[f64]>::to_vec).collect())
     }
 }

@@ -4,43 +4,10 @@
 use std::path::Path;
 
 use carvallo::Coefficients;
-use carvallo_compiler::Compiled;
-use carvallo_compiler::program::Program;
 use nalgebra::{SMatrix, SVector};
 
-use super::interpreted::{Dual, Interpreted, differentiate};
+use super::interpreted::{Input, Interpreted};
 use crate::mechanisms::interpreted;
-
-/// The derivatives of the rates of the speeds with respect to positions, by joint, and to speeds.
-struct Derivatives<'a> {
-    compiled: &'a Compiled,
-    values: &'a [f64],
-}
-
-impl Derivatives<'_> {
-    /// A program in a state near upright running, that changes.
-    fn run(&self, program: fn(&carvallo_compiler::nonlinear::MotionPrograms) -> &Program, state: &[Dual]) -> Vec<Dual> {
-        let programs = self.compiled.programs.motion.as_ref().expect("nonlinear equations");
-        let constants = programs.constants.interpret(self.values);
-        let inputs: Vec<Dual> = constants.iter().map(|value| Dual(*value, 0.0)).chain(state.iter().copied()).collect();
-        differentiate(program(programs), &inputs)
-    }
-
-    /// With respect to one of the inputs of the state, which the dependent positions follow.
-    fn of_speed_rates(&self, state: &[f64], input: usize) -> Vec<f64> {
-        let layout = &self.compiled.model.motion.as_ref().expect("nonlinear equations").layout;
-        let mut dual: Vec<Dual> = state.iter().map(|value| Dual(*value, 0.0)).collect();
-        dual[input].1 = 1.0;
-        let closure = self.run(|programs| &programs.closure, &dual);
-        for (joint, step) in layout.standing.iter().zip(&closure[layout.standing.len()..]) {
-            let place = layout.positions.iter().position(|position| position == joint).expect("a position");
-            assert!(step.0.abs() < 1e-12, "the reference configuration is closed");
-            dual[place].1 = step.1;
-        }
-        let rates = self.run(|programs| &programs.derivatives, &dual);
-        rates[layout.positions.len()..].iter().map(|rate| rate.1).collect()
-    }
-}
 
 /// Holds a shipped mechanism against its own matrices at 20 speeds.
 fn check<const N: usize>(model: &str) {
@@ -79,7 +46,6 @@ fn check<const N: usize>(model: &str) {
             joint => f64::from(u8::from(speed(joint) == Some(index))),
         }
     };
-    let derivatives = Derivatives { compiled: &compiled, values };
     for step in 0..20 {
         let v = 0.5 * f64::from(step);
         let mut state = vec![0.0; positions + speeds + mechanism.forces.len()];
@@ -88,9 +54,15 @@ fn check<const N: usize>(model: &str) {
         }
         let Coefficients { m, c0, c1, kc, k0, k1, k2, .. } = matrices;
         let (damping, stiffness) = (c0 + c1 * v, kc + k0 * gravity + k1 * v + k2 * (v * v));
+        let [partials, _] = motion.partials(&state);
         let column = |input: usize| {
-            let rates = derivatives.of_speed_rates(&state, input);
-            SVector::<f64, N>::from_fn(|row, _| (0..speeds).map(|index| by_speeds(row, index) * rates[index]).sum())
+            let carried = motion.differentiate(&state, Input::State(input));
+            for (row, expected) in carried.iter().enumerate() {
+                let error = (partials[row][input] - expected).abs();
+                assert!(error <= 1e-12 * expected.abs().max(1.0), "{model} at {v} m/s: {row}, {input}: {error:e}");
+            }
+            let rates = |index: usize| partials[positions + index][input];
+            SVector::<f64, N>::from_fn(|row, _| (0..speeds).map(|index| by_speeds(row, index) * rates(index)).sum())
         };
         let mut by_positions = SMatrix::<f64, N, N>::zeros();
         for (coordinate, joint) in mechanism.coordinates.iter().enumerate() {

@@ -4,6 +4,7 @@
 mod interpreted;
 #[cfg(feature = "compiler")]
 mod linear;
+mod partials;
 mod published;
 #[cfg(feature = "compiler")]
 mod random;

@@ -6,7 +6,8 @@ use carvallo_tests::multibody::{Mechanism, Wheel};
 use nalgebra::{SMatrix, SVector, Vector3};
 use proptest::prelude::*;
 
-use super::interpreted::Interpreted;
+use super::interpreted::{Input, Interpreted};
+use super::partials::slope;
 use crate::mechanisms::random::links::{Link, link};
 use crate::mechanisms::random::pair::{Carrier, Pair};
 
@@ -29,17 +30,10 @@ fn compare<const N: usize>(
     let (q, u): ([f64; N], [f64; N]) = (joints.map(|joint| find(joint).0), joints.map(|joint| find(joint).1));
     let drive = Drive { gravity, ..Drive::new(joints, None) };
     let found = SVector::<f64, N>::from_vec(motion.speed_rates(&positions, &u));
-    // Forces are linear in accelerations.
-    let taken = |accelerations: [f64; N]| {
-        SVector::<f64, N>::from_column_slice(numeric.forces(&drive, [q, u, accelerations]).as_slice())
-    };
-    let still = taken([0.0; N]);
-    let mass = SMatrix::<f64, N, N>::from_columns(&std::array::from_fn::<_, N, _>(|speed| {
-        taken(std::array::from_fn(|other| f64::from(u8::from(other == speed)))) - still
-    }));
-    let expected = -mass.try_inverse().expect("a mass matrix") * still;
+    let expected = accelerate(numeric, &drive, [q, u]);
     let error = (found - expected).amax();
     prop_assert!(error <= DIFFERENCE * expected.amax().max(1.0), "{found} is not {expected}: {error:e}");
+    compare_partials(motion, numeric, &drive, [q, u], &positions)?;
 
     let accelerations = motion.accelerations(&positions, &u);
     let size = accelerations.iter().fold(1.0_f64, |size, value| size.max(value.abs()));
@@ -51,6 +45,71 @@ fn compare<const N: usize>(
     let expected = numeric.energy(&drive, [q, u, [0.0; N]]);
     let size = kinetic.abs() + potential.abs();
     prop_assert!((kinetic + potential - expected).abs() <= 1e-12 * size, "{kinetic} + {potential} J, not {expected} J");
+    Ok(())
+}
+
+/// The rates of the speeds by the other dynamics.
+fn accelerate<const N: usize>(numeric: &Mechanism, drive: &Drive<N>, [q, u]: [[f64; N]; 2]) -> SVector<f64, N> {
+    // Forces are linear in accelerations.
+    let taken = |accelerations: [f64; N]| {
+        SVector::<f64, N>::from_column_slice(numeric.forces(drive, [q, u, accelerations]).as_slice())
+    };
+    let still = taken([0.0; N]);
+    let mass = SMatrix::<f64, N, N>::from_columns(&std::array::from_fn::<_, N, _>(|speed| {
+        taken(std::array::from_fn(|other| f64::from(u8::from(other == speed)))) - still
+    }));
+    -mass.try_inverse().expect("a mass matrix") * still
+}
+
+/// Compares derivatives: all of them with those that numbers carry through the equations, and those of the rates of the
+/// speeds with differences of the other dynamics.
+fn compare_partials<const N: usize>(
+    motion: &Interpreted<'_>,
+    numeric: &Mechanism,
+    drive: &Drive<N>,
+    state: [[f64; N]; 2],
+    positions: &[f64],
+) -> Result<(), TestCaseError> {
+    let all = [positions, &state[1]].concat();
+    let [by_state, by_parameters] = motion.partials(&all);
+    let layout = motion.layout();
+    let largest = by_state.iter().flatten().fold(1.0_f64, |largest, entry| largest.max(entry.abs()));
+    for input in 0..all.len() {
+        let found: Vec<f64> = by_state.iter().map(|row| row[input]).collect();
+        if layout.positions.get(input).is_some_and(|joint| layout.standing.contains(joint)) {
+            prop_assert!(found.iter().all(|entry| *entry == 0.0), "{} follows", input);
+            continue;
+        }
+        for (row, (found, expected)) in found.iter().zip(motion.differentiate(&all, Input::State(input))).enumerate() {
+            let error = (found - expected).abs();
+            prop_assert!(error <= DIFFERENCE * largest, "{row} by {input}: {found} is not {expected}: {error:e}");
+        }
+    }
+    for input in 0..by_parameters[0].len() {
+        let carried = motion.differentiate(&all, Input::Parameter(input));
+        let largest = carried.iter().fold(1.0_f64, |largest, entry| largest.max(entry.abs()));
+        for (row, (found, expected)) in by_parameters.iter().zip(carried).enumerate() {
+            let error = (found[input] - expected).abs();
+            prop_assert!(error <= 10.0 * DIFFERENCE * largest, "{row} by parameter {input}: {error:e} of {expected}");
+        }
+    }
+    for (speed, joint) in drive.independent.iter().enumerate() {
+        let place = layout.positions.iter().position(|position| position == joint).expect("a position");
+        for (varied, input, step) in [(0, place, 1e-3), (1, positions.len() + speed, 1e-2)] {
+            let moved = |by: f64| {
+                let mut moved = state;
+                moved[varied][speed] += by;
+                accelerate(numeric, drive, moved)
+            };
+            let expected = slope(step, moved);
+            let found = SVector::<f64, N>::from_fn(|row, _| by_state[positions.len() + row][input]);
+            let error = (found - expected).amax();
+            prop_assert!(
+                error <= 1e-8 * largest.max(expected.amax()),
+                "by {input}: {found} is not {expected}: {error:e}"
+            );
+        }
+    }
     Ok(())
 }
 
