@@ -56,12 +56,12 @@ impl<const N: usize> Units<N> {
     /// Rows and columns that bring the largest entry of each row and column of M into [1/2, 1).
     fn of_mass(m: &Matrix<f64, N>) -> Result<Self, SystemError> {
         let (mut rows, mut columns) = ([0; N], [0; N]);
-        for i in 0..N {
-            rows[i] = -(0..N).filter_map(|j| exponent(entry(m, i, j))).max().ok_or(SystemError::SingularMass)?;
+        for (i, row) in rows.iter_mut().enumerate() {
+            *row = -(0..N).filter_map(|j| exponent(entry(m, i, j))).max().ok_or(SystemError::SingularMass)?;
         }
-        for j in 0..N {
+        for (j, column) in columns.iter_mut().enumerate() {
             let largest = (0..N).filter_map(|i| Some(exponent(entry(m, i, j))? + rows[i])).max();
-            columns[j] = -largest.ok_or(SystemError::SingularMass)?;
+            *column = -largest.ok_or(SystemError::SingularMass)?;
         }
         Ok(Self { rows, columns, time: 0, speed: 0, gravity: 0 })
     }
