@@ -153,7 +153,7 @@ mod tests {
         let paths = find(&format!("{}/models/*.rs", folder.0.display())).expect("a model");
         let sources = compile_c_to(&paths, &folder.0.join("c")).expect("the model is right");
         let names: Vec<_> = sources.iter().map(|path| path.file_name().expect("a name")).collect();
-        assert_eq!(names, ["carvallo_system.c", "carvallo_trig.c", "rod.c"]);
+        assert_eq!(names, ["carvallo_motion.c", "carvallo_system.c", "carvallo_trig.c", "rod.c"]);
         let header = fs::read_to_string(folder.0.join("c/rod.h")).expect("it was written");
         assert!(header.contains("\n * To write it anew: cargo build\n"), "{header}");
         assert!(

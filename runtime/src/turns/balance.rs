@@ -111,8 +111,14 @@ impl<'a> Balance<'a> {
         Ok(linearization?.a.select_rows(&states).select_columns(&states))
     }
 
-    /// The derivatives of the accelerations of the free positions with respect to these, and to the speed.
+    /// The derivatives of the accelerations of the free positions with respect to these, and to the speed or the yaw rate.
     pub fn slopes_of_turns(&self, free: &[f64], speed: f64) -> Result<DMatrix<f64>, MotionError> {
+        // The speeds that make a yaw rate depend on the free positions.
+        if self.is_by_yaw() {
+            return jacobian(&[free, &[speed]].concat(), |point| {
+                self.accelerations(&point[..free.len()], point[free.len()])
+            });
+        }
         let slopes = self.slopes(free, &self.at(free, speed)?.speeds)?;
         let count = self.free.len();
         let entry = |row: usize, column: usize| {
