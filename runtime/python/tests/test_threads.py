@@ -12,7 +12,10 @@ import carvallo
 import numpy as np
 import pytest
 
+# What is started in the background inherits that it takes no notice of Ctrl-C.
 LONG = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
 import carvallo, numpy as np
 designs = carvallo.Motorcycle().replace(g=np.linspace(9, 10, 300_000))
 print("begun", flush=True)
