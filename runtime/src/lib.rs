@@ -73,7 +73,7 @@ pub mod simulation;
 #[cfg(feature = "std")]
 mod stability;
 mod system;
-#[cfg(feature = "simulation")]
+#[cfg(feature = "turns")]
 pub mod turns;
 
 #[cfg(feature = "std")]

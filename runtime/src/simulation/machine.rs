@@ -50,16 +50,18 @@ pub trait Machine {
     ) -> Result<(), MotionError>;
 
     /// See [`Linearizable::linearize`](crate::motion::Linearizable::linearize): nothing for a model whose declaration does not
-    /// say `derivatives;`.
+    /// say `derivatives;`, and without the feature `turns`.
     ///
     /// # Errors
     /// As there.
     fn linearize(
         &self,
-        positions: &[f64],
-        speeds: &[f64],
-        forces: &[f64],
-    ) -> Option<Result<MachineLinearization, MotionError>>;
+        _positions: &[f64],
+        _speeds: &[f64],
+        _forces: &[f64],
+    ) -> Option<Result<MachineLinearization, MotionError>> {
+        None
+    }
 
     /// See [`Motion::energy`].
     ///
@@ -122,6 +124,7 @@ impl<M: Motion<Scalar = f64>> Machine for M {
         Ok(())
     }
 
+    #[cfg(feature = "turns")]
     fn linearize(
         &self,
         positions: &[f64],

@@ -7,6 +7,7 @@ pub mod sensitivity;
 pub mod simulation;
 pub mod strands;
 pub mod traced;
+#[cfg(feature = "turns")]
 pub mod turns;
 
 use std::cmp::Ordering;

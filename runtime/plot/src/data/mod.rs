@@ -9,6 +9,7 @@ mod layout;
 mod matrices;
 pub mod motion;
 pub mod sensitivity;
+#[cfg(feature = "turns")]
 pub mod turns;
 
 pub use self::matrices::{Matrix, matrices};

@@ -24,6 +24,7 @@ mod side_view;
 mod speed;
 mod svg;
 mod tornado;
+#[cfg(feature = "turns")]
 mod turns;
 
 #[cfg(test)]
@@ -39,4 +40,5 @@ pub use self::series::Series;
 pub use self::side_view::draw_side_view;
 pub use self::speed::{Limits, draw_eigenvalues};
 pub use self::tornado::draw_tornado;
+#[cfg(feature = "turns")]
 pub use self::turns::draw_turns;
