@@ -48,7 +48,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 // What a feature adds can be linked only where it is there.
 #![cfg_attr(
-    not(all(feature = "derive", feature = "std", feature = "batch", feature = "simulation")),
+    not(all(feature = "derive", feature = "std", feature = "batch", feature = "turns")),
     allow(rustdoc::broken_intra_doc_links)
 )]
 
