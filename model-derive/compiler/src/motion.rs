@@ -15,6 +15,23 @@ pub struct MotionModel {
     pub wheels: Vec<[String; 2]>,
 }
 
+impl MotionModel {
+    /// For each speed the place of the position whose rate it is.
+    pub fn speeds(&self) -> Vec<usize> {
+        self.places(&self.layout.conditions.independent)
+    }
+
+    /// The places of the positions that the heights of the wheels determine.
+    pub fn dependent(&self) -> Vec<usize> {
+        self.places(&self.layout.standing)
+    }
+
+    fn places(&self, joints: &[usize]) -> Vec<usize> {
+        let place = |joint: &usize| self.layout.positions.iter().position(|position| position == joint);
+        joints.iter().filter_map(place).collect()
+    }
+}
+
 /// A position of a joint.
 #[derive(Debug)]
 pub struct Position {

@@ -9,8 +9,8 @@ use super::trigonometry::{double, single};
 /// A floating-point number: `f32` or `f64`.
 ///
 /// Sine, cosine and tangent of `f32` are the same to the last bit on every platform, with and without feature `std`. They are
-/// computed without an operation in `f64`: to within 0.85 units in the last place, and the tangent to within 1.2, up to 1e5 rad. Beyond, they are those of an angle that differs by less than one unit in its last place; and beyond
-/// 2^22 rad, where these units are half a radian and more, those of zero.
+/// computed without an operation in `f64`: to within 0.85 units in the last place, and the tangent to within 1.2, up to
+/// 1e5 rad. Beyond, they are those of an angle that differs by less than one unit in its last place; and beyond 2^22 rad, where these units are half a radian and more, those of zero.
 ///
 /// So are sine and cosine of `f64`, to within one unit in the last place, up to 1e5 rad. Beyond, they and the tangent come from
 /// the platform with feature `std`, and from `libm` without it. Square roots are rounded correctly everywhere.

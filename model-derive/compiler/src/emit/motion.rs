@@ -252,7 +252,7 @@ impl Inputs {
 fn emit_info(model: &Model, names: &GeneratedNames, motion: &MotionModel) -> TokenStream {
     let runtime = &names.runtime;
     let name = model.name.to_string();
-    let MotionModel { layout, positions, wheels, .. } = motion;
+    let MotionModel { positions, wheels, .. } = motion;
     let described = positions.iter().map(|position| {
         let crate::motion::Position { name, label, unit, kind } = position;
         let kind = match kind {
@@ -269,11 +269,8 @@ fn emit_info(model: &Model, names: &GeneratedNames, motion: &MotionModel) -> Tok
             }
         }
     });
-    let places = |joints: &[usize]| -> Vec<Literal> {
-        let place = |joint: &usize| layout.positions.iter().position(|position| position == joint).unwrap_or_default();
-        joints.iter().map(place).map(Literal::usize_unsuffixed).collect()
-    };
-    let (speeds, dependent) = (places(&layout.conditions.independent), places(&layout.standing));
+    let places = |places: Vec<usize>| places.into_iter().map(Literal::usize_unsuffixed);
+    let (speeds, dependent) = (places(motion.speeds()), places(motion.dependent()));
     let applied = model.kinematics.iter().flat_map(|kinematics| &kinematics.applied);
     let forces = applied
         .map(|[name, label, unit]| quote!(#runtime::motion::AppliedInfo { name: #name, label: #label, unit: #unit }));

@@ -28,7 +28,7 @@ impl Places {
                 if position.kind == PositionKind::Dependent { ", by the heights of the wheels" } else { "" };
             (position.name.clone(), format!("{}{by_heights}, in {}", position.label, position.unit))
         });
-        let speeds = speeds(motion).into_iter().map(|place| {
+        let speeds = motion.speeds().into_iter().map(|place| {
             let position = &motion.positions[place];
             (position.name.clone(), format!("The rate of `{}`, in {}/s", position.name, position.unit))
         });
@@ -114,7 +114,7 @@ pub fn define(context: &Context, precision: Precision) -> String {
     };
     const OF_STATE: &[&str] = &["motion", "positions", "speeds"];
     const WITH_FORCES: &[&str] = &["motion", "positions", "speeds", "forces"];
-    let sizes = [motion.positions.len(), speeds(motion).len()];
+    let sizes = [motion.positions.len(), motion.speeds().len()];
     let of_constants = {
         let body = context.body(&programs.constants, precision, &[], &["motion"]);
         let reads = if body.reads_parameters() { "" } else { "    (void)p;\n" };
@@ -151,16 +151,6 @@ fn find<'a>(context: &'a Context) -> Option<(&'a MotionModel, &'a MotionPrograms
     context.model.motion.as_ref().zip(context.programs.motion.as_ref())
 }
 
-/// The places of the positions whose rates the speeds are.
-fn speeds(motion: &MotionModel) -> Vec<usize> {
-    places(motion, &motion.layout.conditions.independent)
-}
-
-fn places(motion: &MotionModel, joints: &[usize]) -> Vec<usize> {
-    let place = |joint: &usize| motion.layout.positions.iter().position(|position| position == joint);
-    joints.iter().filter_map(place).collect()
-}
-
 fn applied<'a>(context: &'a Context) -> impl Iterator<Item = &'a [String; 3]> {
     context.model.kinematics.iter().flat_map(|kinematics| &kinematics.applied)
 }
@@ -174,8 +164,7 @@ fn values(
 ) -> Vec<(&'static str, String)> {
     let (upper, number) = (context.prefix.upper(), precision.number());
     let name = format!("{}_{}", context.prefix.lower(), precision.name());
-    let dependent: Vec<String> =
-        places(motion, &motion.layout.standing).iter().map(|place| format!("{place}U")).collect();
+    let dependent: Vec<String> = motion.dependent().iter().map(|place| format!("{place}U")).collect();
     let has_forces = applied(context).next().is_some();
     let finite = format!("carvallo_are_finite_{}", precision.name());
     let literal = |value: f64| precision.literal(value);
@@ -236,7 +225,7 @@ fn compute(
 ) -> String {
     let constants = programs.constants.outputs.len();
     let names = motion.positions.iter().map(|position| position.name.clone());
-    let rates = speeds(motion).into_iter().map(|place| format!("{}_rate", motion.positions[place].name));
+    let rates = motion.speeds().into_iter().map(|place| format!("{}_rate", motion.positions[place].name));
     let groups: [(&str, &str, Vec<String>); 4] = [
         ("motion", "motion->constants", (0..constants).map(|index| format!("constant_{index}")).collect()),
         ("positions", "positions", names.collect()),
