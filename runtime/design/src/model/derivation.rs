@@ -1,0 +1,118 @@
+//! What makes equations of motion from parameters: the functions that a declaration was compiled to, without its type.
+
+use std::fmt;
+use std::fmt::Debug;
+use std::marker::PhantomData;
+
+use carvallo::simulation::Machine;
+use carvallo::{Model, ModelInfo, ParameterStability, Sensitivity};
+
+use super::equations::Equations;
+use super::sensitive::Sensitive;
+use crate::number::with_unit;
+
+/// What makes equations of motion from parameters, which are in declared order.
+pub(crate) trait Derivation: Debug + Sync {
+    /// The equations of motion, or which of the parameters cannot be.
+    fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String>;
+
+    /// Hands the equations of motion to a visitor, where they need no place of their own in memory.
+    fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String>;
+
+    /// Hands what the nonlinear equations of motion are of to a visitor; whether there are any.
+    fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
+        let _ = (parameters, visitor);
+        Ok(false)
+    }
+
+    /// Stability along the parameter at a position, over a range and at a speed.
+    fn along(
+        &self,
+        parameters: &[f64],
+        position: usize,
+        range: [f64; 2],
+        speed: f64,
+    ) -> Result<ParameterStability, String>;
+
+    /// How the equations of motion change with the parameters.
+    fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String>;
+}
+
+/// What does something with a machine that moves.
+pub type MachineVisitor<'a> = &'a mut dyn FnMut(&dyn Machine);
+
+/// What looks at equations of motion, and may say what is wrong with them.
+pub type Visitor<'a> = &'a mut dyn FnMut(&dyn Equations) -> Result<(), String>;
+
+/// The functions that a declaration was compiled to.
+pub(super) struct Compiled<const N: usize, M>(pub(super) PhantomData<fn() -> M>);
+
+impl<const N: usize, M: Model<N, Scalar = f64>> Compiled<N, M> {
+    /// The formulas are for `equations`, and many times as long as all else.
+    pub(super) const INFO: &'static ModelInfo =
+        if cfg!(feature = "full") { M::INFO } else { &M::INFO.without_formulas() };
+}
+
+impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
+    fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
+        Ok(Box::new(valid::<N, M>(parameters)?.coefficients()))
+    }
+
+    fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String> {
+        visitor(&valid::<N, M>(parameters)?.coefficients())
+    }
+
+    fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
+        let model = valid::<N, M>(parameters)?;
+        let machine = model.nonlinear();
+        machine.iter().for_each(|machine| visitor(machine));
+        Ok(machine.is_some())
+    }
+
+    fn along(
+        &self,
+        parameters: &[f64],
+        position: usize,
+        range: [f64; 2],
+        speed: f64,
+    ) -> Result<ParameterStability, String> {
+        if !cfg!(feature = "full") {
+            return Err(NOT_BUILT.to_owned());
+        }
+        let mut parameters = parameters.to_vec();
+        let system = |value: f64| {
+            parameters[position] = value;
+            let gravity = M::INFO.gravity.map_or(0.0, |position| parameters[position]);
+            let coefficients = valid::<N, M>(&parameters)?.coefficients();
+            coefficients.at(speed, gravity).map_err(|error| error.to_string())
+        };
+        ParameterStability::new(range, system).map_err(|error| error.to_string())
+    }
+
+    fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
+        if !cfg!(feature = "full") {
+            return Err(NOT_BUILT.to_owned());
+        }
+        let sensitivity = Sensitivity::<N>::of_any(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
+        Ok(Box::new(sensitivity))
+    }
+}
+
+/// What is said in the place of what a program was built without.
+pub(crate) const NOT_BUILT: &str = "this program was built without what goes along parameters";
+
+impl<const N: usize, M> Debug for Compiled<N, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(std::any::type_name::<M>())
+    }
+}
+
+/// The model with parameters in declared order.
+fn valid<const N: usize, M: Model<N, Scalar = f64>>(parameters: &[f64]) -> Result<M, String> {
+    let model = M::from_slice(parameters).map_err(|error| error.to_string())?;
+    model.validate().map_err(|error| {
+        let value = with_unit(error.value, error.unit);
+        format!("`{}` is {value}; it must be {}", error.subject, error.required)
+    })?;
+    Ok(model)
+}
