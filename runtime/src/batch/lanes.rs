@@ -8,7 +8,6 @@ use fearless_simd::prelude::*;
 use crate::number::Number;
 use crate::number::lane::{Lane, UPPER_HALF};
 use crate::number::real::Real;
-use crate::number::sealed::Sealed;
 use crate::number::trigonometry::double::sin_cos_of_lanes;
 
 /// A register of `f64` at the level `S` of the processor's instructions.
@@ -49,8 +48,6 @@ impl<S: Simd> fmt::Debug for Lanes<S> {
         self.0.as_slice().fmt(f)
     }
 }
-
-impl<S: Simd> Sealed for Lanes<S> {}
 
 macro_rules! operator {
     ($($operator:ident $method:ident $sign:tt)*) => {

@@ -1,6 +1,6 @@
 //! Formulas in the languages of typesetters.
 
-use super::parse::Formula;
+use super::formula::Formula;
 use super::symbol::{Part, Symbol};
 
 /// How a language writes the parts of a formula.

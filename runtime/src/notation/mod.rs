@@ -1,8 +1,8 @@
 //! The equations of a model in notations that people read and typeset.
 
+mod formula;
 mod latex;
 mod markup;
-mod parse;
 mod symbol;
 #[cfg(test)]
 mod tests;
@@ -10,9 +10,9 @@ mod typst;
 
 use std::fmt::Write as _;
 
+pub use self::formula::Formula;
 use self::latex::Latex;
 use self::markup::{Markup, Writer};
-use self::parse::{Formula, parse};
 use self::typst::Typst;
 use crate::model::{FormulaInfo, FormulaSubject, ModelInfo};
 use crate::system::MatrixName;
@@ -115,7 +115,7 @@ fn equations<M: Markup>(info: &ModelInfo, part: &[FormulaInfo], writer: &Writer<
             FormulaSubject::Entry(places) => places.places.iter().map(entry).collect(),
         },
         // What the compiler writes is a formula; a text of another origin stands as it is.
-        lines: parse(text).map_or_else(|| vec![writer.markup.word(text)], |formula: Formula| writer.lines(&formula)),
+        lines: Formula::parse(text).map_or_else(|| vec![writer.markup.word(text)], |formula| writer.lines(&formula)),
         unit: (!matches!(*unit, "" | "1")).then(|| writer.markup.unit(unit)),
     };
     part.iter().map(equation).collect()

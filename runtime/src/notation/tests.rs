@@ -1,11 +1,11 @@
+use super::formula::Formula;
 use super::latex::Latex;
 use super::markup::{Markup, Writer};
-use super::parse::parse;
 use super::typst::Typst;
 
 fn write(markup: impl Markup, text: &str) -> String {
     let symbol = |name: &str| (name == "angle").then_some("λ_s");
-    let formula = parse(text).unwrap_or_else(|| panic!("{text} is a formula"));
+    let formula = Formula::parse(text).unwrap_or_else(|| panic!("{text} is a formula"));
     Writer { markup, symbol: &symbol }.lines(&formula).join(" | ")
 }
 
@@ -69,6 +69,6 @@ fn long_sums_have_several_lines() {
 #[test]
 fn what_is_no_formula_is_none() {
     for text in ["", "a +", "(a", "a b", "f(a", "2 [kg", "a^b", "a)"] {
-        assert_eq!(parse(text), None, "{text}");
+        assert_eq!(Formula::parse(text), None, "{text}");
     }
 }

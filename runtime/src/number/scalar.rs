@@ -3,8 +3,8 @@
 use core::fmt::Display;
 use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
 
-use super::Number;
 use super::trigonometry::{double, single};
+use super::{Number, sealed};
 
 /// A floating-point number: `f32` or `f64`.
 ///
@@ -17,7 +17,7 @@ use super::trigonometry::{double, single};
 ///
 /// Matrices of them can be added, subtracted and multiplied, which nalgebra does for what has the assigning operators.
 pub trait Scalar:
-    Number + Display + PartialOrd + AddAssign + SubAssign + MulAssign + DivAssign + nalgebra::Scalar
+    Number + Display + PartialOrd + AddAssign + SubAssign + MulAssign + DivAssign + nalgebra::Scalar + sealed::Sealed
 {
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;

@@ -1,7 +1,18 @@
 //! The text of a formula to its parts.
 
-/// A formula. Sums and products are flat, as they are written.
-#[derive(Clone, Debug, PartialEq)]
+/// A formula in its parts, as the text of a [`FormulaInfo`](crate::FormulaInfo) has them. Sums and products are flat, as
+/// they are written.
+///
+/// Available with feature `std`.
+///
+/// ```
+/// use carvallo::Formula;
+///
+/// let square = Formula::Power(Box::new(Formula::Name("l".into())), "2".into());
+/// let product = Formula::Product(vec![(false, Formula::Name("m".into())), (false, square)]);
+/// assert_eq!(Formula::parse("m*l^2"), Some(product));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Formula {
     /// A number, with a unit where one is written.
     Number(String, Option<String>),
@@ -17,11 +28,14 @@ pub enum Formula {
     Call(String, Box<Formula>),
 }
 
-/// The parts of a formula; `None` if it is none.
-pub fn parse(text: &str) -> Option<Formula> {
-    let mut reader = Reader { rest: text.trim() };
-    let formula = reader.sum()?;
-    reader.rest.is_empty().then_some(formula)
+impl Formula {
+    /// The parts of a formula; nothing if the text is none.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let mut reader = Reader { rest: text.trim() };
+        let formula = reader.sum()?;
+        reader.rest.is_empty().then_some(formula)
+    }
 }
 
 struct Reader<'a> {
