@@ -1,1 +1,12 @@
 #![doc = include_str!("../README.md")]
+
+mod ports;
+mod signal;
+mod state_space;
+
+pub use self::ports::{Output, Ports};
+pub use self::signal::{Order, Quantity, Signal};
+pub use self::state_space::StateSpace;
+
+#[cfg(test)]
+mod tests;

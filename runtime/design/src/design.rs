@@ -1,7 +1,7 @@
 //! A machine as it was given, with its equations of motion: what everything is computed from.
 
-use carvallo::ModelInfo;
-use carvallo_models::WhippleMechanism;
+use carvallo::{Model as _, ModelInfo};
+use carvallo_models::{WhippleMechanism, WhippleMechanismKinematics};
 
 use crate::model::{Equations, MachineVisitor, Shipped};
 
@@ -76,6 +76,16 @@ impl Design {
         let values: Option<Vec<f64>> =
             model.info.parameters.iter().map(|parameter| self.value(parameter.name)).collect();
         values.is_some_and(|values| model.with_machine(&values, visitor).unwrap_or(false))
+    }
+
+    /// What follows from lean and steer, of the models whose parameters are those of the shipped bicycles.
+    pub fn kinematics(&self) -> Option<WhippleMechanismKinematics> {
+        let bicycle = WhippleMechanism::INFO;
+        if !(self.model.is_whipple() || self.model.is_called(bicycle.name)) {
+            return None;
+        }
+        let values: Option<Vec<f64>> = bicycle.parameters.iter().map(|parameter| self.value(parameter.name)).collect();
+        Some(WhippleMechanism::from_slice(&values?).ok()?.kinematics())
     }
 
     /// The gravitational field strength in N/kg, if it is a parameter.

@@ -1,10 +1,9 @@
 //! The motion of the linear equations, of any model.
 
 use carvallo::simulation::{LinearMotion, SimulationError};
-use carvallo::{Model, Rate, States};
+use carvallo::{Rate, States};
 use carvallo_design::number::shortest;
 use carvallo_design::{Design, Failure};
-use carvallo_models::WhippleMechanism;
 
 use super::force::Channel;
 use super::initial::Givable;
@@ -42,7 +41,7 @@ impl Linear {
                 States::Rate | States::Both => Ok(()),
             },
         });
-        let has_path = kinematics(design).is_some();
+        let has_path = design.kinematics().is_some();
         let path = PATH.iter().filter(|_| has_path).map(|quantity| Givable {
             quantity: *quantity,
             position: Ok(()),
@@ -82,7 +81,7 @@ impl Solver for Linear {
         let fail = |message: String| Failure::Run(format!("{title}: {message}{}", extremes(design)));
         let motion = design.equations.motion(speed, design.gravity().unwrap_or(0.0));
         let mut motion = motion.map_err(|error| fail(error.to_string()))?;
-        if let Some(kinematics) = kinematics(design) {
+        if let Some(kinematics) = design.kinematics() {
             let forward = Rate { speed: 1.0, rates: [0.0; 2], coordinates: [0.0; 2], heading: 0.0 };
             let [yaw, others @ ..] =
                 [kinematics.yaw, forward, kinematics.lateral, kinematics.wheel_R, kinematics.wheel_F];
@@ -124,14 +123,4 @@ impl Solver for Linear {
             design,
         })
     }
-}
-
-/// What follows from lean and steer, of the models whose parameters are those of the shipped bicycles.
-fn kinematics(design: &Design) -> Option<carvallo_models::WhippleMechanismKinematics> {
-    let bicycle = WhippleMechanism::INFO;
-    if !(design.model.is_whipple() || design.model.is_called(bicycle.name)) {
-        return None;
-    }
-    let values: Option<Vec<f64>> = bicycle.parameters.iter().map(|parameter| design.value(parameter.name)).collect();
-    Some(WhippleMechanism::from_slice(&values?).ok()?.kinematics())
 }

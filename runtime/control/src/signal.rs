@@ -1,0 +1,78 @@
+//! What inputs, outputs and states are called, and their units.
+
+use carvallo::CoordinateInfo;
+
+/// An input, an output or a state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// Such as `Tdelta`, `phi` or `phi_rate`.
+    pub name: String,
+    /// In words, such as `steer torque`, `lean` or `lean rate`.
+    pub label: String,
+    /// As models declare units: `N*m`, `rad/s`, and `1` for a pure number.
+    pub unit: String,
+}
+
+/// Something that has a position, a rate and an acceleration: a coordinate, or what follows from coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quantity {
+    /// Its symbol, such as `phi`.
+    pub name: &'static str,
+    /// In words, such as `lean`.
+    pub label: &'static str,
+    /// The unit of its position.
+    pub unit: &'static str,
+}
+
+/// Which derivative of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Order {
+    /// The quantity itself.
+    Position,
+    /// Its first derivative by the time.
+    Rate,
+    /// Its second derivative by the time.
+    Acceleration,
+}
+
+impl Order {
+    /// All of them, ascending.
+    pub const ALL: [Self; 3] = [Self::Position, Self::Rate, Self::Acceleration];
+
+    /// What stands behind the name of a quantity.
+    pub(crate) fn suffix(self) -> &'static str {
+        ["", "_rate", "_acceleration"][self as usize]
+    }
+}
+
+impl From<&CoordinateInfo> for Quantity {
+    fn from(&CoordinateInfo { name, label, unit, .. }: &CoordinateInfo) -> Self {
+        Self { name, label, unit }
+    }
+}
+
+impl Quantity {
+    /// A derivative of it.
+    pub(crate) fn signal(&self, order: Order) -> Signal {
+        let unit = if self.unit.is_empty() { "1" } else { self.unit };
+        Signal {
+            name: format!("{}{}", self.name, order.suffix()),
+            label: format!("{}{}", self.label, order.suffix().replace('_', " ")),
+            unit: format!("{unit}{}", ["", "/s", "/s^2"][order as usize]),
+        }
+    }
+
+    /// The generalized force on it as a coordinate: a torque on an angle, a force on a length.
+    pub(crate) fn force(&self) -> Signal {
+        let (letter, what, unit) = match self.unit {
+            "rad" => ('T', "torque", "N*m"),
+            "m" => ('F', "force", "N"),
+            _ => ('F', "force", "1"),
+        };
+        Signal {
+            name: format!("{letter}{}", self.name),
+            label: format!("{} {what}", self.label),
+            unit: unit.to_owned(),
+        }
+    }
+}
