@@ -6,9 +6,10 @@ use std::str::FromStr;
 use carvallo_design::input::{self, Request};
 use carvallo_design::{Design, Failure, Place, Problem, speeds};
 use carvallo_plot::picture::Scene;
-use clap::builder::{PathBufValueParser, TypedValueParser as _, ValueParser, ValueParserFactory};
+use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser as _, ValueParser, ValueParserFactory};
 use clap::{Args, ValueEnum};
 
+use crate::output::typeset::Language;
 use crate::picture;
 use crate::terminal::{WARNING, note, wrote};
 
@@ -105,11 +106,65 @@ impl FromStr for Speed {
 }
 
 /// How results are printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
+    /// At a terminal.
     Table,
+    /// As tables for a document.
+    Document(Language),
     Json,
     Csv,
+}
+
+impl Format {
+    /// Whether it is for people, who want fewer rows than programs do.
+    pub fn is_read(self) -> bool {
+        matches!(self, Self::Table | Self::Document(_))
+    }
+}
+
+/// How lists are printed that are for people alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ListFormat {
+    /// At a terminal.
+    Table,
+    /// As a table for a document.
+    Document(Language),
+}
+
+impl ValueEnum for ListFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Table, Self::Document(Language::Markdown), Self::Document(Language::Latex)]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(match self {
+            Self::Table => PossibleValue::new("table"),
+            Self::Document(language) => named(*language),
+        })
+    }
+}
+
+fn named(language: Language) -> PossibleValue {
+    match language {
+        Language::Markdown => PossibleValue::new("markdown").alias("md"),
+        Language::Latex => PossibleValue::new("latex").alias("tex"),
+    }
+}
+
+impl ValueEnum for Format {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Table, Self::Document(Language::Markdown), Self::Document(Language::Latex), Self::Json, Self::Csv]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(match self {
+            Self::Table => PossibleValue::new("table"),
+            Self::Document(language) => named(*language),
+            Self::Json => PossibleValue::new("json"),
+            Self::Csv => PossibleValue::new("csv"),
+        })
+    }
 }
 
 /// The file of a picture; its ending names a format.

@@ -28,6 +28,25 @@ pub enum Notation {
     Typst,
 }
 
+impl Notation {
+    /// A name or a symbol as formulas have it, such as `I_{Bxx}` for `IBxx` and `\lambda` for `λ` in LaTeX, to stand in math
+    /// mode.
+    ///
+    /// Available with feature `std`.
+    ///
+    /// ```
+    /// assert_eq!(carvallo::Notation::Latex.symbol("IBxx"), "I_{Bxx}");
+    /// ```
+    pub fn symbol(self, name: &str) -> String {
+        let symbol = |_: &str| None;
+        match self {
+            Self::Text => name.to_owned(),
+            Self::Latex => Writer { markup: Latex, symbol: &symbol }.name(name),
+            Self::Typst => Writer { markup: Typst, symbol: &symbol }.name(name),
+        }
+    }
+}
+
 impl ModelInfo {
     /// The equations of motion: the definitions that the matrices depend on, each in those before it, and the entries that
     /// are not zero, all with their units. Rows and columns are counted from one.

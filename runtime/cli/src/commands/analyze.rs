@@ -11,7 +11,7 @@ use clap::Args;
 
 use crate::limits::{EigenvalueLimits, SpeedLimits};
 use crate::options::{DesignOptions, Format, Picture, Speed, Speeds};
-use crate::output;
+use crate::output::{self, documents};
 use crate::terminal::{WARNING, note, print, write};
 
 const HELP: &str = "\
@@ -69,7 +69,7 @@ pub struct Options {
     /// The speed of --along, in m/s
     #[arg(long, value_name = "SPEED", requires = "along", allow_hyphen_values = true)]
     speed: Option<Speed>,
-    /// table, json or csv
+    /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
     /// The shapes of the modes at each speed, too, in a table or as JSON
@@ -118,7 +118,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         Some(Speeds(speeds)) => speeds.clone(),
         None => reach::speeds(analysis.reach, is_coarse),
     };
-    let speeds = speeds_or(options.format == Format::Table);
+    let speeds = speeds_or(options.format.is_read());
     tell_of_rest(&analysis, &speeds)?;
     let rows = analysis.rows(&speeds)?;
     let at_row = |(speed, values): (f64, &[ModeValue])| analysis.shapes(speed, values);
@@ -132,6 +132,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     match options.format {
         Format::Table => print(&output::render_table(&analysis, &rows, shapes)),
+        Format::Document(language) => print(&documents::of_analysis(&analysis, &rows, shapes).write(language)),
         Format::Json => write(|output| data::analysis::write_json(&analysis, &rows, shapes, output)),
         Format::Csv => write(|output| data::analysis::write_csv(&analysis, &rows, output)),
     }
@@ -153,9 +154,10 @@ fn run_along(options: &Options, along: &Along) -> Result<(), Failure> {
         let y = options.ylim.map(|EigenvalueLimits(low, high)| (low, high));
         picture.write(&draw_along(&analysis, y)?)?;
     }
-    let rows = analysis.rows(if options.format == Format::Table { 11 } else { 101 })?;
+    let rows = analysis.rows(if options.format.is_read() { 11 } else { 101 })?;
     match options.format {
         Format::Table => print(&output::render_along(&analysis, &rows)),
+        Format::Document(language) => print(&documents::of_along(&analysis, &rows).write(language)),
         Format::Json => write(|output| data::along::write_json(&analysis, &rows, output)),
         Format::Csv => write(|output| data::along::write_csv(&analysis, &rows, output)),
     }

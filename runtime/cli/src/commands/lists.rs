@@ -4,18 +4,35 @@ use carvallo_design::input::{self, Request};
 use carvallo_design::{Failure, MODELS};
 use carvallo_models::BICYCLES;
 use carvallo_plot::analysis::Analysis;
+use clap::Args;
 
-use crate::output;
+use crate::options::ListFormat;
+use crate::output::{self, documents};
 use crate::terminal::print;
 
-pub fn bicycles() -> Result<(), Failure> {
+/// How a list is printed.
+#[derive(Args, Debug)]
+pub struct Options {
+    /// table, markdown or latex
+    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
+    format: ListFormat,
+}
+
+pub fn bicycles(options: &Options) -> Result<(), Failure> {
     let analyses = BICYCLES.iter().map(|bicycle| {
         let request = Request { parameters: Some(bicycle.name.to_owned()), ..Request::default() };
         input::load(&request).and_then(Analysis::new)
     });
-    print(&output::render_bicycles(&analyses.collect::<Result<Vec<_>, _>>()?))
+    let analyses = analyses.collect::<Result<Vec<_>, _>>()?;
+    match options.format {
+        ListFormat::Table => print(&output::render_bicycles(&analyses)),
+        ListFormat::Document(language) => print(&documents::of_bicycles(&analyses).write(language)),
+    }
 }
 
-pub fn models() -> Result<(), Failure> {
-    print(&output::render_models(MODELS))
+pub fn models(options: &Options) -> Result<(), Failure> {
+    match options.format {
+        ListFormat::Table => print(&output::render_models(MODELS)),
+        ListFormat::Document(language) => print(&documents::of_models(MODELS).write(language)),
+    }
 }

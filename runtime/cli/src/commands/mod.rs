@@ -1,5 +1,5 @@
 //! The command line: what can be asked for, and its help. What a subcommand does, with its options and its help, is
-//! in a file here; the two without options are both in `lists`, and what `sweep` does is in the folder of its name.
+//! in a file here; the two that list what ships are both in `lists`, and what `sweep` does is in the folder of its name.
 
 mod analyze;
 mod demo;
@@ -35,6 +35,7 @@ Examples:
                                                Many designs, with a map of their stability
   carvallo simulate --speed 4.6 --initial phi_rate=0.5 --duration 10
                                                The motion of the benchmark bicycle after a push
+  carvallo bicycles --format latex             A table for a paper, as most commands give one
   carvallo equations --format latex            The equations of motion, with all definitions
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set
 
@@ -62,9 +63,9 @@ enum Command {
     Analyze(analyze::Options),
     Sensitivity(sensitivity::Options),
     /// The shipped bicycles, with their critical speeds
-    Bicycles,
+    Bicycles(lists::Options),
     /// The shipped models, with their coordinates and parameter sets
-    Models,
+    Models(lists::Options),
     Show(show::Options),
     Equations(equations::Options),
     Simulate(Box<simulate::Options>),
@@ -89,8 +90,8 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         None => demo::run(),
         Some(Command::Analyze(options)) => analyze::run(&options),
         Some(Command::Sensitivity(options)) => sensitivity::run(&options),
-        Some(Command::Bicycles) => lists::bicycles(),
-        Some(Command::Models) => lists::models(),
+        Some(Command::Bicycles(options)) => lists::bicycles(&options),
+        Some(Command::Models(options)) => lists::models(&options),
         Some(Command::Show(options)) => show::run(&options),
         Some(Command::Equations(options)) => equations::run(&options),
         Some(Command::Simulate(options)) => simulate::run(&options),

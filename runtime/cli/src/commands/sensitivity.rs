@@ -6,7 +6,7 @@ use carvallo_plot::{data, picture};
 use clap::Args;
 
 use crate::options::{DesignOptions, Format, Picture};
-use crate::output;
+use crate::output::{self, documents};
 use crate::terminal::{print, write};
 
 const HELP: &str = "\
@@ -39,7 +39,7 @@ Exit codes: 0 done; 1 there is no answer, or a file cannot be read or written; 2
 pub struct Options {
     #[command(flatten)]
     design: DesignOptions,
-    /// table, json or csv
+    /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
     /// Draws the effects as a bar chart; .svg or .png
@@ -61,6 +61,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     match options.format {
         Format::Table => print(&output::sensitivity::render_table(&changes)),
+        Format::Document(language) => print(&documents::of_sensitivity(&changes).write(language)),
         Format::Json => write(|output| data::sensitivity::write_json(&changes, output)),
         Format::Csv => write(|output| data::sensitivity::write_csv(&changes, output)),
     }

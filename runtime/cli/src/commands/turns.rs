@@ -9,7 +9,7 @@ use carvallo_plot::{data, picture};
 use clap::Args;
 
 use crate::options::{DesignOptions, Format, Picture};
-use crate::output;
+use crate::output::{self, documents};
 use crate::terminal::{WARNING, deliver, note};
 
 const HELP: &str = "\
@@ -43,7 +43,7 @@ pub struct Options {
         help = "Only the turns at these steers: a list, in rad or as `5 deg` [default: along the curve]"
     )]
     steer: Option<String>,
-    /// table, json or csv
+    /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     format: Format,
     #[arg(long, value_name = "FILE", help = "Where the result goes [default: stdout]")]
@@ -74,6 +74,9 @@ pub fn run(options: &Options) -> Result<(), Failure> {
     }
     deliver(options.output.as_deref(), |output| match options.format {
         Format::Table => output.write_all(output::turns::render_table(&families, steers.is_some()).as_bytes()),
+        Format::Document(language) => {
+            output.write_all(documents::of_turns(&families, steers.is_some()).write(language).as_bytes())
+        }
         Format::Json => data::turns::write_json(&families, output),
         Format::Csv => data::turns::write_csv(&families, output),
     })

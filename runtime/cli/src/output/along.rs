@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{Complex, CriticalKind, ParameterRange, Verdict};
+use carvallo::{Complex, CriticalKind, CriticalValue, ParameterRange, Verdict};
 use carvallo_design::number::{fixed, shortest, unit, with_unit};
 use carvallo_plot::analysis::along::{AlongAnalysis, AtValue};
 
@@ -26,10 +26,7 @@ pub fn render_along(analysis: &AlongAnalysis, rows: &[AtValue]) -> String {
     let values: Vec<String> = stability.critical_values.iter().map(|critical| shortest(critical.value)).collect();
     let columns = width(&values, 20);
     for (critical, value) in stability.critical_values.iter().zip(&values) {
-        let at = match critical.kind {
-            CriticalKind::Capsize => "0".to_owned(),
-            _ => format!("±{} i", fixed(critical.eigenvalue.im, 4)),
-        };
+        let at = critical_eigenvalue(critical);
         let change = effect(critical.change, stability.verdicts_around(critical));
         let kind = analysis.name(critical).replace('_', " ");
         let _ = writeln!(text, "  {kind:<13}{value:<columns$}{FAINT}{change}, at λ = {at}{FAINT:#}");
@@ -61,8 +58,16 @@ pub fn render_along(analysis: &AlongAnalysis, rows: &[AtValue]) -> String {
     text
 }
 
+/// The eigenvalue, or the pair, at a critical value.
+pub fn critical_eigenvalue(critical: &CriticalValue) -> String {
+    match critical.kind {
+        CriticalKind::Capsize => "0".to_owned(),
+        _ => format!("±{} i", fixed(critical.eigenvalue.im, 4)),
+    }
+}
+
 /// Pairs stand where their half with the negative imaginary part does.
-fn entry(value: &Complex<f64>) -> String {
+pub fn entry(value: &Complex<f64>) -> String {
     let re = fixed(value.re, 4);
     if value.im < 0.0 { format!("{re} ± {} i", fixed(-value.im, 4)) } else { re }
 }

@@ -71,6 +71,16 @@ fn write_table(columns: &[Column], rows: &[Row<Eigenvalues>], (speeds, v): (&[St
     }
 }
 
+/// The title of each strand, and its eigenvalues from top to bottom.
+pub fn cells(rows: &[Row<Eigenvalues>]) -> Vec<(String, Vec<String>)> {
+    let text = |cell: &Cell| match cell {
+        Cell::Pair { re, im } => format!("{re} ± {im} i"),
+        Cell::Others(others) => others.clone(),
+    };
+    let columns = strands(rows).into_iter().map(|strand| column(strand, rows));
+    columns.map(|column| (column.title, column.cells.iter().map(text).collect())).collect()
+}
+
 fn column(strand: Strand, rows: &[Row<Eigenvalues>]) -> Column {
     let cell = |row: &Row<Eigenvalues>| {
         let rounding = ROUNDING * largest(row.values.values.iter().map(|value| value.value));

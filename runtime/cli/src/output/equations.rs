@@ -26,27 +26,33 @@ pub fn write_equations(design: &Design, text: &mut String) {
             let _ = writeln!(text, "  of {} only the {what} is a state", names.join(", "));
         }
     }
-    // Adding zero turns -0 into 0.
-    let exact = |value: f64| shortest(value + 0.0);
-    let rounded = |value: f64| if value == 0.0 { exact(value) } else { fixed(value, 6) };
-    let matrices = matrices(design);
-    // All digits, unless that would make the lines long.
-    let lines = matrix_lines(&matrices, exact);
-    let is_long = lines.iter().any(|line| line.chars().count() > LINE);
-    for line in if is_long { matrix_lines(&matrices, rounded) } else { lines } {
+    for line in matrix_lines(&matrices(design), &entries(design)) {
         let _ = writeln!(text, "{line}");
     }
 }
 
-fn matrix_lines(matrices: &[Matrix], number: impl Fn(f64) -> String) -> Vec<String> {
-    let row = |row: &Vec<f64>| row.iter().map(|value| number(*value)).collect::<Vec<String>>();
-    let rows: Vec<Vec<Vec<String>>> = matrices.iter().map(|matrix| matrix.rows.iter().map(row).collect()).collect();
+/// The rows of each matrix as they are printed: all digits, unless that would make the lines long.
+pub fn entries(design: &Design) -> Vec<Vec<Vec<String>>> {
+    let matrices = matrices(design);
+    let entries = |number: &dyn Fn(f64) -> String| -> Vec<Vec<Vec<String>>> {
+        let row = |row: &Vec<f64>| row.iter().map(|value| number(*value)).collect();
+        matrices.iter().map(|matrix| matrix.rows.iter().map(row).collect()).collect()
+    };
+    // Adding zero turns -0 into 0.
+    let exact = |value: f64| shortest(value + 0.0);
+    let rounded = |value: f64| if value == 0.0 { exact(value) } else { fixed(value, 6) };
+    let all = entries(&exact);
+    let is_long = matrix_lines(&matrices, &all).iter().any(|line| line.chars().count() > LINE);
+    if is_long { entries(&rounded) } else { all }
+}
+
+fn matrix_lines(matrices: &[Matrix], rows: &[Vec<Vec<String>>]) -> Vec<String> {
     // The fewer columns there are, the wider they may be.
     let least = matrices.first().map_or(0, |matrix| 44 / matrix.rows.len().max(2));
     let width = width(rows.iter().flatten().flatten(), least);
     let names = matrices.iter().map(|matrix| matrix.name.len() + 1).fold(3, usize::max);
     let mut lines = Vec::new();
-    for (Matrix { name, unit, .. }, rows) in matrices.iter().zip(&rows) {
+    for (Matrix { name, unit, .. }, rows) in matrices.iter().zip(rows) {
         for (index, row) in rows.iter().enumerate() {
             let (name, unit) = if index == 0 { (*name, *unit) } else { ("", "") };
             let row: String = row.iter().map(|value| format!("{value:>width$}")).collect();
@@ -57,7 +63,7 @@ fn matrix_lines(matrices: &[Matrix], number: impl Fn(f64) -> String) -> Vec<Stri
 }
 
 /// `M q'' + (C-1/v + C0 + v C1) q' + (Kc + g K0 + v K1 + v² K2) q = f` with the terms that the model has.
-fn equation(info: &ModelInfo) -> String {
+pub fn equation(info: &ModelInfo) -> String {
     let sum = |terms: &[(MatrixName, &'static str)], factor: &str| {
         let terms = terms.iter().filter(|(matrix, _)| info.matrices.contains(matrix));
         match terms.map(|(_, term)| *term).collect::<Vec<_>>()[..] {

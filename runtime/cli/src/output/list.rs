@@ -13,26 +13,33 @@ pub fn render_bicycles(analyses: &[Analysis]) -> String {
         "bicycle", "weave (m/s)", "capsize (m/s)", "stable (m/s)"
     );
     for analysis in analyses {
-        let speeds = |kind: CriticalKind| {
-            let speeds = analysis.critical_speeds().iter().filter(|critical| critical.kind == kind);
-            joined(speeds.map(|critical| format!("{:.4}", critical.speed)))
-        };
-        let stable = joined(analysis.stable_ranges().iter().map(|StableRange { from, to }| match to {
-            Some(to) => format!("{from:.4} to {to:.4}"),
-            None => format!("above {from:.4}"),
-        }));
         let style = if analysis.stable_ranges().is_empty() { FAINT } else { GOOD };
         let kind = analysis.design.kind.as_deref().unwrap_or_default();
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "{:<17}{:<17}{:<17}{style}{stable:<21}{style:#}{kind}",
+            "{:<17}{:<17}{:<17}{style}{:<21}{style:#}{kind}",
             analysis.design.name,
-            speeds(CriticalKind::Weave),
-            speeds(CriticalKind::Capsize),
+            speeds(analysis, CriticalKind::Weave),
+            speeds(analysis, CriticalKind::Capsize),
+            ranges(analysis.stable_ranges()),
         );
     }
     text
+}
+
+/// The critical speeds of a kind.
+pub fn speeds(analysis: &Analysis, kind: CriticalKind) -> String {
+    let speeds = analysis.critical_speeds().iter().filter(|critical| critical.kind == kind);
+    joined(speeds.map(|critical| format!("{:.4}", critical.speed)))
+}
+
+/// Stable ranges, side by side.
+pub fn ranges(ranges: &[StableRange]) -> String {
+    joined(ranges.iter().map(|StableRange { from, to }| match to {
+        Some(to) => format!("{from:.4} to {to:.4}"),
+        None => format!("above {from:.4}"),
+    }))
 }
 
 /// A dash says that there is none.

@@ -3,8 +3,9 @@
 mod along;
 mod branches;
 mod columns;
+pub mod documents;
 mod equations;
-mod list;
+pub mod list;
 mod models;
 pub mod motion;
 mod ranges;
@@ -14,6 +15,7 @@ mod sketch;
 mod sorted;
 mod table;
 pub mod turns;
+pub mod typeset;
 
 pub use self::along::render_along;
 pub use self::list::render_bicycles;

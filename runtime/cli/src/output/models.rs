@@ -12,12 +12,7 @@ pub fn render_models(models: &[Shipped]) -> String {
     let mut text = format!("{HEADING}{:<name$}{:<13}{:<12}sets{HEADING:#}\n", "model", "coordinates", "parameters");
     for model in models {
         let info = model.info;
-        let sets: Vec<&str> = info.sets.iter().map(|set| set.name).collect();
-        let sets = match sets[..] {
-            _ if model.is_whipple() => "`carvallo bicycles` lists them".to_owned(),
-            [] => "-".to_owned(),
-            ref sets => sets.join(", "),
-        };
+        let sets = sets(model);
         let [coordinates, parameters] = [info.coordinates.len(), info.parameters.len()];
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{HEADING}{:<name$}{HEADING:#}{coordinates:<13}{parameters:<12}{sets}", info.name);
@@ -32,8 +27,18 @@ pub fn render_models(models: &[Shipped]) -> String {
     text
 }
 
+/// The names of its parameter sets.
+pub fn sets(model: &Shipped) -> String {
+    let sets: Vec<&str> = model.info.sets.iter().map(|set| set.name).collect();
+    match sets[..] {
+        _ if model.is_whipple() => "`carvallo bicycles` lists them".to_owned(),
+        [] => "-".to_owned(),
+        ref sets => sets.join(", "),
+    }
+}
+
 /// The first sentence of a text, on one line.
-fn sentence(docs: &str) -> String {
+pub fn sentence(docs: &str) -> String {
     let paragraph = docs.trim().split("\n\n").next().unwrap_or_default();
     let text = paragraph.split_whitespace().collect::<Vec<_>>().join(" ");
     match text.split_once(". ") {

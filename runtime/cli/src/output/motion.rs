@@ -13,8 +13,7 @@ use crate::output::{FAINT, HEADING};
 pub fn render_table(motion: &Motion) -> String {
     let mut text = String::new();
     write_heading(motion.design, &mut text);
-    let equations = if motion.is_linear { "the linear equations, solved exactly" } else { "the nonlinear equations" };
-    let _ = writeln!(text, "\n{HEADING}Motion{HEADING:#} by {equations}");
+    let _ = writeln!(text, "\n{HEADING}Motion{HEADING:#} by {}", equations(motion));
     let columns = columns(motion);
     let widths: Vec<usize> =
         columns.iter().map(|column| width(std::iter::once(&column.heading).chain(&column.cells), 0)).collect();
@@ -28,16 +27,21 @@ pub fn render_table(motion: &Motion) -> String {
     text
 }
 
+/// What it is computed by.
+pub fn equations(motion: &Motion) -> &'static str {
+    if motion.is_linear { "the linear equations, solved exactly" } else { "the nonlinear equations" }
+}
+
 /// The most letters that explain a symbol.
 const LONGEST: usize = 16;
 
-struct Column {
-    heading: String,
-    cells: Vec<String>,
+pub struct Column {
+    pub heading: String,
+    pub cells: Vec<String>,
 }
 
 /// Time, speed, and the positions; of a few coordinates their rates as well. Angles are in degrees.
-fn columns(motion: &Motion) -> Vec<Column> {
+pub fn columns(motion: &Motion) -> Vec<Column> {
     let column = |heading: String, cell: &dyn Fn(&Row) -> String| Column {
         heading,
         cells: motion.rows.iter().map(cell).collect(),

@@ -2,23 +2,35 @@
 
 use std::fmt::Write as _;
 
+use anstyle::Style;
 use carvallo::{Stability, UndecidedRange};
 use carvallo_design::number::shortest;
 
 use super::GOOD;
 
+/// Each as a line; those of stable ranges in their style.
+///
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn write_ranges(stability: &Stability, text: &mut String) {
+    for (is_stable, sentence) in ranges(stability) {
+        let style = if is_stable { GOOD } else { Style::new() };
+        let _ = writeln!(text, "  {style}{sentence}{style:#}");
+    }
+}
+
+/// A sentence for each range, and whether it is stable there; or that there is none.
+pub fn ranges(stability: &Stability) -> Vec<(bool, String)> {
     let marginal = stability.marginal_ranges();
-    for range in &stability.stable_ranges {
-        let _ = writeln!(text, "  {GOOD}self-stable {}{GOOD:#}", between(range.from, range.to));
+    let stable =
+        stability.stable_ranges.iter().map(|range| (true, format!("self-stable {}", between(range.from, range.to))));
+    let neither = marginal.iter().map(|range| {
+        (false, format!("marginal {}: it neither falls nor comes to rest", between(range.from, range.to)))
+    });
+    let mut sentences: Vec<(bool, String)> = stable.chain(neither).collect();
+    if sentences.is_empty() {
+        sentences.push((false, "stable by itself at no speed".to_owned()));
     }
-    for range in &marginal {
-        let _ = writeln!(text, "  marginal {}: it neither falls nor comes to rest", between(range.from, range.to));
-    }
-    if stability.stable_ranges.is_empty() && marginal.is_empty() {
-        let _ = writeln!(text, "  stable by itself at no speed");
-    }
+    sentences
 }
 
 fn between(from: f64, to: Option<f64>) -> String {
@@ -30,8 +42,16 @@ fn between(from: f64, to: Option<f64>) -> String {
 
 /// Where a critical speed may be missing.
 pub fn write_undecided(stability: &Stability, text: &mut String) {
-    for UndecidedRange { from, to } in &stability.undecided {
-        let (from, to) = (shortest(*from), shortest(*to));
-        let _ = writeln!(text, "  from {from} to {to} m/s one may be missing: rounding decides there");
+    for sentence in undecided(stability) {
+        let _ = writeln!(text, "  {sentence}");
     }
+}
+
+/// The same in sentences.
+pub fn undecided(stability: &Stability) -> Vec<String> {
+    let sentence = |UndecidedRange { from, to }: &UndecidedRange| {
+        let (from, to) = (shortest(*from), shortest(*to));
+        format!("from {from} to {to} m/s one may be missing: rounding decides there")
+    };
+    stability.undecided.iter().map(sentence).collect()
 }

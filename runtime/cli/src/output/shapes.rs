@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use carvallo::{Complex, ModeValue, States};
+use carvallo::{Complex, CoordinateInfo, ModeValue, States};
 use carvallo_design::Shape;
 use carvallo_design::number::{fixed, shortest};
 use carvallo_plot::analysis::{Analysis, Rows};
@@ -18,27 +18,14 @@ pub fn write_shapes(analysis: &Analysis, rows: &Rows, shapes: &[Vec<Shape>], tex
         text,
         "\n{HEADING}Eigenvectors{HEADING:#}  sizes relative to the largest, and by how many degrees each leads it"
     );
-    let coordinates: Vec<String> = analysis
-        .design
-        .info()
-        .coordinates
-        .iter()
-        .map(|coordinate| {
-            let name = coordinate.name;
-            if coordinate.states == States::Rate { format!("{name}\u{2019}") } else { name.to_owned() }
-        })
-        .collect();
-    let moves = analysis.design.model.depends_on_speed();
+    let coordinates = coordinates(analysis);
     for ((speed, values), shapes) in rows.values().into_iter().zip(shapes) {
-        let shown = values.iter().zip(shapes).filter(|(value, _)| value.value.im >= 0.0);
-        let rows: Vec<(String, Vec<String>)> = shown
-            .map(|(value, shape)| (eigenvalue(value), shape.right.iter().copied().map(phasor).collect()))
-            .collect();
+        let rows = cells(values, shapes);
         let first = width(rows.iter().map(|(name, _)| name), 10) + 2;
         let columns: Vec<usize> = (0..coordinates.len())
             .map(|index| width(rows.iter().map(|(_, cells)| &cells[index]).chain([&coordinates[index]]), 12) + 1)
             .collect();
-        let at = if moves { format!("at {} m/s", shortest(speed)) } else { "at every speed".to_owned() };
+        let at = at(analysis, speed);
         let titles: String = coordinates.iter().zip(&columns).map(|(name, width)| format!("{name:>width$}")).collect();
         let _ = writeln!(text, "  {FAINT}{at:<first$}{titles}{FAINT:#}");
         for (name, cells) in &rows {
@@ -46,6 +33,28 @@ pub fn write_shapes(analysis: &Analysis, rows: &Rows, shapes: &[Vec<Shape>], tex
             let _ = writeln!(text, "  {name:<first$}{cells}");
         }
     }
+}
+
+/// What stands above the column of each coordinate.
+pub fn coordinates(analysis: &Analysis) -> Vec<String> {
+    let coordinates = analysis.design.info().coordinates.iter();
+    let heading = |coordinate: &CoordinateInfo| {
+        let name = coordinate.name;
+        if coordinate.states == States::Rate { format!("{name}\u{2019}") } else { name.to_owned() }
+    };
+    coordinates.map(heading).collect()
+}
+
+/// Each eigenvalue that is shown, and the size and phase of each coordinate.
+pub fn cells(values: &[ModeValue], shapes: &[Shape]) -> Vec<(String, Vec<String>)> {
+    let shown = values.iter().zip(shapes).filter(|(value, _)| value.value.im >= 0.0);
+    shown.map(|(value, shape)| (eigenvalue(value), shape.right.iter().copied().map(phasor).collect())).collect()
+}
+
+/// The speed that eigenvectors are at.
+pub fn at(analysis: &Analysis, speed: f64) -> String {
+    let moves = analysis.design.model.depends_on_speed();
+    if moves { format!("at {} m/s", shortest(speed)) } else { "at every speed".to_owned() }
 }
 
 /// Its name, where it has one, and its value.

@@ -43,6 +43,15 @@ pub fn write_eigenvalues(rows: &[Row<Eigenvalues>], text: &mut String) {
     }
 }
 
+/// The eigenvalues of each row, pairs as one.
+pub fn cells(rows: &[Row<Eigenvalues>]) -> Vec<String> {
+    let text = |Entry { re, im }: &Entry| match im {
+        Some(im) => format!("{re} ± {im} i"),
+        None => re.clone(),
+    };
+    rows.iter().map(|row| entries(&row.values.values).iter().map(text).collect::<Vec<_>>().join(", ")).collect()
+}
+
 /// Pairs stand where their half with the negative imaginary part does.
 fn entries(values: &[ModeValue]) -> Vec<Entry> {
     let values = || values.iter().map(|value| value.value);

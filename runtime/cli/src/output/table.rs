@@ -48,21 +48,25 @@ fn write_critical_speeds(analysis: &Analysis, text: &mut String) {
     let speeds: Vec<String> = stability.critical_speeds.iter().map(|critical| shortest(critical.speed)).collect();
     let width = width(&speeds, 20);
     for critical in &stability.critical_speeds {
-        let CriticalSpeed { kind, speed, eigenvalue, .. } = critical;
         let name = analysis::name(critical, analysis.design.info()).replace('_', " ");
-        let at = match kind {
-            CriticalKind::Weave => format!("±{} i", fixed(eigenvalue.im.abs(), 4)),
-            CriticalKind::Capsize => "0".to_owned(),
-            CriticalKind::DoubleRoot => double_root(*eigenvalue),
-        };
-        let change = describe_effect(stability, critical);
-        let _ = writeln!(text, "  {name:<13}{:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}", shortest(*speed));
+        let (at, change) = (critical_eigenvalue(critical), describe_effect(stability, critical));
+        let speed = shortest(critical.speed);
+        let _ = writeln!(text, "  {name:<13}{speed:<width$}{FAINT}{change}, at λ = {at}{FAINT:#}");
     }
     if stability.critical_speeds.is_empty() {
         let _ = writeln!(text, "  {}", if stability.undecided.is_empty() { "none" } else { "none found" });
     }
     write_undecided(stability, text);
     write_ranges(stability, text);
+}
+
+/// The eigenvalue, or the pair, at a critical speed.
+pub fn critical_eigenvalue(CriticalSpeed { kind, eigenvalue, .. }: &CriticalSpeed) -> String {
+    match kind {
+        CriticalKind::Weave => format!("±{} i", fixed(eigenvalue.im.abs(), 4)),
+        CriticalKind::Capsize => "0".to_owned(),
+        CriticalKind::DoubleRoot => double_root(*eigenvalue),
+    }
 }
 
 /// Where two eigenvalues meet; off the real axis their conjugates meet as well.
@@ -96,15 +100,32 @@ pub fn effect(change: Change, verdicts: [Verdict; 2]) -> &'static str {
     }
 }
 
+/// The eigenvalues of named modes, and of those without a name, each column from top to bottom.
+pub struct ModeCells {
+    pub casterings: Vec<String>,
+    pub capsizes: Vec<String>,
+    /// With their parts below each other.
+    pub weaves: Vec<String>,
+    pub others: Vec<String>,
+}
+
+impl ModeCells {
+    pub fn of(rows: &[ModeRow]) -> Self {
+        let of = |mode: Mode| rows.iter().map(move |row| with_mode(row, |other| other == mode));
+        let one = |values: Vec<ModeValue>| if values.is_empty() { ABSENT.to_owned() } else { joined(&values) };
+        let is_nameless = |mode| matches!(mode, Mode::Real | Mode::Oscillatory);
+        Self {
+            casterings: of(Mode::Castering).map(one).collect(),
+            capsizes: of(Mode::Capsize).map(one).collect(),
+            weaves: aligned(&of(Mode::Weave).map(|values| pair(&values)).collect::<Vec<_>>()),
+            others: rows.iter().map(|row| joined(&with_mode(row, is_nameless))).collect(),
+        }
+    }
+}
+
 fn write_modes(analysis: &Analysis, rows: &[ModeRow], text: &mut String) {
     let speeds = speeds(rows);
-    let of = |mode: Mode| rows.iter().map(move |row| with_mode(row, |other| other == mode));
-    let one = |values: Vec<ModeValue>| if values.is_empty() { ABSENT.to_owned() } else { joined(&values) };
-    let (casterings, capsizes): (Vec<_>, Vec<_>) =
-        (of(Mode::Castering).map(one).collect(), of(Mode::Capsize).map(one).collect());
-    let weaves = aligned(&of(Mode::Weave).map(|values| pair(&values)).collect::<Vec<_>>());
-    let is_nameless = |mode| matches!(mode, Mode::Real | Mode::Oscillatory);
-    let others: Vec<String> = rows.iter().map(|row| joined(&with_mode(row, is_nameless))).collect();
+    let ModeCells { casterings, capsizes, weaves, others } = ModeCells::of(rows);
     let [v, first, second] = [width(&speeds, 9), width(&casterings, 18), width(&capsizes, 18)];
     let third = width(&weaves, 26);
     // A column of its own only where there is one.

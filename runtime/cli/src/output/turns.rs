@@ -20,11 +20,7 @@ pub fn render_table(families: &Families, all: bool) -> String {
     let mut text = String::new();
     write_heading(families.design, &mut text);
     for family in &families.families {
-        let begin = match family.capsize {
-            Some(speed) => format!("from the capsize speed of {} m/s", shortest(speed)),
-            None => "that begin at no capsize speed".to_owned(),
-        };
-        let _ = writeln!(text, "\n{HEADING}Steady turns{HEADING:#} {begin}");
+        let _ = writeln!(text, "\n{HEADING}Steady turns{HEADING:#} {}", begin(family));
         let turns = shown(family, all);
         if family.capsize.is_none() && !all {
             let _ = writeln!(text, "{FAINT}beginning of the curve: {}{FAINT:#}", end(family.begin));
@@ -39,7 +35,16 @@ pub fn render_table(families: &Families, all: bool) -> String {
     text
 }
 
-fn shown(family: &Family, all: bool) -> Vec<&Turn> {
+/// Where the curve begins.
+pub fn begin(family: &Family) -> String {
+    match family.capsize {
+        Some(speed) => format!("from the capsize speed of {} m/s", shortest(speed)),
+        None => "that begin at no capsize speed".to_owned(),
+    }
+}
+
+/// All turns, or some of them.
+pub fn shown(family: &Family, all: bool) -> Vec<&Turn> {
     let last = family.turns.len().saturating_sub(1);
     let each = if all { 1 } else { family.turns.len().div_ceil(SHOWN).max(1) };
     family
@@ -51,10 +56,8 @@ fn shown(family: &Family, all: bool) -> Vec<&Turn> {
         .collect()
 }
 
-fn write_turns(families: &Families, turns: &[&Turn], text: &mut String) {
-    if turns.is_empty() {
-        return;
-    }
+/// The headings of the columns, and the cells of each turn, but for the verdict.
+pub fn cells(families: &Families, turns: &[&Turn]) -> (Vec<String>, Vec<Vec<String>>) {
     let mut headings = vec!["v (m/s)".to_owned(), "radius (m)".to_owned()];
     for (_, told) in &families.positions {
         let label = if told.label == told.name { String::new() } else { format!("{} ", told.label) };
@@ -76,6 +79,14 @@ fn write_turns(families: &Families, turns: &[&Turn], text: &mut String) {
             row.into_iter().map(|cell| if cell == "-0.0000" { "0.0000".to_owned() } else { cell }).collect()
         })
         .collect();
+    (headings, rows)
+}
+
+fn write_turns(families: &Families, turns: &[&Turn], text: &mut String) {
+    if turns.is_empty() {
+        return;
+    }
+    let (headings, rows) = cells(families, turns);
     let widths: Vec<usize> = (0..headings.len())
         .map(|column| width(rows.iter().map(|row| &row[column]).chain([&headings[column]]), 0))
         .collect();

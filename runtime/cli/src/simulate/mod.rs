@@ -17,7 +17,7 @@ pub use self::options::Options;
 
 use self::progress::Progress;
 use crate::options::Format;
-use crate::output;
+use crate::output::{self, documents};
 use crate::terminal::{WARNING, deliver, note};
 
 /// Rows of a table for people, and of what is read by programs or drawn.
@@ -31,7 +31,7 @@ const DRAWN: u32 = 600;
 /// # Errors
 /// Everything that is wrong with the request; that there is no motion; or that a file cannot be read or written.
 pub fn run(options: &Options) -> Result<(), Failure> {
-    let default_rows = if options.format == Format::Table { COARSE } else { FINE };
+    let default_rows = if options.format.is_read() { COARSE } else { FINE };
     let times = times::times(&options.duration, options.step.as_deref(), default_rows);
     let speed = options.speed.as_deref().map(speed).transpose();
     let mut problems = files(options);
@@ -132,6 +132,7 @@ fn beside<'a>(
 fn tell(motion: &Motion, options: &Options) -> Result<(), Failure> {
     deliver(options.output.as_deref(), |output| match options.format {
         Format::Table => output.write_all(output::motion::render_table(motion).as_bytes()),
+        Format::Document(language) => output.write_all(documents::of_motion(motion).write(language).as_bytes()),
         Format::Json => data::motion::write_json(motion, output),
         Format::Csv => data::motion::write_csv(motion, output),
     })

@@ -68,7 +68,7 @@ pub struct Options {
     /// Solves the linear equations, not the nonlinear ones
     #[arg(long)]
     pub linear: bool,
-    /// table, json or csv
+    /// table, markdown, latex, json or csv
     #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
     pub format: Format,
     #[arg(long, value_name = "FILE", help = "Where the result goes [default: stdout]")]

@@ -37,7 +37,7 @@ pub fn write_deviations(changes: &Changes, text: &mut String) {
 }
 
 /// The parameters that contribute most to the variance, with their shares.
-fn contributions(changes: &Changes, derivatives: &Derivatives) -> String {
+pub fn contributions(changes: &Changes, derivatives: &Derivatives) -> String {
     let shares = derivatives.variance_shares.as_deref().unwrap_or_default();
     let mut order: Vec<usize> = (0..shares.len()).filter(|&i| shares[i] >= 0.005).collect();
     order.sort_by(|&a, &b| shares[b].total_cmp(&shares[a]));
@@ -46,10 +46,11 @@ fn contributions(changes: &Changes, derivatives: &Derivatives) -> String {
     if parts.is_empty() { String::new() } else { format!("of the variance {}", parts.join(", ")) }
 }
 
-fn write_matrices(changes: &Changes, text: &mut String) {
+/// The entries of each matrix, with their deviations.
+pub fn matrices_with_deviations(changes: &Changes) -> Vec<Vec<Vec<String>>> {
     let found = changes.matrix_deviations.iter().flat_map(|deviations| deviations.matrices());
     let matrices = matrices(&changes.design);
-    let rows: Vec<Vec<Vec<String>>> = matrices
+    matrices
         .iter()
         .map(|matrix| {
             let deviations = found.clone().find(|(name, _)| name.name() == matrix.name).map(|(_, rows)| rows);
@@ -58,7 +59,11 @@ fn write_matrices(changes: &Changes, text: &mut String) {
             };
             (0..matrix.rows.len()).map(|i| (0..matrix.rows.len()).map(|j| entry(i, j)).collect()).collect()
         })
-        .collect();
+        .collect()
+}
+
+fn write_matrices(changes: &Changes, text: &mut String) {
+    let (matrices, rows) = (matrices(&changes.design), matrices_with_deviations(changes));
     let column = width(rows.iter().flatten().flatten(), 20);
     for (matrix, rows) in matrices.iter().zip(&rows) {
         for (index, row) in rows.iter().enumerate() {
@@ -70,7 +75,7 @@ fn write_matrices(changes: &Changes, text: &mut String) {
 }
 
 /// `4.195 ± 0.034`: the deviation to two digits, and the value to as many decimals.
-fn with_deviation(value: f64, deviation: f64) -> String {
+pub fn with_deviation(value: f64, deviation: f64) -> String {
     // Adding zero turns -0 into 0.
     let value = value + 0.0;
     if deviation == 0.0 {

@@ -3,4 +3,5 @@
 mod deviations;
 mod table;
 
-pub use self::table::render_table;
+pub use self::deviations::{contributions, matrices_with_deviations, with_deviation};
+pub use self::table::{RANKING, RANKING_MORE, notes, ranking, render_table};

@@ -13,6 +13,10 @@ use crate::output::ranges::{write_ranges, write_undecided};
 use crate::output::table::{describe_effect, write_heading};
 use crate::output::{FAINT, HEADING};
 
+/// What the ranking is of.
+pub const RANKING: &str = "What 1 % of a parameter changes";
+pub const RANKING_MORE: &str = "and the derivative (m/s per unit); the largest effect first";
+
 /// Writing to a string cannot fail, so that the results of `write!` are dropped throughout.
 pub fn render_table(changes: &Changes) -> String {
     let mut text = String::new();
@@ -55,12 +59,10 @@ fn write_critical_speeds(changes: &Changes, text: &mut String) {
     write_ranges(&changes.stability, text);
 }
 
-fn write_ranking(changes: &Changes, text: &mut String) {
+/// The columns of the ranking, each with its heading and a line for every parameter that has an effect: names, values, what 1 %
+/// is, units, and behind them for each ranked speed the effect and the derivative.
+pub fn ranking(changes: &Changes) -> Vec<(String, Vec<String>)> {
     let (info, ranked, order) = (changes.design.info(), changes.ranked(), changes.order());
-    let _ = writeln!(
-        text,
-        "\n{HEADING}What 1 % of a parameter changes{HEADING:#} (m/s), and the derivative (m/s per unit); the largest effect first"
-    );
     let signed = |value: f64, decimals: usize| {
         if value == 0.0 {
             return "0".to_owned();
@@ -92,6 +94,35 @@ fn write_ranking(changes: &Changes, text: &mut String) {
         columns.push((name, lines(&effect)));
         columns.push(("per unit".to_owned(), lines(&|i| signed(derivatives.speed[i], 6))));
     }
+    columns
+}
+
+/// What stands below the ranking.
+pub fn notes(changes: &Changes) -> Vec<String> {
+    let (info, order) = (changes.design.info(), changes.order());
+    let mut notes = Vec::new();
+    let others = (0..info.parameters.len()).filter(|i| !order.contains(i));
+    let without: Vec<&str> = others.map(|i| info.parameters[i].name).collect();
+    if changes.are_entries() {
+        notes.push("each entry by itself; the derivatives by entries that are zero are in CSV and JSON".to_owned());
+    } else if !without.is_empty() {
+        notes.push(format!("without effect: {}", without.join(", ")));
+    }
+    if order.iter().any(|&i| matches!(changes.steps[i], Step::OfScale(_))) {
+        notes.push(
+            "* zero itself, so 1 % of the median size of the others in the same unit; of an angle, of a radian"
+                .to_owned(),
+        );
+    }
+    if order.iter().any(|&i| changes.steps[i] == Step::Unknown) {
+        notes.push("- zero, as all others in the same unit are: there is only the derivative".to_owned());
+    }
+    notes
+}
+
+fn write_ranking(changes: &Changes, text: &mut String) {
+    let _ = writeln!(text, "\n{HEADING}{RANKING}{HEADING:#} (m/s), {RANKING_MORE}");
+    let columns = ranking(changes);
     let widths: Vec<usize> = columns.iter().map(|(header, lines)| width(lines.iter().chain([header]), 8)).collect();
     let row = |cell: &dyn Fn(usize) -> String| {
         let mut line = String::new();
@@ -107,23 +138,10 @@ fn write_ranking(changes: &Changes, text: &mut String) {
         line.trim_end().to_owned()
     };
     let _ = writeln!(text, "{FAINT}{}{FAINT:#}", row(&|column| columns[column].0.clone()));
-    for index in 0..order.len() {
+    for index in 0..columns[0].1.len() {
         let _ = writeln!(text, "{}", row(&|column| columns[column].1[index].clone()));
     }
-    let without: Vec<&str> =
-        (0..values.len()).filter(|i| !order.contains(i)).map(|i| info.parameters[i].name).collect();
-    if changes.are_entries() {
-        let _ = writeln!(text, "  each entry by itself; the derivatives by entries that are zero are in CSV and JSON");
-    } else if !without.is_empty() {
-        let _ = writeln!(text, "  without effect: {}", without.join(", "));
-    }
-    if order.iter().any(|&i| matches!(changes.steps[i], Step::OfScale(_))) {
-        let _ = writeln!(
-            text,
-            "  * zero itself, so 1 % of the median size of the others in the same unit; of an angle, of a radian"
-        );
-    }
-    if order.iter().any(|&i| changes.steps[i] == Step::Unknown) {
-        let _ = writeln!(text, "  - zero, as all others in the same unit are: there is only the derivative");
+    for note in notes(changes) {
+        let _ = writeln!(text, "  {note}");
     }
 }
