@@ -5,6 +5,7 @@ mod limits;
 mod options;
 mod output;
 mod picture;
+mod ports;
 mod simulate;
 mod sweep;
 mod terminal;

@@ -45,6 +45,18 @@ pub fn deliver(path: Option<&Path>, data: impl FnOnce(&mut dyn Write) -> std::io
     Ok(())
 }
 
+/// Writes bytes to a file, as they are, and tells so.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn save(path: &Path, data: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
+    let fail = |error: std::io::Error| Failure::Run(format!("cannot write {}: {error}", path.display()));
+    let mut file = BufWriter::new(File::create(path).map_err(fail)?);
+    data(&mut file).and_then(|()| file.flush()).map_err(fail)?;
+    wrote(path);
+    Ok(())
+}
+
 /// A reader that has seen enough is no failure.
 fn written(result: std::io::Result<()>) -> Result<(), Failure> {
     match result {

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod files;
 mod ports;
 mod signal;
 mod state_space;

@@ -45,6 +45,18 @@ impl Order {
     }
 }
 
+impl Signal {
+    /// Its derivative by the time, as the rows of A are of: `phi_rate'`.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let unit = match self.unit.strip_suffix("/s") {
+            Some(unit) => format!("{unit}/s^2"),
+            None => format!("{}/s", self.unit),
+        };
+        Self { name: format!("{}'", self.name), label: format!("derivative of {}", self.label), unit }
+    }
+}
+
 impl From<&CoordinateInfo> for Quantity {
     fn from(&CoordinateInfo { name, label, unit, .. }: &CoordinateInfo) -> Self {
         Self { name, label, unit }

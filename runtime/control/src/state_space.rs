@@ -46,6 +46,8 @@ pub struct StateSpace {
     pub inputs: Vec<Signal>,
     /// What the outputs are.
     pub outputs: Vec<Signal>,
+    /// The forward speed in m/s; nothing where the equations do not depend on it.
+    pub speed: Option<f64>,
 }
 
 impl StateSpace {
@@ -86,6 +88,7 @@ impl StateSpace {
             states,
             inputs: inputs.iter().map(|&input| ports.inputs[input].clone()).collect(),
             outputs: outputs.iter().map(|&output| ports.signal(output)).collect(),
+            speed: design.model.depends_on_speed().then_some(speed),
         };
         if [&space.a, &space.b, &space.c, &space.d].into_iter().flatten().any(|entry| !entry.is_finite()) {
             return Err(fail("the state space leaves the range of floating-point numbers".to_owned()));
@@ -106,6 +109,7 @@ impl StateSpace {
             states: self.states.clone(),
             inputs: vec![self.inputs[input].clone()],
             outputs: vec![self.outputs[output].clone()],
+            speed: self.speed,
         }
     }
 

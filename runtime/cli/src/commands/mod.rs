@@ -7,6 +7,7 @@ mod equations;
 mod lists;
 mod sensitivity;
 mod show;
+mod statespace;
 mod turns;
 
 use std::error::Error as _;
@@ -36,6 +37,8 @@ Examples:
   carvallo simulate --speed 4.6 --initial phi_rate=0.5 --duration 10
                                                The motion of the benchmark bicycle after a push
   carvallo bicycles --format latex             A table for a paper, as most commands give one
+  carvallo statespace --speed 5 --inputs Tdelta --output bicycle.mat
+                                               A, B, C and D for MATLAB, Python and others
   carvallo equations --format latex            The equations of motion, with all definitions
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set
 
@@ -70,6 +73,7 @@ enum Command {
     Equations(equations::Options),
     Simulate(Box<simulate::Options>),
     Turns(turns::Options),
+    Statespace(statespace::Options),
     Sweep(Box<sweep::Options>),
 }
 
@@ -96,6 +100,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Equations(options)) => equations::run(&options),
         Some(Command::Simulate(options)) => simulate::run(&options),
         Some(Command::Turns(options)) => turns::run(&options),
+        Some(Command::Statespace(options)) => statespace::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
     }
 }

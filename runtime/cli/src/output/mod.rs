@@ -13,6 +13,7 @@ pub mod sensitivity;
 mod shapes;
 mod sketch;
 mod sorted;
+pub mod state_space;
 mod table;
 pub mod turns;
 pub mod typeset;

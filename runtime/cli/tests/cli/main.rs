@@ -19,6 +19,7 @@ mod sensitivity;
 mod shapes;
 mod show;
 mod simulate;
+mod statespace;
 mod sweep;
 mod turns;
 

@@ -1,5 +1,6 @@
 //! Held against numbers from outside: what each was made with stands beside it.
 
+mod files;
 mod state_spaces;
 
 use carvallo_design::Design;

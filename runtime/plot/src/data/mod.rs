@@ -9,6 +9,10 @@ mod layout;
 mod matrices;
 pub mod motion;
 pub mod sensitivity;
+#[cfg(feature = "control")]
+mod signals;
+#[cfg(feature = "control")]
+pub mod state_space;
 #[cfg(feature = "turns")]
 pub mod turns;
 

@@ -1,0 +1,123 @@
+//! `carvallo statespace`: the linearized motion at a speed with inputs and outputs.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use carvallo_control::files;
+use carvallo_design::{Failure, Place, Problem};
+use carvallo_plot::data;
+use clap::Args;
+
+use crate::options::{Format, problem};
+use crate::output;
+use crate::ports::PortOptions;
+use crate::terminal::{deliver, save};
+
+const HELP: &str = "\
+x' = A x + B u and y = C x + D u, with the states x, the inputs u and the outputs y, which are small deviations from
+straight running, in SI units.
+
+States are the coordinates, then their rates. Inputs are the torques on angles and the forces on lengths: Tphi, Tdelta.
+Outputs are coordinates, their rates and accelerations: phi, phi_rate, phi_acceleration, or in words lean_rate; for bicycles
+also the yaw psi and the lateral place y of the rear wheel, which become states where an output asks for them.
+
+Examples:
+  carvallo statespace --speed 5                 The benchmark bicycle, with all inputs and states
+  carvallo statespace --speed 5 --inputs Tdelta --outputs phi,delta,phi_rate
+  carvallo statespace pista --speed '18 km/h' --outputs psi_rate,y_acceleration --format json
+  carvallo statespace --speed 5 --output bicycle.npz
+                                                For NumPy: control.ss(f[\"A\"], f[\"B\"], f[\"C\"], f[\"D\"])
+  carvallo statespace --speed 5 --output bicycle.mat
+                                                For MATLAB and Octave: load bicycle.mat; ss(A, B, C, D)
+  carvallo statespace --model Motorcycle --speed 20 --inputs Tdelta --outputs phi
+
+The layout of JSON, CSV and files is in docs/control.md, beside the source of this program.
+
+Exit codes: 0 done; 1 there are no equations of motion, or a file cannot be read or written; 2 wrong usage or input.";
+
+/// The state-space form at a speed, with inputs and outputs, also for NumPy and MATLAB
+#[derive(Args, Clone, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    ports: PortOptions,
+    #[arg(long, value_enum, hide_possible_values = true, help = "table, json or csv [default: table]")]
+    format: Option<Format>,
+    #[arg(long, value_name = "FILE", help = "Where the result goes; .npz, .mat, .json or .csv [default: stdout]")]
+    output: Option<File>,
+}
+
+/// A file, and what its ending names.
+#[derive(Clone, Debug)]
+struct File {
+    path: PathBuf,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Text(Format),
+    Npz,
+    Mat,
+}
+
+impl FromStr for File {
+    type Err = Problem;
+
+    fn from_str(text: &str) -> Result<Self, Problem> {
+        let path = PathBuf::from(text);
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+        let kind = match ending.as_str() {
+            "npz" => Kind::Npz,
+            "mat" => Kind::Mat,
+            "json" => Kind::Text(Format::Json),
+            "csv" => Kind::Text(Format::Csv),
+            "txt" => Kind::Text(Format::Table),
+            _ => {
+                let outputs = format!("; an output of the state space is --outputs {text}");
+                let hint = if ending.is_empty() { outputs.as_str() } else { "" };
+                return Err(problem(format!("the name must end in .npz, .mat, .json, .csv or .txt{hint}")));
+            }
+        };
+        Ok(Self { path, kind })
+    }
+}
+
+impl File {
+    /// Where it was asked for.
+    fn place(&self) -> Place {
+        Place::Option(format!("--output {}", self.path.display()))
+    }
+}
+
+pub fn run(options: &Options) -> Result<(), Failure> {
+    let file = options.output.as_ref();
+    let kind = kind(options.format, file)?;
+    if let Some(file) = file.filter(|file| options.ports.design.request().reads(&file.path)) {
+        return Err(Failure::at(file.place(), "the parameters are read from this file"));
+    }
+    let (design, space) = options.ports.load()?;
+    let path = file.map(|file| file.path.as_path());
+    match (kind, path) {
+        (Kind::Text(Format::Json), _) => deliver(path, |output| data::state_space::write_json(&design, &space, output)),
+        (Kind::Text(Format::Csv), _) => deliver(path, |output| data::state_space::write_csv(&space, output)),
+        (Kind::Npz, Some(path)) => save(path, |output| files::write_npz(&space, output)),
+        (Kind::Mat, Some(path)) => save(path, |output| files::write_mat(&space, output)),
+        (Kind::Text(Format::Table) | Kind::Npz | Kind::Mat, _) => {
+            let text = output::state_space::render_table(&design, &space);
+            deliver(path, |output| output.write_all(text.as_bytes()))
+        }
+    }
+}
+
+/// What is written: what the ending of the file names, and else the format.
+fn kind(format: Option<Format>, file: Option<&File>) -> Result<Kind, Failure> {
+    match (format, file) {
+        (None, None) => Ok(Kind::Text(Format::Table)),
+        (Some(format), None) => Ok(Kind::Text(format)),
+        (Some(format), Some(file)) if file.kind != Kind::Text(format) => {
+            Err(Failure::at(file.place(), "the ending of its name is that of another format than --format"))
+        }
+        (_, Some(file)) => Ok(file.kind),
+    }
+}
