@@ -9,7 +9,8 @@ use carvallo_plot::data;
 use clap::Args;
 
 use crate::options::{Format, problem};
-use crate::output;
+use crate::output::documents;
+use crate::output::typeset::Language;
 use crate::ports::PortOptions;
 use crate::terminal::{deliver, save};
 
@@ -41,9 +42,18 @@ Exit codes: 0 done; 1 there are no equations of motion, or a file cannot be read
 pub struct Options {
     #[command(flatten)]
     ports: PortOptions,
-    #[arg(long, value_enum, hide_possible_values = true, help = "table, json or csv [default: table]")]
+    #[arg(
+        long,
+        value_enum,
+        hide_possible_values = true,
+        help = "table, markdown, latex, json or csv [default: table]"
+    )]
     format: Option<Format>,
-    #[arg(long, value_name = "FILE", help = "Where the result goes; .npz, .mat, .json or .csv [default: stdout]")]
+    #[arg(
+        long,
+        value_name = "FILE",
+        help = "Where the result goes; .npz, .mat, .json, .csv, .md, .tex or .txt [default: stdout]"
+    )]
     output: Option<File>,
 }
 
@@ -73,10 +83,12 @@ impl FromStr for File {
             "json" => Kind::Text(Format::Json),
             "csv" => Kind::Text(Format::Csv),
             "txt" => Kind::Text(Format::Table),
+            "md" => Kind::Text(Format::Document(Language::Markdown)),
+            "tex" => Kind::Text(Format::Document(Language::Latex)),
             _ => {
                 let outputs = format!("; an output of the state space is --outputs {text}");
                 let hint = if ending.is_empty() { outputs.as_str() } else { "" };
-                return Err(problem(format!("the name must end in .npz, .mat, .json, .csv or .txt{hint}")));
+                return Err(problem(format!("the name must end in .npz, .mat, .json, .csv, .md, .tex or .txt{hint}")));
             }
         };
         Ok(Self { path, kind })
@@ -103,8 +115,12 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         (Kind::Text(Format::Csv), _) => deliver(path, |output| data::state_space::write_csv(&space, output)),
         (Kind::Npz, Some(path)) => save(path, |output| files::write_npz(&space, output)),
         (Kind::Mat, Some(path)) => save(path, |output| files::write_mat(&space, output)),
+        (Kind::Text(Format::Document(language)), _) => {
+            let text = documents::of_state_space(&design, &space).write(language);
+            deliver(path, |output| output.write_all(text.as_bytes()))
+        }
         (Kind::Text(Format::Table) | Kind::Npz | Kind::Mat, _) => {
-            let text = output::state_space::render_table(&design, &space);
+            let text = documents::of_state_space(&design, &space).at_terminal();
             deliver(path, |output| output.write_all(text.as_bytes()))
         }
     }

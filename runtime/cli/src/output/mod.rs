@@ -13,7 +13,6 @@ pub mod sensitivity;
 mod shapes;
 mod sketch;
 mod sorted;
-pub mod state_space;
 mod table;
 pub mod turns;
 pub mod typeset;

@@ -32,8 +32,8 @@ fn every_format_has_the_same_numbers() {
     assert_eq!(row[1..].iter().map(|cell| cell.parse().expect("a number")).collect::<Vec<f64>>(), lean);
 
     let table = directory.run(&[&asked[..], &["table"]].concat()).ok();
-    assert!(table.contains("  phi_rate'             9.489774    -22.851467     -0.527612     -1.652577\n"), "{table}");
-    assert!(table.contains("  outputs y  lean phi (rad), yaw rate psi_rate (rad/s)\n"), "{table}");
+    assert!(table.contains("  phi_rate'      9.489774  -22.851467   -0.527612   -1.652577\n"), "{table}");
+    assert!(table.contains("  output y    psi_rate    yaw rate      rad/s\n"), "{table}");
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn mistakes_are_told_at_once() {
         .fails(2, "error: expected --speed V, which the equations of motion depend on, such as --speed 5\n");
     directory.run(&["statespace", "--speed", "5", "--output", "phi"]).fails(
         2,
-        "error: --output phi: the name must end in .npz, .mat, .json, .csv or .txt; an output of the state space is --outputs \
+        "error: --output phi: the name must end in .npz, .mat, .json, .csv, .md, .tex or .txt; an output of the state space is --outputs \
          phi\n",
     );
     directory.run(&["statespace", "--model", "Car", "--speed", "0"]).fails(

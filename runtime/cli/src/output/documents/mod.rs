@@ -6,6 +6,7 @@ mod bicycles;
 mod models;
 mod motion;
 mod sensitivity;
+mod state_space;
 mod turns;
 
 pub use self::along::of_along;
@@ -14,6 +15,7 @@ pub use self::bicycles::of_bicycles;
 pub use self::models::of_models;
 pub use self::motion::of_motion;
 pub use self::sensitivity::of_sensitivity;
+pub use self::state_space::of_state_space;
 pub use self::turns::of_turns;
 
 use carvallo_design::Design;

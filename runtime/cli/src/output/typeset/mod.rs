@@ -5,6 +5,7 @@
 
 mod latex;
 mod markdown;
+mod terminal;
 
 use carvallo::ParameterInfo;
 
@@ -63,6 +64,11 @@ impl Document {
             Language::Markdown => markdown::write(self),
             Language::Latex => latex::write(self),
         }
+    }
+
+    /// The document at a terminal.
+    pub fn at_terminal(&self) -> String {
+        terminal::write(self)
     }
 }
 
