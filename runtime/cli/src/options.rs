@@ -27,6 +27,9 @@ pub struct DesignOptions {
     /// Replaces a parameter; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<Setting>,
+    /// A force that follows from the motion, such as 'Tdelta = -10*phi_rate + 3*v*phi'; may be given several times
+    #[arg(long, value_name = "FORCE=LAW", allow_hyphen_values = true)]
+    feedback: Vec<String>,
 }
 
 impl DesignOptions {
@@ -41,6 +44,7 @@ impl DesignOptions {
             model: self.model.clone(),
             parameters: self.design.clone(),
             overrides: settings.chain(gravity).collect(),
+            feedback: self.feedback.iter().map(|law| (format!("--feedback '{law}'"), law.clone())).collect(),
         }
     }
 

@@ -3,6 +3,7 @@
 use carvallo::{Model as _, ModelInfo};
 use carvallo_models::{WhippleMechanism, WhippleMechanismKinematics};
 
+use crate::feedback::Law;
 use crate::model::{Equations, MachineVisitor, Shipped};
 
 /// A machine as it was given by its parameters, with its equations of motion.
@@ -14,11 +15,13 @@ pub struct Design {
     pub kind: Option<String>,
     /// Where the parameters come from.
     pub source: Option<String>,
-    /// The model that the parameters are for.
+    /// The model that the parameters are for, with the feedback.
     pub model: &'static Shipped,
     /// The parameters in the order of the model.
     pub parameters: Vec<Given>,
-    /// What the model makes of them.
+    /// The forces that follow from the motion besides those of the model.
+    pub feedback: Vec<Law>,
+    /// What the model makes of them, with the loops of feedback closed.
     pub equations: Box<dyn Equations>,
     /// What was read but not used, or taken because it was not given.
     pub notes: Vec<String>,
@@ -54,7 +57,9 @@ impl Design {
 
     /// Its name; for other models than that of the bicycles, after the name of the model.
     pub fn title(&self) -> String {
-        if self.model.is_whipple() { self.name.clone() } else { format!("{} {}", self.info().name, self.name) }
+        let feedback = if self.feedback.is_empty() { "" } else { " with feedback" };
+        let model = if self.model.is_whipple() { String::new() } else { format!("{} ", self.info().name) };
+        format!("{model}{}{feedback}", self.name)
     }
 
     /// The value of the parameter called `name`.
@@ -67,9 +72,12 @@ impl Design {
         self.parameters.iter().map(|given| given.value).collect()
     }
 
-    /// Hands the machine that the nonlinear equations of motion are of to a visitor; whether there are any. The parameters of a
-    /// shipped bicycle are those of the four bodies.
+    /// Hands the machine that the nonlinear equations of motion are of to a visitor; whether there are any: with feedback there
+    /// are none. The parameters of a shipped bicycle are those of the four bodies.
     pub fn with_machine(&self, visitor: MachineVisitor) -> bool {
+        if !self.feedback.is_empty() {
+            return false;
+        }
         let bodies = WhippleMechanism::INFO;
         let model = if self.model.is_whipple() { Shipped::called(bodies.name).ok() } else { Some(self.model) };
         let Some(model) = model else { return false };

@@ -19,6 +19,10 @@ pub fn write(design: &Design, comment: &dyn Fn(&str) -> String) -> String {
             line(format!("{key} = {}", quoted(value)));
         }
     }
+    if !design.feedback.is_empty() {
+        let laws: Vec<String> = design.feedback.iter().map(|law| quoted(&law.written)).collect();
+        line(format!("feedback = [{}]", laws.join(", ")));
+    }
     for warning in &design.warnings {
         line(comment(&format!("# warning: {warning}")));
     }
@@ -69,8 +73,9 @@ fn write_matrices(design: &Design, comment: &dyn Fn(&str) -> String, text: &mut 
     });
     text.push_str(&format!("coordinates = [{}]\n", coordinates.collect::<Vec<_>>().join(", ")));
     let count = info.coordinates.len();
-    let (entries, gravity) = design.parameters.split_at(info.matrices.len() * count * count);
-    for (matrix, entries) in info.matrices.iter().zip(entries.chunks(count * count)) {
+    let matrices = design.model.open.matrices;
+    let (entries, gravity) = design.parameters.split_at(matrices.len() * count * count);
+    for (matrix, entries) in matrices.iter().zip(entries.chunks(count * count)) {
         let entries: Vec<String> = entries.iter().map(entry).collect();
         let width = entries.iter().map(|entry| entry.chars().count()).max().unwrap_or(0);
         let row = |row: &[String]| row.iter().map(|entry| format!("{entry:>width$}")).collect::<Vec<_>>().join(", ");

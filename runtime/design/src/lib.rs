@@ -14,6 +14,7 @@ mod bodies;
 mod capacity;
 mod design;
 mod failure;
+pub mod feedback;
 pub mod file;
 pub mod input;
 pub mod matrices;

@@ -56,6 +56,7 @@ impl Described {
             source: about.source.clone(),
             model,
             parameters: values.iter().zip(&about.deviations).map(given).collect(),
+            feedback: Vec::new(),
             equations: model.equations(values).map_err(Failure::usage)?,
             notes: Vec::new(),
             warnings: Vec::new(),

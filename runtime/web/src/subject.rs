@@ -29,7 +29,12 @@ impl Subject {
         let overrides: Vec<_> = self.changes.iter().map(place).collect();
         let design = match (&self.label, &self.text) {
             (Some(label), Some(text)) => input::read_changed(label, text.clone().into_bytes(), &overrides),
-            _ => input::load(&Request { model: self.model.clone(), parameters: self.set.clone(), overrides }),
+            _ => input::load(&Request {
+                model: self.model.clone(),
+                parameters: self.set.clone(),
+                overrides,
+                ..Request::default()
+            }),
         };
         let design = design?;
         Ok(match &self.name {

@@ -21,6 +21,8 @@ Examples:
   carvallo analyze --set 'w=102 cm' --set c=0   The benchmark bicycle, changed
   carvallo analyze my-bike.toml --plot my-bike.png
   carvallo analyze --along mB=60:120 --speed 5  Against the mass of the rider and frame, at 5 m/s
+  carvallo analyze --feedback 'Tdelta = 10*(4.7 - v)*phi_rate'
+                                                With a motor that steers into the fall, up to 4.7 m/s
   carvallo analyze matrices.json                Matrices M, C1, K0, … of 1 to 12 coordinates
   carvallo analyze --speeds 5 --eigenvectors    The shapes of the modes: sizes and phases of lean and steer
 

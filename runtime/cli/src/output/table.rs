@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use carvallo::{Change, Complex, CriticalKind, CriticalSpeed, Mode, ModeValue, Stability, Verdict};
+use carvallo_design::feedback::Law;
 use carvallo_design::number::{fixed, shortest};
 use carvallo_design::{Design, Shape};
 use carvallo_plot::analysis::{self, Analysis, ModeRow, ROUNDING, Rows};
@@ -39,6 +40,9 @@ pub fn write_heading(design: &Design, text: &mut String) {
     let _ = writeln!(text, "{HEADING}{}{HEADING:#}{kind}", design.title());
     if let Some(source) = &design.source {
         let _ = writeln!(text, "{FAINT}{source}{FAINT:#}");
+    }
+    for Law { written, .. } in &design.feedback {
+        let _ = writeln!(text, "feedback {written}");
     }
 }
 

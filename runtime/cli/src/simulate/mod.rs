@@ -52,7 +52,10 @@ pub fn run(options: &Options) -> Result<(), Failure> {
         done = Some(asked.simulate(&Nonlinear::new(machine)));
     });
     if !has_nonlinear {
-        let text = format!("the model {} has no nonlinear equations; these are the linear ones", design.info().name);
+        let text = match design.feedback[..] {
+            [] => format!("the model {} has no nonlinear equations; these are the linear ones", design.info().name),
+            _ => "feedback is of the linear equations; these are they".to_owned(),
+        };
         note(WARNING, "note", &text);
     }
     done.unwrap_or_else(|| asked.simulate(&Linear::new(&design)))

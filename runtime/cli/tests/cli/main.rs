@@ -5,6 +5,7 @@ mod analyze;
 mod documents;
 mod equations;
 mod extremes;
+mod feedback;
 mod formats;
 mod hints;
 mod matrices;

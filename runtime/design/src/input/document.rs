@@ -4,6 +4,9 @@ use super::tables::Named;
 use crate::failure::{Place, Problem};
 use crate::matrices::Form;
 
+/// What laws of feedback stand under.
+pub const FEEDBACK: &str = "feedback";
+
 /// A parameter file, with its values still as they were written.
 #[derive(Debug, Default)]
 pub struct Document {
@@ -11,6 +14,8 @@ pub struct Document {
     pub kind: Option<String>,
     pub source: Option<String>,
     pub model: Option<String>,
+    /// The laws of feedback.
+    pub feedback: Vec<(Place, String)>,
     /// In the order of the file.
     pub entries: Vec<Entry>,
     /// What describes the file where its parameters stand in a group of their own.
@@ -72,6 +77,16 @@ impl File<'_> {
 }
 
 impl Document {
+    /// Takes a law of feedback; whether there is one under this name.
+    pub fn take_law(&mut self, key: &str, place: &Place, text: &str) -> bool {
+        // An assignment of a number may have any name.
+        let is_law = key == FEEDBACK && text.contains('=');
+        if is_law {
+            self.feedback.push((place.clone(), text.to_owned()));
+        }
+        is_law
+    }
+
     /// Takes the text of a heading such as `name` or `source`; whether it is one.
     pub fn take_heading(&mut self, key: &str, text: &str) -> bool {
         let heading = match key {

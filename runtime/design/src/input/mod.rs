@@ -40,6 +40,8 @@ pub struct Request {
     pub parameters: Option<String>,
     /// Values from the command line: the option as it was given, the name and the value.
     pub overrides: Vec<(String, String, String)>,
+    /// Laws of feedback from the command line, each with the option as it was given. A file's law for the same force gives way.
+    pub feedback: Vec<(String, String)>,
 }
 
 impl Request {
@@ -47,6 +49,13 @@ impl Request {
     pub fn reads(&self, path: &Path) -> bool {
         self.parameters.as_ref().is_some_and(|parameters| is_same_file(Path::new(parameters), path))
     }
+}
+
+/// What replaces something of a file.
+#[derive(Default)]
+struct Changes {
+    overrides: Vec<Entry>,
+    laws: Vec<(Place, String)>,
 }
 
 /// Whether two paths are of one file, which is there.
@@ -75,7 +84,8 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
         )));
     };
     let (label, document) = open(shipped, name)?;
-    resolve(document, label, asked, overrides)
+    let laws = request.feedback.iter().map(|(option, law)| (Place::Option(option.clone()), law.clone())).collect();
+    resolve(document, label, asked, Changes { overrides, laws })
 }
 
 /// Reads and judges what ships for a model under a name, or a file for it.
@@ -84,7 +94,7 @@ pub fn load(request: &Request) -> Result<Design, Failure> {
 /// Everything that is wrong with the name or the file, or that the file cannot be read.
 pub fn load_for(model: &'static Shipped, name: &str) -> Result<Design, Failure> {
     let (label, document) = open(Some(model), name)?;
-    resolve(document, label, Some(Kind::Shipped(model)), Vec::new())
+    resolve(document, label, Some(Kind::Shipped(model)), Changes::default())
 }
 
 /// Judges values for a model, each with its name as files have it.
@@ -98,7 +108,7 @@ pub fn given(
 ) -> Result<Design, Failure> {
     let entry = |(name, text): (String, String)| Entry::from_text(&name, Place::Option(label.to_owned()), &text);
     let document = Document { entries: values.into_iter().map(entry).collect(), ..Document::default() };
-    resolve(document, label, Some(Kind::Shipped(model)), Vec::new())
+    resolve(document, label, Some(Kind::Shipped(model)), Changes::default())
 }
 
 /// What ships under a name, or what is in a file or the standard input; with what it is called.
@@ -134,7 +144,8 @@ pub fn read(label: &str, bytes: Vec<u8>) -> Result<Design, Failure> {
 /// # Errors
 /// Everything that is wrong with the file or the values.
 pub fn read_changed(label: &str, bytes: Vec<u8>, overrides: &[(String, String, String)]) -> Result<Design, Failure> {
-    resolve(parse(label, bytes)?, label, None, entries(overrides))
+    let changes = Changes { overrides: entries(overrides), ..Changes::default() };
+    resolve(parse(label, bytes)?, label, None, changes)
 }
 
 fn entries(overrides: &[(String, String, String)]) -> Vec<Entry> {
@@ -144,7 +155,7 @@ fn entries(overrides: &[(String, String, String)]) -> Vec<Entry> {
 }
 
 /// Judges the parameters by the model that was asked for, or else the one that they name themselves.
-fn resolve(mut document: Document, label: &str, asked: Option<Kind>, overrides: Vec<Entry>) -> Result<Design, Failure> {
+fn resolve(mut document: Document, label: &str, asked: Option<Kind>, changes: Changes) -> Result<Design, Failure> {
     let kind = match (asked, &document.model) {
         (None, None) => Ok(Kind::Shipped(&WHIPPLE)),
         (None, Some(name)) => Kind::called(name),
@@ -165,7 +176,7 @@ fn resolve(mut document: Document, label: &str, asked: Option<Kind>, overrides: 
         (Kind::Matrices, None) => Ok(None),
     });
     match model {
-        Ok(Some(model)) => parameters::resolve(document, label, model, overrides).map_err(Failure::Input),
+        Ok(Some(model)) => parameters::resolve(document, label, model, changes).map_err(Failure::Input),
         Ok(None) => Err(Failure::Input(document.problems)),
         Err(message) => {
             document.problem(Place::File(label.to_owned()), message);

@@ -9,9 +9,10 @@ use super::entries::{Entries, Missing, Remarks, unknown};
 use super::scope::Scope;
 use super::shipped::{DEFAULT_BICYCLE, default_name};
 use super::value::{self, validate};
-use super::{magnitude, names, neutral, plausible};
+use super::{Changes, magnitude, names, neutral, plausible};
 use crate::design::{Design, Given};
 use crate::failure::{Place, Problem};
+use crate::feedback::{self, Law};
 use crate::matrices::{NAME, free};
 use crate::model::{Equations, Shipped, WHIPPLE};
 use crate::nearest::nearest;
@@ -28,7 +29,7 @@ pub fn resolve(
     document: Document,
     label: &str,
     model: &'static Shipped,
-    overrides: Vec<Entry>,
+    Changes { overrides, laws }: Changes,
 ) -> Result<Design, Vec<Problem>> {
     let info = model.info;
     let file = || Place::File(label.to_owned());
@@ -47,6 +48,7 @@ pub fn resolve(
     }
 
     check_outside(&document.outside, info, &mut remarks);
+    let laws = resolve_laws(&document.feedback, &laws, info, &mut remarks.problems);
 
     let mut zero_radii = Vec::new();
     let mut missing = Vec::new();
@@ -103,6 +105,7 @@ pub fn resolve(
     }
 
     remarks.notes.extend(neutral::replace_radii(label, model, &mut parameters, zero_radii)?);
+    let model = model.with_feedback(&laws);
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
     let equations = model.equations(&values).map_err(|message: String| vec![Problem { place: file(), message }])?;
     if info.name == NAME {
@@ -114,7 +117,25 @@ pub fn resolve(
     warnings.extend(magnitude::warnings(info, &values));
     warnings.extend(plausible::warnings(info, &values));
     let (kind, source) = (document.kind, document.source);
-    Ok(Design { name, kind, source, model, parameters, equations, notes, warnings })
+    Ok(Design { name, kind, source, model, parameters, feedback: laws, equations, notes, warnings })
+}
+
+/// The laws of a file, and those of the command line in their place where both are of one force.
+fn resolve_laws(
+    of_file: &[(Place, String)],
+    of_options: &[(Place, String)],
+    info: &ModelInfo,
+    problems: &mut Vec<Problem>,
+) -> Vec<Law> {
+    let [mut laws, others] = [of_file, of_options].map(|laws| {
+        feedback::read(laws, info).unwrap_or_else(|found| {
+            problems.extend(found);
+            Vec::new()
+        })
+    });
+    laws.retain(|law| others.iter().all(|other| other.input != law.input));
+    laws.extend(others);
+    laws
 }
 
 /// What stands outside of the group of the parameters may have been meant for one.

@@ -1,6 +1,6 @@
 //! What JSON and TOML have in common: names with values, lists and tables, and what they mean in a file of parameters.
 
-use super::document::{Document, Entry, Written};
+use super::document::{Document, Entry, FEEDBACK, Written};
 use super::matrices;
 use crate::failure::Place;
 
@@ -55,7 +55,8 @@ impl Document {
         let mut group = Vec::new();
         for Named { name, node: Node { place, value } } in members {
             match value {
-                Value::Text(text) if self.take_heading(&name, &text) => {}
+                Value::Text(text) if self.take_heading(&name, &text) || self.take_law(&name, &place, &text) => {}
+                Value::List(laws) if name == FEEDBACK => self.take_laws(laws),
                 Value::Text(text) if !has_parameters && matrices::is_text(&name, &text) => {
                     self.take_matrix_text(&name, &text, &|_| place.clone());
                 }
@@ -86,6 +87,15 @@ impl Document {
             }
         }
         self.finish_matrices(words);
+    }
+
+    fn take_laws(&mut self, laws: Vec<Node>) {
+        for Node { place, value } in laws {
+            match value {
+                Value::Text(text) => self.feedback.push((place, text)),
+                _ => self.problem(place, "`feedback` has laws in quotes, such as [\"Tdelta = -10*phi_rate\"]"),
+            }
+        }
     }
 
     /// A parameter by its value, or by a table with that and others: `{ value = …, std = …, unit = … }`.

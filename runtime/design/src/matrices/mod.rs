@@ -11,6 +11,7 @@ use carvallo::{
 
 use self::check::check;
 pub use self::check::{dependent_column, free};
+use crate::feedback::{Gain, close};
 use crate::model::{Derivation, Equations, NOT_BUILT, Sensitive, Shipped, Visitor};
 
 /// What the model of given matrices is called.
@@ -132,20 +133,20 @@ impl<const N: usize> Given<N> {
 }
 
 impl<const N: usize> Derivation for Given<N> {
-    fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
-        Ok(Box::new(self.coefficients(parameters)?))
+    fn equations(&self, parameters: &[f64], gains: &[Gain]) -> Result<Box<dyn Equations>, String> {
+        Ok(Box::new(close(self.coefficients(parameters)?, gains)))
     }
 
-    fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String> {
-        visitor(&self.coefficients(parameters)?)
+    fn visit(&self, parameters: &[f64], gains: &[Gain], visitor: Visitor) -> Result<(), String> {
+        visitor(&close(self.coefficients(parameters)?, gains))
     }
 
-    fn along(&self, _: &[f64], _: usize, _: [f64; 2], _: f64) -> Result<ParameterStability, String> {
+    fn along(&self, _: &[f64], _: &[Gain], _: usize, _: [f64; 2], _: f64) -> Result<ParameterStability, String> {
         Err(NO_PARAMETERS.to_owned())
     }
 
     /// Each entry by itself: one, where the parameter is it, in the matrix of the derivatives by it.
-    fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
+    fn sensitivity(&self, parameters: &[f64], gains: &[Gain]) -> Result<Box<dyn Sensitive>, String> {
         if !cfg!(feature = "full") {
             return Err(NOT_BUILT.to_owned());
         }
@@ -161,7 +162,8 @@ impl<const N: usize> Derivation for Given<N> {
         // Gravity, the last parameter, is in no matrix.
         let gravity = derivatives.len();
         derivatives.push(Coefficients { states: coefficients.states, ..Default::default() });
-        let sensitivity = Sensitivity::new(&coefficients, &derivatives, parameters[gravity], Some(gravity));
+        let closed = close(coefficients, gains);
+        let sensitivity = Sensitivity::new(&closed, &derivatives, parameters[gravity], Some(gravity));
         Ok(Box::new(sensitivity.map_err(|error| error.to_string())?))
     }
 }

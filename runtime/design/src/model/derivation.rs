@@ -5,19 +5,21 @@ use std::fmt::Debug;
 use std::marker::PhantomData;
 
 use carvallo::simulation::Machine;
-use carvallo::{Model, ModelInfo, ParameterStability, Sensitivity};
+use carvallo::{Model, ModelInfo, ParameterStability, Sensitivity, SensitivityError};
 
 use super::equations::Equations;
 use super::sensitive::Sensitive;
+use crate::feedback::{Gain, close};
 use crate::number::with_unit;
 
-/// What makes equations of motion from parameters, which are in declared order.
+/// What makes equations of motion from parameters, which are in declared order, with a loop that is closed by gains, if there
+/// are any.
 pub(crate) trait Derivation: Debug + Sync {
     /// The equations of motion, or which of the parameters cannot be.
-    fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String>;
+    fn equations(&self, parameters: &[f64], gains: &[Gain]) -> Result<Box<dyn Equations>, String>;
 
     /// Hands the equations of motion to a visitor, where they need no place of their own in memory.
-    fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String>;
+    fn visit(&self, parameters: &[f64], gains: &[Gain], visitor: Visitor) -> Result<(), String>;
 
     /// Hands what the nonlinear equations of motion are of to a visitor; whether there are any.
     fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
@@ -29,13 +31,14 @@ pub(crate) trait Derivation: Debug + Sync {
     fn along(
         &self,
         parameters: &[f64],
+        gains: &[Gain],
         position: usize,
         range: [f64; 2],
         speed: f64,
     ) -> Result<ParameterStability, String>;
 
     /// How the equations of motion change with the parameters.
-    fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String>;
+    fn sensitivity(&self, parameters: &[f64], gains: &[Gain]) -> Result<Box<dyn Sensitive>, String>;
 }
 
 /// What does something with a machine that moves.
@@ -54,12 +57,12 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Compiled<N, M> {
 }
 
 impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
-    fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
-        Ok(Box::new(valid::<N, M>(parameters)?.coefficients()))
+    fn equations(&self, parameters: &[f64], gains: &[Gain]) -> Result<Box<dyn Equations>, String> {
+        Ok(Box::new(close(valid::<N, M>(parameters)?.coefficients(), gains)))
     }
 
-    fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String> {
-        visitor(&valid::<N, M>(parameters)?.coefficients())
+    fn visit(&self, parameters: &[f64], gains: &[Gain], visitor: Visitor) -> Result<(), String> {
+        visitor(&close(valid::<N, M>(parameters)?.coefficients(), gains))
     }
 
     fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
@@ -72,6 +75,7 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
     fn along(
         &self,
         parameters: &[f64],
+        gains: &[Gain],
         position: usize,
         range: [f64; 2],
         speed: f64,
@@ -83,18 +87,23 @@ impl<const N: usize, M: Model<N, Scalar = f64>> Derivation for Compiled<N, M> {
         let system = |value: f64| {
             parameters[position] = value;
             let gravity = M::INFO.gravity.map_or(0.0, |position| parameters[position]);
-            let coefficients = valid::<N, M>(&parameters)?.coefficients();
+            let coefficients = close(valid::<N, M>(&parameters)?.coefficients(), gains);
             coefficients.at(speed, gravity).map_err(|error| error.to_string())
         };
         ParameterStability::new(range, system).map_err(|error| error.to_string())
     }
 
-    fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
+    fn sensitivity(&self, parameters: &[f64], gains: &[Gain]) -> Result<Box<dyn Sensitive>, String> {
         if !cfg!(feature = "full") {
             return Err(NOT_BUILT.to_owned());
         }
-        let sensitivity = Sensitivity::<N>::of_any(&valid::<N, M>(parameters)?).map_err(|error| error.to_string())?;
-        Ok(Box::new(sensitivity))
+        let model = valid::<N, M>(parameters)?;
+        let without = SensitivityError::WithoutDerivatives { model: M::INFO.name };
+        let (coefficients, derivatives) = model.derivatives().ok_or_else(|| without.to_string())?;
+        // Gains are numbers: the derivatives are those of the open loop.
+        let (closed, gravity) = (close(coefficients, gains), Model::gravity(&model).unwrap_or(0.0));
+        let sensitivity = Sensitivity::new(&closed, derivatives.as_ref(), gravity, M::INFO.gravity);
+        Ok(Box::new(sensitivity.map_err(|error| error.to_string())?))
     }
 }
 

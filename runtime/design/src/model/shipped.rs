@@ -8,13 +8,17 @@ use carvallo_models::Whipple;
 use super::derivation::{Compiled, Derivation, MachineVisitor, Visitor};
 use super::equations::Equations;
 use super::sensitive::Sensitive;
+use crate::feedback::{Gain, Law};
 
 /// A model that ships with Carvallo.
 #[derive(Clone, Copy, Debug)]
 pub struct Shipped {
     /// What the model tells about itself.
     pub info: &'static ModelInfo,
+    /// The same without feedback.
+    pub(crate) open: &'static ModelInfo,
     derivation: &'static dyn Derivation,
+    gains: &'static [Gain],
 }
 
 /// All of them.
@@ -37,12 +41,27 @@ pub const WHIPPLE: Shipped = Shipped::of::<2, Whipple>();
 impl Shipped {
     /// A model by its type.
     pub const fn of<const N: usize, M: Model<N, Scalar = f64> + 'static>() -> Self {
-        Self { info: Compiled::<N, M>::INFO, derivation: &Compiled::<N, M>(PhantomData) }
+        Self::new(Compiled::<N, M>::INFO, &Compiled::<N, M>(PhantomData))
     }
 
     /// A model by what it tells about itself and what makes its equations of motion.
     pub(crate) const fn new(info: &'static ModelInfo, derivation: &'static dyn Derivation) -> Self {
-        Self { info, derivation }
+        Self { info, open: info, derivation, gains: &[] }
+    }
+
+    /// The same model with feedback, in the place of what it may have had. It stays as long as the program runs, as other models
+    /// do. Without laws it is the model itself.
+    #[must_use]
+    pub fn with_feedback(&'static self, laws: &[Law]) -> &'static Self {
+        let gains: Vec<Gain> = laws.iter().flat_map(|law| &law.gains).copied().collect();
+        if gains.is_empty() && self.gains.is_empty() {
+            return self;
+        }
+        let has =
+            |name: &MatrixName| self.open.matrices.contains(name) || gains.iter().any(|gain| gain.matrix == *name);
+        let matrices: Vec<MatrixName> = MatrixName::ALL.into_iter().filter(has).collect();
+        let info = Box::leak(Box::new(ModelInfo { matrices: Vec::leak(matrices), ..*self.open }));
+        Box::leak(Box::new(Self { info, gains: Vec::leak(gains), ..*self }))
     }
 
     /// The model called so, in letters of either case.
@@ -74,7 +93,7 @@ impl Shipped {
     /// # Errors
     /// The first of them, or of the model's requirements, that does not hold.
     pub fn equations(&self, parameters: &[f64]) -> Result<Box<dyn Equations>, String> {
-        self.derivation.equations(parameters)
+        self.derivation.equations(parameters, self.gains)
     }
 
     /// Hands the equations of motion for parameters in declared order to a visitor: the way for many designs, since it
@@ -83,15 +102,18 @@ impl Shipped {
     /// # Errors
     /// The first of them, or of the model's requirements, that does not hold; or what the visitor says.
     pub fn visit(&self, parameters: &[f64], visitor: Visitor) -> Result<(), String> {
-        self.derivation.visit(parameters, visitor)
+        self.derivation.visit(parameters, self.gains, visitor)
     }
 
     /// Hands the machine that the nonlinear equations of motion are of to a visitor, for parameters in declared order; whether
-    /// there are any.
+    /// there are any: with feedback there are none.
     ///
     /// # Errors
     /// The first of the parameters, or of the model's requirements, that does not hold.
     pub fn with_machine(&self, parameters: &[f64], visitor: MachineVisitor) -> Result<bool, String> {
+        if !self.gains.is_empty() {
+            return Ok(false);
+        }
         self.derivation.with_machine(parameters, visitor)
     }
 
@@ -106,7 +128,7 @@ impl Shipped {
         range: [f64; 2],
         speed: f64,
     ) -> Result<ParameterStability, String> {
-        self.derivation.along(parameters, position, range, speed)
+        self.derivation.along(parameters, self.gains, position, range, speed)
     }
 
     /// How the equations of motion change with parameters in declared order.
@@ -115,7 +137,7 @@ impl Shipped {
     /// The first of them, or of the model's requirements, that does not hold; that the model was compiled without
     /// derivatives; or that one is not finite.
     pub fn sensitivity(&self, parameters: &[f64]) -> Result<Box<dyn Sensitive>, String> {
-        self.derivation.sensitivity(parameters)
+        self.derivation.sensitivity(parameters, self.gains)
     }
 
     /// How many eigenvalues there are: one for each state.

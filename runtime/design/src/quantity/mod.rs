@@ -23,12 +23,12 @@
 mod context;
 mod decimals;
 mod expression;
-mod function;
-mod literal;
+pub(crate) mod function;
+pub(crate) mod literal;
 mod measured;
 mod mistake;
 mod range;
-mod units;
+pub(crate) mod units;
 mod value;
 
 pub use self::context::{Context, Lookup, no_names};

@@ -40,6 +40,11 @@ pub fn scale(written: &str, declared: &str) -> Option<Scale> {
     })
 }
 
+/// A unit as powers of kilogram, metre and second, with what numbers in it are multiplied with to be in SI units.
+pub fn in_si(written: &str) -> Option<([i32; 3], Scale)> {
+    Unit::parse(written).map(|unit| (unit.powers, unit.scale))
+}
+
 /// A product of powers.
 struct Unit {
     /// Of kilogram, metre and second.

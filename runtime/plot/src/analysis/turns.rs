@@ -74,7 +74,10 @@ impl<'a> Families<'a> {
             return Err(fail("there is no capsize speed, at which steady turns begin".to_owned()));
         }
         if !has_equations {
-            return Err(fail(format!("the model {} has no nonlinear equations", design.info().name)));
+            return Err(fail(match design.feedback[..] {
+                [] => format!("the model {} has no nonlinear equations", design.info().name),
+                _ => "turns are of the nonlinear equations, in which there is no feedback".to_owned(),
+            }));
         }
         let [positions, rates] = told;
         Ok(Self { design, positions, rates, families })

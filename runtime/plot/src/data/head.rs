@@ -15,6 +15,9 @@ pub struct Head<'a> {
     bicycle: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<&'a str>,
+    /// The laws of feedback.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    feedback: Vec<&'a str>,
     /// Of given matrices, so that the output is such a file, too.
     #[serde(skip_serializing_if = "Option::is_none")]
     coordinates: Option<Vec<Line<Coordinate>>>,
@@ -37,6 +40,7 @@ impl<'a> Head<'a> {
             model: info.name,
             bicycle: is_bicycle.then_some(name),
             name: (!is_bicycle).then_some(name),
+            feedback: design.feedback.iter().map(|law| law.written.as_str()).collect(),
             coordinates: (info.name == NAME).then(|| info.coordinates.iter().map(coordinate).map(Line).collect()),
         }
     }

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::hash::Hasher as _;
 use std::io::Read as _;
 
+use carvallo_design::feedback::Gain;
 use carvallo_design::{Design, Failure};
 use twox_hash::XxHash64;
 
@@ -25,6 +26,9 @@ pub fn fingerprint(design: &Design, source: &Source, headings: &[Heading], forma
         let _ = writeln!(text, "{name} {bits:x?}");
     };
     line("base", &design.values());
+    for Gain { matrix, row, column, value } in design.feedback.iter().flat_map(|law| &law.gains) {
+        line(&format!("gain {matrix} {row} {column}"), &[*value]);
+    }
     match source {
         Source::Generated(generator) => {
             for axis in &generator.vary {
