@@ -65,7 +65,7 @@ pub fn run(options: &Options) -> Result<(), Failure> {
 /// What is wrong with the design, and with everything else as far as its model is known.
 fn with_options(failure: Failure, options: &Options) -> Failure {
     let Failure::Input(mut problems) = failure else { return failure };
-    let base = input::Request { overrides: Vec::new(), ..options.base.request() };
+    let base = input::Request { overrides: Vec::new(), feedback: Vec::new(), ..options.base.request() };
     if let Ok(design) = input::load(&base)
         && let Err(Failure::Input(others)) = validate(options, design.model)
     {

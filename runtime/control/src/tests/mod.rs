@@ -11,7 +11,7 @@ use crate::{Output, Ports, StateSpace};
 
 /// A parameter set of a model.
 fn design(model: &str, set: &str) -> Design {
-    let request = Request { model: Some(model.to_owned()), parameters: Some(set.to_owned()), overrides: Vec::new() };
+    let request = Request { model: Some(model.to_owned()), parameters: Some(set.to_owned()), ..Request::default() };
     input::load(&request).expect("a design that ships")
 }
 

@@ -40,16 +40,17 @@ impl Law {
     }
 }
 
-/// What the force on a coordinate may be called, its own name first: `Tdelta`, `delta`, `steer`.
-pub fn input_names(CoordinateInfo { name, label, .. }: &CoordinateInfo) -> [String; 3] {
-    [format!("T{name}"), (*name).to_owned(), (*label).to_owned()]
+/// What the force on a coordinate may be called, its own name first: `Tdelta` for a torque, else `Fy`; `delta`, `steer`.
+fn input_names(CoordinateInfo { name, label, unit, .. }: &CoordinateInfo) -> [String; 4] {
+    let [own, other] = if *unit == "rad" { ["T", "F"] } else { ["F", "T"] };
+    [format!("{own}{name}"), format!("{other}{name}"), (*name).to_owned(), (*label).to_owned()]
 }
 
 fn input(name: &str, info: &ModelInfo) -> Result<usize, String> {
     let is_called =
         |coordinate: &CoordinateInfo| input_names(coordinate).iter().any(|own| own.eq_ignore_ascii_case(name));
     info.coordinates.iter().position(is_called).ok_or_else(|| {
-        let names: Vec<[String; 3]> = info.coordinates.iter().map(input_names).collect();
+        let names: Vec<[String; 4]> = info.coordinates.iter().map(input_names).collect();
         let hint = nearest(name, names.iter().flatten().map(String::as_str));
         let hint = hint.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();
         let own: Vec<&str> = names.iter().map(|[own, ..]| own.as_str()).collect();

@@ -11,7 +11,7 @@ use carvallo::{Coefficients, MatrixName, ModelInfo};
 
 use crate::failure::{Place, Problem};
 
-pub use self::law::{Law, input_names};
+pub use self::law::Law;
 
 /// A force on the coordinate `row` that is a number times what a matrix multiplies, of the coordinate `column`: `q'/v` for
 /// C-1, `v q` for K1. Both count from zero.
