@@ -92,8 +92,8 @@ pub use notation::{Formula, Notation};
 pub use number::{Number, Scalar, to_f32};
 #[cfg(feature = "std")]
 pub use sensitivity::{
-    CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable, Sensitivity,
-    SensitivityError, standard_deviation, variance_shares,
+    Covariance, CriticalDerivative, EigenvalueDerivative, EigenvalueSensitivity, Gradient, NotDifferentiable,
+    Sensitivity, SensitivityError, standard_deviation, variance_shares,
 };
 #[cfg(feature = "std")]
 pub use stability::{

@@ -1,6 +1,6 @@
 //! A machine as it was given, with its equations of motion: what everything is computed from.
 
-use carvallo::{Model as _, ModelInfo};
+use carvallo::{Covariance, Model as _, ModelInfo};
 use carvallo_models::{WhippleMechanism, WhippleMechanismKinematics};
 
 use crate::feedback::Law;
@@ -19,6 +19,8 @@ pub struct Design {
     pub model: &'static Shipped,
     /// The parameters in the order of the model.
     pub parameters: Vec<Given>,
+    /// How the measurements of the parameters vary together; `None` if they are taken to be independent.
+    pub covariance: Option<Covariance>,
     /// The forces that follow from the motion besides those of the model.
     pub feedback: Vec<Law>,
     /// What the model makes of them, with the loops of feedback closed.

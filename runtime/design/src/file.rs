@@ -49,7 +49,22 @@ pub fn write(design: &Design, comment: &dyn Fn(&str) -> String) -> String {
     for (entry, unit, docs) in entries {
         line(format!("{entry:width$}  {}", comment(&format!("# {unit:units$} {docs}"))));
     }
+    #[cfg(feature = "full")]
+    write_correlations(design, &mut text);
     text
+}
+
+/// Of each pair of parameters that vary together, under the one that is declared later.
+#[cfg(feature = "full")]
+fn write_correlations(design: &Design, text: &mut String) {
+    let Some(covariance) = &design.covariance else { return };
+    let name = |position: usize| design.info().parameters[position].name;
+    text.push_str("\n[correlations]\n");
+    for pairs in covariance.correlations().chunk_by(|a, b| a.0 == b.0) {
+        let others: Vec<String> =
+            pairs.iter().map(|pair| format!("{} = {}", name(pair.1), crate::number::shortest(pair.2))).collect();
+        text.push_str(&format!("{} = {{ {} }}\n", name(pairs[0].0), others.join(", ")));
+    }
 }
 
 fn entry(given: &Given) -> String {

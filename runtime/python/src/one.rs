@@ -57,6 +57,7 @@ impl Described {
             model,
             parameters: values.iter().zip(&about.deviations).map(given).collect(),
             feedback: Vec::new(),
+            covariance: None,
             equations: model.equations(values).map_err(Failure::usage)?,
             notes: Vec::new(),
             warnings: Vec::new(),

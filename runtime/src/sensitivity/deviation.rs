@@ -1,6 +1,7 @@
 //! How measured standard deviations of parameters propagate.
 
 use super::Sensitivity;
+use super::covariance::Covariance;
 use super::error::SensitivityError;
 use crate::system::{Coefficients, Matrix, SystemError};
 
@@ -49,13 +50,33 @@ impl<const N: usize> Sensitivity<N> {
     /// result leaves the range of `f64`.
     pub fn matrix_deviations(&self, deviations: &[f64]) -> Result<Coefficients<f64, N>, SensitivityError> {
         require(self.derivatives.len(), deviations)?;
+        self.each_entry(|by| {
+            in_range(root_sum_square(by.zip(deviations).map(|(derivative, deviation)| derivative * deviation)))
+        })
+    }
+
+    /// The same for parameters that vary together.
+    ///
+    /// # Errors
+    /// If there are fewer parameters there than here, or if a result leaves the range of `f64`.
+    pub fn correlated_matrix_deviations(
+        &self,
+        covariance: &Covariance,
+    ) -> Result<Coefficients<f64, N>, SensitivityError> {
+        self.each_entry(|by| covariance.standard_deviation(&by.collect::<Vec<f64>>()))
+    }
+
+    /// What is made of the derivatives of each entry of the matrices with respect to each parameter.
+    fn each_entry(
+        &self,
+        make: impl Fn(&mut dyn Iterator<Item = f64>) -> Result<f64, SensitivityError>,
+    ) -> Result<Coefficients<f64, N>, SensitivityError> {
         let of = |matrix: fn(&Coefficients<f64, N>) -> &Matrix<f64, N>| {
-            let mut deviation = Matrix::<f64, N>::zeros();
-            for (place, entry) in deviation.iter_mut().enumerate() {
-                let terms = self.derivatives.iter().zip(deviations);
-                *entry = in_range(root_sum_square(terms.map(|(by, deviation)| matrix(by)[place] * deviation)))?;
+            let mut made = Matrix::<f64, N>::zeros();
+            for (place, entry) in made.iter_mut().enumerate() {
+                *entry = make(&mut self.derivatives.iter().map(|by| matrix(by)[place]))?;
             }
-            Ok::<_, SensitivityError>(deviation)
+            Ok::<_, SensitivityError>(made)
         };
         Ok(Coefficients {
             m: of(|c| &c.m)?,
@@ -71,7 +92,7 @@ impl<const N: usize> Sensitivity<N> {
     }
 }
 
-fn in_range(deviation: f64) -> Result<f64, SensitivityError> {
+pub(super) fn in_range(deviation: f64) -> Result<f64, SensitivityError> {
     if deviation.is_finite() {
         Ok(deviation)
     } else {
@@ -79,7 +100,7 @@ fn in_range(deviation: f64) -> Result<f64, SensitivityError> {
     }
 }
 
-fn require(parameters: usize, deviations: &[f64]) -> Result<(), SensitivityError> {
+pub(super) fn require(parameters: usize, deviations: &[f64]) -> Result<(), SensitivityError> {
     let (expected, found) = (parameters, deviations.len());
     if found < expected {
         return Err(SensitivityError::TooFew { quantity: "standard deviations", expected, found });
@@ -91,7 +112,7 @@ fn require(parameters: usize, deviations: &[f64]) -> Result<(), SensitivityError
 }
 
 /// Without overflow of the squares.
-fn root_sum_square(terms: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn root_sum_square(terms: impl Iterator<Item = f64>) -> f64 {
     terms.fold(0.0, f64::hypot)
 }
 

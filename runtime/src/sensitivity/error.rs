@@ -29,6 +29,11 @@ pub enum SensitivityError {
         /// Its value.
         value: f64,
     },
+    /// No parameters can be correlated so: the matrix of the correlations has a negative eigenvalue.
+    NotCorrelations {
+        /// The position of the first parameter that cannot be correlated so with those before it.
+        parameter: usize,
+    },
 }
 
 impl From<SystemError> for SensitivityError {
@@ -53,6 +58,9 @@ impl fmt::Display for SensitivityError {
             }
             Self::NotADeviation { value } => {
                 write!(f, "a standard deviation is {value}; it must be finite and >= 0")
+            }
+            Self::NotCorrelations { parameter } => {
+                write!(f, "the parameter at position {parameter} cannot be correlated so with those before it")
             }
         }
     }

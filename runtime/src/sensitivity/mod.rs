@@ -1,6 +1,7 @@
 //! How eigenvalues and critical speeds change with the speed and with the parameters of a model.
 
 mod condition;
+mod covariance;
 mod critical;
 mod deviation;
 mod eigenvalue;
@@ -21,6 +22,7 @@ use crate::number::Scalar;
 use crate::system::require_finite;
 use crate::system::{Coefficients, SystemError};
 
+pub use covariance::Covariance;
 pub use critical::{CriticalDerivative, NotDifferentiable};
 pub use deviation::{standard_deviation, variance_shares};
 pub use eigenvalue::{EigenvalueDerivative, EigenvalueSensitivity};

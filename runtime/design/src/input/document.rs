@@ -24,6 +24,9 @@ pub struct Document {
     pub parts: Vec<Named>,
     /// What matrices there are, if there are any: their entries are among the others then.
     pub form: Option<Form>,
+    /// The correlations of measured parameters, as they were written.
+    #[cfg(feature = "full")]
+    pub correlations: Vec<Named>,
     /// What was taken for something else than it is called.
     pub notes: Vec<String>,
     /// What was wrong with the format itself.

@@ -6,6 +6,7 @@ use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
 use super::document::{Document, File};
 use super::tables::{Named, Node, Value, Words};
+use crate::failure::Problem;
 
 const WORDS: Words =
     Words { parameters: "`parameters`", table: "an object", table_without_value: "an object without `value`" };
@@ -13,6 +14,13 @@ const WORDS: Words =
 /// Reads an object that holds an object `parameters`, or the parameters themselves.
 pub fn read(file: File) -> Document {
     let mut document = Document::default();
+    let members = members(file, &mut document.problems);
+    document.take_all(members, &WORDS);
+    document
+}
+
+/// What is in the object, whatever it is.
+pub fn members(file: File, problems: &mut Vec<Problem>) -> Vec<Named> {
     // What Python prints and people add is read; what is missing is not guessed.
     let options = ParseOptions {
         allow_comments: true,
@@ -30,19 +38,19 @@ pub fn read(file: File) -> Document {
     let object = match parse_to_ast(file.text, &CollectOptions::default(), &options).map(|parsed| parsed.value) {
         Ok(Some(ast::Value::Object(object))) => object,
         // An empty file has no parameters, whatever its format.
-        Ok(None) => return document,
+        Ok(None) => return Vec::new(),
         Ok(_) => {
-            document.problem(file.line(1), "this is not a JSON object of parameters");
-            return document;
+            let message = "this is not a JSON object of parameters".to_owned();
+            problems.push(Problem { place: file.line(1), message });
+            return Vec::new();
         }
         Err(error) => {
-            document.problem(file.line_at(error.range().start), format!("this is not JSON: {}", error.kind()));
-            return document;
+            let message = format!("this is not JSON: {}", error.kind());
+            problems.push(Problem { place: file.line_at(error.range().start), message });
+            return Vec::new();
         }
     };
-    let members = object.properties.iter().map(|property| named(file, property)).collect();
-    document.take_all(members, &WORDS);
-    document
+    object.properties.iter().map(|property| named(file, property)).collect()
 }
 
 fn named(file: File, property: &ObjectProp) -> Named {

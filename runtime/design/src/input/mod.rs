@@ -1,5 +1,7 @@
 //! Parameters of a model: shipped ones by name, and files in any of the formats that people have.
 
+#[cfg(feature = "full")]
+mod correlations;
 mod document;
 mod entries;
 mod json;
@@ -11,6 +13,7 @@ mod names;
 mod neutral;
 mod parameters;
 mod plausible;
+mod raw;
 mod scope;
 mod shipped;
 mod tables;
@@ -28,6 +31,7 @@ use crate::model::{Shipped, WHIPPLE};
 
 pub use self::names::position;
 pub use self::names::{Expected, Known, known};
+pub use self::raw::{Named, Node, Raw, Value, load_raw, read_raw};
 pub use self::shipped::{DEFAULT_BICYCLE, default_name, kind, names};
 pub use self::value::{evaluated, measured};
 
@@ -115,19 +119,28 @@ pub fn given(
 fn open<'a>(shipped: Option<&Shipped>, name: &'a str) -> Result<(&'a str, Document), Failure> {
     if let Some(document) = shipped.and_then(|shipped| shipped::find(shipped, name)) {
         Ok((name, document))
-    } else if name == "-" {
-        let mut bytes = Vec::new();
-        let read = std::io::stdin().lock().read_to_end(&mut bytes);
-        read.map_err(|error| Failure::Run(format!("cannot read the standard input: {error}")))?;
-        Ok(("<stdin>", parse("<stdin>", bytes)?))
-    } else if Path::new(name).exists() {
-        let bytes = std::fs::read(name).map_err(|error| Failure::Run(format!("cannot read {name}: {error}")))?;
-        Ok((name, parse(name, bytes)?))
+    } else if let Some((label, bytes)) = contents(name)? {
+        Ok((label, parse(label, bytes)?))
     } else {
         Err(Failure::usage(match shipped {
             Some(shipped) => shipped::unknown(shipped, name),
             None => format!("there is no file {name}"),
         }))
+    }
+}
+
+/// What is in a file or the standard input, with what it is called; `None` if there is no such file.
+fn contents(name: &str) -> Result<Option<(&str, Vec<u8>)>, Failure> {
+    if name == "-" {
+        let mut bytes = Vec::new();
+        let read = std::io::stdin().lock().read_to_end(&mut bytes);
+        read.map_err(|error| Failure::Run(format!("cannot read the standard input: {error}")))?;
+        Ok(Some(("<stdin>", bytes)))
+    } else if Path::new(name).exists() {
+        let bytes = std::fs::read(name).map_err(|error| Failure::Run(format!("cannot read {name}: {error}")))?;
+        Ok(Some((name, bytes)))
+    } else {
+        Ok(None)
     }
 }
 
@@ -218,7 +231,18 @@ impl Kind {
 }
 
 fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
-    let text = String::from_utf8(bytes).map_err(|error| {
+    let text = decode(label, bytes)?;
+    let file = File { label, text: &text };
+    Ok(match Form::of(file) {
+        Form::Toml => toml::read(file),
+        Form::Json => json::read(file),
+        Form::Lines(separator) => lines::read(file, separator),
+    })
+}
+
+/// The contents of a file as text.
+fn decode(label: &str, bytes: Vec<u8>) -> Result<String, Failure> {
+    let mut text = String::from_utf8(bytes).map_err(|error| {
         let line = 1 + error.as_bytes().iter().take(error.utf8_error().valid_up_to()).filter(|&&b| b == b'\n').count();
         Failure::Input(vec![Problem {
             place: Place::Line(label.to_owned(), line),
@@ -226,15 +250,51 @@ fn parse(label: &str, bytes: Vec<u8>) -> Result<Document, Failure> {
         }])
     })?;
     // Some editors begin a file with a byte order mark.
-    let file = File { label, text: text.strip_prefix('\u{feff}').unwrap_or(&text) };
-    let ending = Path::new(label).extension().and_then(|ending| ending.to_str()).map(str::to_lowercase);
-    Ok(match ending.as_deref() {
-        Some("toml") => toml::read(file),
-        Some("json") => json::read(file),
-        Some("yml" | "yaml") => lines::read(file, ':'),
-        Some("py" | "m") => lines::read(file, '='),
-        _ => by_content(file),
-    })
+    if text.starts_with('\u{feff}') {
+        text.remove(0);
+    }
+    Ok(text)
+}
+
+/// How names and values stand in a file.
+enum Form {
+    Toml,
+    Json,
+    /// One of each a line, with this between them.
+    Lines(char),
+}
+
+impl Form {
+    fn of(file: File) -> Self {
+        let ending = Path::new(file.label).extension().and_then(|ending| ending.to_str()).map(str::to_lowercase);
+        match ending.as_deref() {
+            Some("toml") => Self::Toml,
+            Some("json") => Self::Json,
+            Some("yml" | "yaml") => Self::Lines(':'),
+            Some("py" | "m") => Self::Lines('='),
+            _ => Self::by_content(file),
+        }
+    }
+
+    /// Other endings tell nothing: the first line that is neither empty nor a comment does, nor in a script the head of a
+    /// class.
+    fn by_content(file: File) -> Self {
+        let is_comment = |line: &&str| line.is_empty() || line.starts_with(['#', '%']) || lines::is_statement(line);
+        // What a script of Python says of itself tells nothing, either.
+        let folded = texts::fold_python(file.text);
+        let text = if lines::is_matlab(file) { file.text } else { &folded.text };
+        let mut lines = text.lines().map(str::trim).filter(|line| !is_comment(line));
+        let first = lines.next().unwrap_or_default();
+        if first.starts_with('{') {
+            Self::Json
+        } else if first.starts_with('[') || lines.any(is_of_toml) {
+            Self::Toml
+        } else if first.split_once(':').is_some_and(|(name, _)| !name.contains('=')) {
+            Self::Lines(':')
+        } else {
+            Self::Lines('=')
+        }
+    }
 }
 
 /// Whether a line, alone, tells that a file is in TOML.
@@ -245,23 +305,4 @@ fn is_of_toml(line: &str) -> bool {
         || line.starts_with('{')
         || line.contains("= {")
         || line.contains("[{")
-}
-
-/// Other endings tell nothing: the first line that is neither empty nor a comment does, nor in a script the head of a class.
-fn by_content(file: File) -> Document {
-    let is_comment = |line: &&str| line.is_empty() || line.starts_with(['#', '%']) || lines::is_statement(line);
-    // What a script of Python says of itself tells nothing, either.
-    let folded = texts::fold_python(file.text);
-    let text = if lines::is_matlab(file) { file.text } else { &folded.text };
-    let mut lines = text.lines().map(str::trim).filter(|line| !is_comment(line));
-    let first = lines.next().unwrap_or_default();
-    if first.starts_with('{') {
-        json::read(file)
-    } else if first.starts_with('[') || lines.any(is_of_toml) {
-        toml::read(file)
-    } else if first.split_once(':').is_some_and(|(name, _)| !name.contains('=')) {
-        lines::read(file, ':')
-    } else {
-        lines::read(file, '=')
-    }
 }

@@ -111,13 +111,20 @@ pub fn resolve(
     if info.name == NAME {
         remarks.notes.extend(note_on_free(label, &*equations, info));
     }
+    #[cfg(feature = "full")]
+    let covariance = {
+        let is_set = |position: usize| settings.given.contains_key(&position);
+        super::correlations::resolve(document.correlations, info, &parameters, &is_set)?
+    };
+    #[cfg(not(feature = "full"))]
+    let covariance = None;
     let name = document.name.unwrap_or_else(|| label.to_owned());
     let notes = remarks.all_notes();
     let mut warnings = remarks.warnings;
     warnings.extend(magnitude::warnings(info, &values));
     warnings.extend(plausible::warnings(info, &values));
     let (kind, source) = (document.kind, document.source);
-    Ok(Design { name, kind, source, model, parameters, feedback: laws, equations, notes, warnings })
+    Ok(Design { name, kind, source, model, parameters, covariance, feedback: laws, equations, notes, warnings })
 }
 
 /// The laws of a file, and those of the command line in their place where both are of one force.

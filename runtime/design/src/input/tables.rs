@@ -4,21 +4,32 @@ use super::document::{Document, Entry, FEEDBACK, Written};
 use super::matrices;
 use crate::failure::Place;
 
-/// What the output of an analysis, or of the sensitivity, holds besides the parameters.
-const RESULTS: [&str; 6] =
-    ["matrices", "matrix_standard_deviations", "critical_speeds", "stable_ranges", "undecided_ranges", "eigenvalues"];
+/// What the output of an analysis, or of the sensitivity, holds besides the parameters; correlations are read before these.
+const RESULTS: [&str; 7] = [
+    "matrices",
+    "matrix_standard_deviations",
+    "critical_speeds",
+    "stable_ranges",
+    "undecided_ranges",
+    "eigenvalues",
+    "correlations",
+];
 
 /// A name with its value and what is in that.
 #[derive(Debug)]
 pub struct Named {
+    /// The name.
     pub name: String,
+    /// What it names.
     pub node: Node,
 }
 
 /// A value with what is in it, as it was written.
 #[derive(Debug)]
 pub struct Node {
+    /// Where it stands.
     pub place: Place,
+    /// What it is.
     pub value: Value,
 }
 
@@ -29,6 +40,7 @@ pub enum Value {
     Text(String),
     /// By its digits.
     Number(String),
+    /// In brackets.
     List(Vec<Node>),
     /// In the order of the file.
     Table(Vec<Named>),
@@ -66,6 +78,8 @@ impl Document {
                 value if matrices::is_part(&name, &value, has_parameters) => {
                     self.parts.push(Named { name, node: Node { place, value } });
                 }
+                #[cfg(feature = "full")]
+                Value::Table(inner) if has_parameters && name == "correlations" => self.correlations = inner,
                 _ if has_parameters && RESULTS.contains(&name.as_str()) => {}
                 _ if has_parameters => {
                     self.problem(place, format!("`{name}` stands outside of {}", words.parameters));
@@ -114,6 +128,17 @@ impl Document {
             }
             value => Entry { name, place, value: value.written(words), deviation: None },
         }
+    }
+}
+
+/// Of a format that has one value a line.
+impl From<Entry> for Named {
+    fn from(Entry { name, place, value, .. }: Entry) -> Self {
+        let value = match value {
+            Written::Text(text) => Value::Text(text),
+            Written::Other(what) => Value::Other(what),
+        };
+        Self { name, node: Node { place, value } }
     }
 }
 

@@ -5,23 +5,30 @@ use toml::de::{DeTable, DeValue};
 
 use super::document::{Document, File};
 use super::tables::{Named, Node, Value, Words};
+use crate::failure::Problem;
 
-const WORDS: Words =
+pub const WORDS: Words =
     Words { parameters: "[parameters]", table: "a table", table_without_value: "a table without `value`" };
 
 /// Reads a file that holds a table `parameters`, or the parameters at its top.
 pub fn read(file: File) -> Document {
     let mut document = Document::default();
-    let (table, errors) = DeTable::parse_recoverable(file.text);
-    for error in errors {
-        let place = file.line_at(error.span().map_or(0, |span| span.start));
-        document.problem(place, format!("this is not TOML: {}", error.message()));
-    }
-    document.take_all(members(file, table.get_ref()), &WORDS);
+    let members = members(file, &mut document.problems);
+    document.take_all(members, &WORDS);
     document
 }
 
-fn members(file: File, table: &DeTable) -> Vec<Named> {
+/// What is in the file, whatever it is.
+pub fn members(file: File, problems: &mut Vec<Problem>) -> Vec<Named> {
+    let (table, errors) = DeTable::parse_recoverable(file.text);
+    for error in errors {
+        let place = file.line_at(error.span().map_or(0, |span| span.start));
+        problems.push(Problem { place, message: format!("this is not TOML: {}", error.message()) });
+    }
+    of_table(file, table.get_ref())
+}
+
+fn of_table(file: File, table: &DeTable) -> Vec<Named> {
     let named = |(key, inner): (&Spanned<_>, &Spanned<DeValue>)| {
         let node = Node { place: file.line_at(key.span().start), value: value(file, inner) };
         Named { name: AsRef::<str>::as_ref(key.get_ref()).to_owned(), node }
@@ -45,7 +52,7 @@ fn value(file: File, value: &Spanned<DeValue>) -> Value {
             };
             Value::List(array.iter().map(node).collect())
         }
-        DeValue::Table(table) => Value::Table(members(file, table)),
+        DeValue::Table(table) => Value::Table(of_table(file, table)),
         DeValue::Boolean(_) => Value::Other("a boolean"),
         DeValue::Datetime(_) => Value::Other("a date"),
     }

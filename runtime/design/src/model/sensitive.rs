@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use carvallo::{CriticalDerivative, CriticalSpeed, Sensitivity, SensitivityError, SystemError};
+use carvallo::{Covariance, CriticalDerivative, CriticalSpeed, Sensitivity, SensitivityError, SystemError};
 
 use super::equations::Equations;
 
@@ -19,6 +19,12 @@ pub trait Sensitive: Debug {
     /// # Errors
     /// If one leaves the range of doubles.
     fn matrix_deviations(&self, deviations: &[f64]) -> Result<Box<dyn Equations>, SensitivityError>;
+
+    /// The same for parameters that vary together.
+    ///
+    /// # Errors
+    /// If one leaves the range of doubles.
+    fn correlated_matrix_deviations(&self, covariance: &Covariance) -> Result<Box<dyn Equations>, SensitivityError>;
 }
 
 impl<const N: usize> Sensitive for Sensitivity<N> {
@@ -28,5 +34,9 @@ impl<const N: usize> Sensitive for Sensitivity<N> {
 
     fn matrix_deviations(&self, deviations: &[f64]) -> Result<Box<dyn Equations>, SensitivityError> {
         Ok(Box::new(Sensitivity::matrix_deviations(self, deviations)?))
+    }
+
+    fn correlated_matrix_deviations(&self, covariance: &Covariance) -> Result<Box<dyn Equations>, SensitivityError> {
+        Ok(Box::new(Sensitivity::correlated_matrix_deviations(self, covariance)?))
     }
 }

@@ -89,16 +89,25 @@ impl Changes {
             let derivatives = match sensitivity.critical_speed(&speed)? {
                 CriticalDerivative::None(reason) => Err(reason),
                 CriticalDerivative::Smooth { speed, eigenvalue, condition } => {
-                    let known = deviations.as_ref();
-                    let deviation = known.map(|deviations| standard_deviation(&speed, deviations)).transpose()?;
-                    let shares = known.map(|deviations| variance_shares(&speed, deviations)).transpose()?;
-                    Ok(Derivatives { deviation, variance_shares: shares, speed, eigenvalue, condition })
+                    let (deviation, variance_shares) = match (&design.covariance, &deviations) {
+                        (Some(known), _) => {
+                            (Some(known.standard_deviation(&speed)?), Some(known.variance_shares(&speed)?))
+                        }
+                        (None, Some(known)) => {
+                            (Some(standard_deviation(&speed, known)?), Some(variance_shares(&speed, known)?))
+                        }
+                        (None, None) => (None, None),
+                    };
+                    Ok(Derivatives { deviation, variance_shares, speed, eigenvalue, condition })
                 }
             };
             Ok(Critical { speed, derivatives })
         };
         let critical_speeds = stability.critical_speeds.iter().map(critical).collect::<Result<_, _>>().map_err(fail)?;
-        let of_matrices = deviations.as_ref().map(|deviations| sensitivity.matrix_deviations(deviations));
+        let of_matrices = match &design.covariance {
+            Some(covariance) => Some(sensitivity.correlated_matrix_deviations(covariance)),
+            None => deviations.as_ref().map(|deviations| sensitivity.matrix_deviations(deviations)),
+        };
         let matrix_deviations = of_matrices.transpose().map_err(fail)?;
         let steps = steps(design.info(), &design.values());
         Ok(Self { steps, critical_speeds, deviations, matrix_deviations, stability, design })

@@ -8,6 +8,7 @@ mod head;
 mod layout;
 mod matrices;
 pub mod motion;
+pub mod parameters;
 pub mod sensitivity;
 #[cfg(feature = "control")]
 mod signals;

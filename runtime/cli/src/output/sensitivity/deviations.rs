@@ -17,10 +17,13 @@ const NAMED: usize = 4;
 pub fn write_deviations(changes: &Changes, text: &mut String) {
     let Some(deviations) = &changes.deviations else { return };
     let (given, all) = (deviations.iter().filter(|&&deviation| deviation > 0.0).count(), deviations.len());
+    let together = match changes.design.covariance {
+        Some(_) => "with their correlations",
+        None => "taken to be independent",
+    };
     let _ = writeln!(
         text,
-        "\n{HEADING}Standard deviations{HEADING:#}  to first order, from those of {given} of {all} parameters, taken to be \
-         independent"
+        "\n{HEADING}Standard deviations{HEADING:#}  to first order, from those of {given} of {all} parameters, {together}"
     );
     let ranked = changes.ranked();
     let speeds: Vec<String> = ranked

@@ -10,12 +10,15 @@ use crate::analysis::sensitivity::{Changes, Critical};
 use crate::data::head::Head;
 use crate::data::layout::{Line, Members, Parts, write_document};
 use crate::data::matrices::{Matrix, matrices};
+use crate::data::parameters::{Correlations, correlations};
 
 #[derive(Serialize)]
 struct Document<'a> {
     #[serde(flatten)]
     head: Head<'a>,
     parameters: Members<Line<Parameter>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    correlations: Option<Correlations>,
     critical_speeds: Vec<CriticalSpeed>,
     matrices: Members<Line<Vec<Vec<f64>>>>,
     matrix_standard_deviations: Option<Members<Line<Vec<Vec<f64>>>>>,
@@ -60,6 +63,7 @@ pub fn write_json(changes: &Changes, output: &mut dyn Write) -> Result<()> {
     let document = Document {
         head: Head::of(design),
         parameters: by_parameter(changes, parameters),
+        correlations: correlations(design),
         critical_speeds: changes.critical_speeds.iter().map(|critical| critical_speed(changes, critical)).collect(),
         matrices: Members(
             matrices(design).into_iter().map(|Matrix { name, rows, .. }| (name, Line(entries(rows)))).collect(),
