@@ -77,7 +77,7 @@ mod system;
 pub mod turns;
 
 #[cfg(feature = "std")]
-pub use eigenvalues::Eigenvectors;
+pub use eigenvalues::{Eigenvectors, matrix_eigenvalues};
 pub use model::{
     Bound, CoordinateInfo, Differentiable, Domain, EntryInfo, Evaluator, FormulaInfo, FormulaSubject, LengthError,
     Model, ModelInfo, Nonlinear, ParameterError, ParameterInfo, Partial, Rate, RequirementInfo, SetInfo,

@@ -1,13 +1,21 @@
 #![doc = include_str!("../README.md")]
 
+mod balance;
 pub mod files;
+mod frequency;
+mod margins;
 mod ports;
 mod signal;
 mod state_space;
+mod transfer;
+mod zeros;
 
+pub use self::frequency::FrequencyResponse;
+pub use self::margins::{GainMargin, Margins, PhaseMargin};
 pub use self::ports::{Output, Ports};
 pub use self::signal::{Order, Quantity, Signal};
 pub use self::state_space::StateSpace;
+pub use self::transfer::TransferFunction;
 
 #[cfg(test)]
 mod tests;

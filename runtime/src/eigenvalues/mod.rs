@@ -9,6 +9,8 @@ mod francis;
 mod general;
 #[cfg(feature = "std")]
 mod hessenberg;
+#[cfg(feature = "std")]
+mod matrix;
 mod quadratic;
 mod quartic;
 mod resolvent;
@@ -22,6 +24,8 @@ mod vectors;
 pub(crate) use four::Four;
 #[cfg(feature = "std")]
 pub(crate) use general::Spectrum;
+#[cfg(feature = "std")]
+pub use matrix::matrix_eigenvalues;
 #[cfg(feature = "std")]
 pub(crate) use quartic::Quartic;
 #[cfg(feature = "std")]

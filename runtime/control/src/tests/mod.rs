@@ -1,7 +1,9 @@
 //! Held against numbers from outside: what each was made with stands beside it.
 
 mod files;
+mod frequency_responses;
 mod state_spaces;
+mod transfer_functions;
 
 use carvallo_design::Design;
 use carvallo_design::input::{self, Request};

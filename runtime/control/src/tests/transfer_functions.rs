@@ -1,0 +1,106 @@
+//! Zeros, poles and gains, against those that `transfer_functions.py` finds with 60 digits from exact determinants.
+
+use carvallo::Complex;
+
+use super::{benchmark, design, state_space};
+use crate::{StateSpace, TransferFunction};
+
+/// The most by which roots may differ, relative to the largest of them: doubles, and the condition of what is asked.
+const BOUND: f64 = 1e-12;
+
+fn roots(text: &str) -> Vec<Complex<f64>> {
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    let root = |(re, im): (&str, &str)| Complex::new(number(re), number(im));
+    text.split_whitespace().map(|pair| root(pair.split_once(',').expect("two parts"))).collect()
+}
+
+/// Each has its own counterpart.
+#[track_caller]
+fn assert_roots(what: &str, found: &[Complex<f64>], expected: &[Complex<f64>]) {
+    assert_eq!(found.len(), expected.len(), "{what}: {found:?} are not {expected:?}");
+    let largest = expected.iter().map(|root| root.norm()).fold(0.0, f64::max);
+    let mut left = found.to_vec();
+    for root in expected {
+        let distance = |place: &usize| (left[*place] - root).norm();
+        let nearest = (0..left.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("a root");
+        assert!(distance(&nearest) <= BOUND * largest, "{what}: {} is not {root}", left[nearest]);
+        left.remove(nearest);
+    }
+}
+
+#[test]
+fn zeros_poles_and_gains_are_those_of_exact_determinants() {
+    let lines = include_str!("transfer_functions.tsv").lines().filter(|line| !line.starts_with('#'));
+    assert_eq!(lines.clone().count(), 25);
+    for line in lines {
+        let [model, set, speed, input, output, gain, zeros, poles] = line.split('\t').collect::<Vec<_>>()[..] else {
+            panic!("eight columns: {line}");
+        };
+        let what = format!("{model} {set} at {speed} from {input} to {output}");
+        let space = state_space(&design(model, set), speed.parse().expect("a speed"), &[input], &[output]);
+        let found = TransferFunction::new(&space, 0, 0).expect("a transfer function");
+        let gain: f64 = gain.parse().expect("a gain");
+        assert!((found.gain - gain).abs() <= 1e-12 * gain.abs(), "{what}: {} is not {gain}", found.gain);
+        assert_roots(&format!("{what}: zeros"), &found.zeros, &roots(zeros));
+        assert_roots(&format!("{what}: poles"), &found.poles, &roots(poles));
+    }
+}
+
+/// What steers the bicycle has its zeros where a bicycle that cannot steer has its poles: sqrt(-g K0 / M) of the lean, at every
+/// speed.
+#[test]
+fn steer_has_zeros_where_lean_alone_has_poles() {
+    let falling = (9.81_f64 * 80.95 / 80.81722).sqrt();
+    for speed in [0.0, 0.1, 4.0, 12.0] {
+        let space = state_space(&benchmark(), speed, &["Tdelta"], &["delta"]);
+        let zeros = TransferFunction::new(&space, 0, 0).expect("a transfer function").zeros;
+        assert_eq!(zeros.len(), 2);
+        assert!((zeros[0].re + falling).abs() < 1e-13 && (zeros[1].re - falling).abs() < 1e-13, "{zeros:?}");
+    }
+}
+
+/// The yaw and the place follow from lean and steer, so that their transfer functions have poles at zero; a zero of the right half
+/// plane is what makes a rider steer left to go right.
+#[test]
+fn integrals_have_poles_that_are_exactly_zero() {
+    let space = state_space(&benchmark(), 6.0, &["Tdelta"], &["y", "psi_rate"]);
+    let place = TransferFunction::new(&space, 0, 0).expect("a transfer function");
+    assert_eq!(place.poles.iter().filter(|pole| **pole == Complex::new(0.0, 0.0)).count(), 2);
+    assert!(place.zeros.iter().any(|zero| zero.re > 0.0) && place.static_gain().is_none());
+    let yaw_rate = TransferFunction::new(&space, 0, 1).expect("a transfer function");
+    // Both integrals are states of the whole, of which this output needs none.
+    assert_eq!((yaw_rate.cancelled(), yaw_rate.minimal().poles.len()), (vec![Complex::new(0.0, 0.0); 2], 4));
+}
+
+/// y'' + 3 y' + 2 y = u' + 4 u, at the output y + 0.5 u: (0.5 s² + 2.5 s + 5) over (s + 1)(s + 2).
+#[test]
+fn what_passes_at_once_counts() {
+    let matrix = nalgebra::DMatrix::from_row_slice;
+    let signal = |name: &str| crate::Signal { name: name.to_owned(), label: String::new(), unit: "1".to_owned() };
+    let space = StateSpace {
+        a: matrix(2, 2, &[0.0, 1.0, -2.0, -3.0]),
+        b: matrix(2, 1, &[0.0, 1.0]),
+        c: matrix(1, 2, &[4.0, 1.0]),
+        d: matrix(1, 1, &[0.5]),
+        states: vec![signal("x"), signal("x_rate")],
+        inputs: vec![signal("u")],
+        outputs: vec![signal("y")],
+        speed: None,
+    };
+    let found = TransferFunction::new(&space, 0, 0).expect("a transfer function");
+    for (found, expected) in [(found.numerator(), [0.5, 2.5, 5.0]), (found.denominator(), [1.0, 3.0, 2.0])] {
+        assert!(found.len() == 3 && found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
+    }
+    assert!((found.static_gain().expect("a gain") - 2.5).abs() < 1e-14);
+    let at = found.at(Complex::new(0.0, 2.0));
+    assert!((at - Complex::new(3.0, 5.0) / Complex::new(-2.0, 6.0)).norm() < 1e-14, "{at}");
+}
+
+/// A pendulum does not turn what it does not hang on.
+#[test]
+fn an_output_that_depends_on_nothing_has_no_gain() {
+    let mut space = state_space(&design("Pendulum", "seconds"), 0.0, &["Ttheta"], &["theta"]);
+    space.b.fill(0.0);
+    let found = TransferFunction::new(&space, 0, 0).expect("a transfer function");
+    assert_eq!((found.gain, found.zeros.len()), (0.0, 0));
+}
