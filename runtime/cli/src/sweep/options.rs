@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use carvallo_sweep::Request;
 use clap::Args;
 
 use crate::options::DesignOptions;
@@ -87,6 +88,15 @@ pub struct Options {
     /// Draws the stable ranges over two varied parameters; .svg or .png
     #[arg(long, value_name = "FILE")]
     pub map: Option<PathBuf>,
+}
+
+impl Options {
+    /// What is asked for.
+    pub fn request(&self) -> Request {
+        let Self { base, vary, random, samples, seed, designs, eigenvalues, output, restart, map } = self.clone();
+        let base = base.request();
+        Request { base, vary, random, samples, seed, designs, eigenvalues, output, restart, map }
+    }
 }
 
 fn whole(text: &str) -> Result<u64, &'static str> {

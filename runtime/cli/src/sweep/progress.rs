@@ -9,7 +9,6 @@ use indicatif::{HumanCount, ProgressBar, ProgressDrawTarget, ProgressState, Prog
 /// A bar on the standard error, if that is a terminal and shows nothing else; and the time since the start.
 pub struct Progress {
     bar: ProgressBar,
-    designs: usize,
     started: Instant,
 }
 
@@ -32,7 +31,7 @@ impl Progress {
         };
         let style = ProgressStyle::with_template(template).map(|style| style.with_key("rate", rate));
         let bar = style.map_or(bar.clone(), |style| bar.with_style(style));
-        Self { bar, designs: 0, started: Instant::now() }
+        Self { bar, started: Instant::now() }
     }
 
     /// Moves the bar by so many designs.
@@ -40,26 +39,19 @@ impl Progress {
         self.bar.inc(designs as u64);
     }
 
-    /// Counts designs that were computed.
-    pub fn computed(&mut self, designs: usize) {
-        self.designs += designs;
-    }
-
     /// Takes the bar away.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
-}
-
-/// The designs that were computed, the time and the rate.
-impl fmt::Display for Progress {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (designs, seconds) = (self.designs, self.started.elapsed().as_secs_f64());
+    /// How many designs were computed, the time and the rate.
+    pub fn summary(&self, designs: usize) -> String {
+        let seconds = self.started.elapsed().as_secs_f64();
         let noun = if designs == 1 { "design" } else { "designs" };
-        write!(f, "{designs} {noun} in {seconds:.3} s")?;
-        if seconds > 0.0 && designs > 0 {
-            write!(f, ", {:.0} designs/s", designs as f64 / seconds)?;
-        }
-        write!(f, ", with reading and writing")
+        let rate = if seconds > 0.0 && designs > 0 {
+            format!(", {:.0} designs/s", designs as f64 / seconds)
+        } else {
+            String::new()
+        };
+        format!("{designs} {noun} in {seconds:.3} s{rate}, with reading and writing")
     }
 }

@@ -7,7 +7,7 @@ use carvallo::{Complex, CriticalKind, Stability, Verdict};
 use carvallo_design::{Capacity, of_kind};
 
 use super::solution::Solution;
-use crate::sweep::table::{Column, Layout};
+use crate::table::{Column, Layout};
 
 /// The columns that the next values of a row go to.
 pub struct Cells<'a>(IterMut<'a, Column>);

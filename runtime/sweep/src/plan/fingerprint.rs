@@ -8,9 +8,9 @@ use carvallo_design::feedback::Gain;
 use carvallo_design::{Design, Failure};
 use twox_hash::XxHash64;
 
-use crate::sweep::generate::Distribution;
-use crate::sweep::source::Source;
-use crate::sweep::table::{Format, Heading};
+use crate::generate::Distribution;
+use crate::source::Source;
+use crate::table::{Format, Heading};
 
 /// A number that differs for sweeps with different results: it is made from everything that they depend on, values by
 /// their bits, and from the contents of a file of designs.

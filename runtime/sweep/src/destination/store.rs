@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 use carvallo_design::{Failure, Place};
 
 use super::journal::{Journal, OpenFailure, Progress, Stamp};
-use crate::sweep::plan::Plan;
-use crate::sweep::table::{Format, Heading, parquet_message};
-use crate::sweep::write::parquet;
+use crate::plan::Plan;
+use crate::table::{Format, Heading, parquet_message};
+use crate::write::parquet;
 
 /// How much work a kill may cost; more often would wait for the disk.
 const SAVED_EVERY: Duration = Duration::from_millis(200);

@@ -3,7 +3,7 @@
 mod fingerprint;
 mod validate;
 
-pub use self::validate::validate;
+pub(crate) use self::validate::validate;
 
 use carvallo_design::{Design, Failure, Place, Problem};
 
@@ -11,8 +11,8 @@ use self::fingerprint::fingerprint;
 use self::validate::Validated;
 use super::evaluate::Task;
 use super::generate::Generator;
-use super::options::Options;
 use super::read::File;
+use super::request::Request;
 use super::source::Source;
 use super::table::{Format, Heading, Layout};
 
@@ -22,34 +22,36 @@ const MAX_DESIGNS: u64 = 1_000_000_000_000;
 /// The designs between two points at which a sweep can go on: of a small sweep few, of a large one more.
 const BATCH: (u64, u64) = (4096, 65_536);
 
-/// Everything that determines the result.
+/// Everything that determines the result of a sweep.
 pub struct Plan {
-    pub task: Task,
-    pub source: Source,
+    pub(crate) task: Task,
+    pub(crate) source: Source,
     /// The columns of the result: those of the designs, those of the results, and that of the errors.
-    pub headings: Vec<Heading>,
-    pub format: Format,
+    pub(crate) headings: Vec<Heading>,
+    pub(crate) format: Format,
     /// The number of designs that are computed and written at once.
-    pub batch: usize,
+    pub(crate) batch: usize,
     /// Differs for sweeps with different results.
-    pub fingerprint: u64,
+    pub(crate) fingerprint: u64,
 }
 
 impl Plan {
+    /// What is asked for of a design.
+    ///
     /// # Errors
-    /// Everything that is wrong with the options.
-    pub fn new(design: &Design, options: &Options) -> Result<Self, Failure> {
+    /// Everything that is wrong with the request.
+    pub fn new(design: &Design, request: &Request) -> Result<Self, Failure> {
         let info = design.info();
-        let Validated { vary, random, speeds, format, file } = validate(options, design.model)?;
+        let Validated { vary, random, speeds, format, file } = validate(request, design.model)?;
         let source = match file {
             Some((path, format)) => {
                 let file = File::open(&path, format, info)?;
-                once(options, &file)?;
+                once(request, &file)?;
                 Source::File(file)
             }
             None => {
-                let samples = options.samples.unwrap_or(1);
-                Source::Generated(Generator { vary, random, samples, seed: options.seed.unwrap_or_default() })
+                let samples = request.samples.unwrap_or(1);
+                Source::Generated(Generator { vary, random, samples, seed: request.seed.unwrap_or_default() })
             }
         };
         let batch = match &source {
@@ -75,9 +77,9 @@ impl Plan {
 }
 
 /// Whether each parameter has its value from one place.
-fn once(options: &Options, file: &File) -> Result<(), Failure> {
+fn once(request: &Request, file: &File) -> Result<(), Failure> {
     let is_twice = |name: &str| file.columns.iter().any(|column| column.name == name);
-    let base = options.base.request();
+    let base = &request.base;
     let twice = base.overrides.iter().filter(|(_, name, _)| is_twice(name));
     let problem = |(option, name, _): &(String, String, String)| {
         let message = format!("`{name}` is given twice; also by a column of {}", file.path.display());

@@ -9,15 +9,14 @@ use rayon::prelude::*;
 use super::destination::Destination;
 use super::map::Map;
 use super::plan::Plan;
-use super::progress::Progress;
 use super::source::Batches;
 use super::table::{Designs, Results};
 
 /// How many designs may wait between two of them: as many as a disk that is busy for a moment keeps waiting.
 const WAITING: usize = 65_536;
 
-/// Computes all designs, the results of which are not written yet, and for a map all; how many there are, or `None` if nobody
-/// reads the results any more.
+/// Computes all designs, the results of which are not written yet, and for a map all; how many there are and how many were
+/// computed, or `None` if nobody reads the results any more.
 ///
 /// # Errors
 /// If designs cannot be read or results cannot be written.
@@ -26,13 +25,13 @@ pub fn run(
     batches: Batches,
     destination: &mut Destination,
     mut map: Option<&mut Map>,
-    progress: &mut Progress,
-) -> Result<Option<u64>, Failure> {
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Option<(u64, usize)>, Failure> {
     let done = destination.designs();
     let room = WAITING / plan.batch;
     let (to_compute, read) = sync_channel(room);
     let (to_write, computed) = sync_channel(room);
-    let mut first = 0;
+    let (mut first, mut count) = (0, 0);
     thread::scope(|scope| {
         scope.spawn(|| read_all(plan, batches, to_compute));
         let writer = scope.spawn(|| write_all(plan, destination, computed));
@@ -49,11 +48,11 @@ pub fn run(
             let is_written = first < done;
             first += rows(&designs) as u64;
             if is_written && map.is_none() {
-                progress.add(rows(&designs));
+                progress(rows(&designs));
                 continue;
             }
             let results = compute(plan, &designs, progress);
-            progress.computed(rows(&designs));
+            count += rows(&designs);
             if let Some(map) = &mut map {
                 results.iter().for_each(|results| map.add(results));
             }
@@ -64,7 +63,7 @@ pub fn run(
         }
         drop(to_write);
         let has_reader = writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
-        failure.map_or(Ok(has_reader.then_some(first)), Err)
+        failure.map_or(Ok(has_reader.then_some((first, count))), Err)
     })
 }
 
@@ -84,10 +83,10 @@ fn read_all(plan: &Plan, mut batches: Batches, to_compute: SyncSender<Result<Vec
     }
 }
 
-fn compute(plan: &Plan, designs: &[Designs], progress: &Progress) -> Vec<Results> {
+fn compute(plan: &Plan, designs: &[Designs], progress: &(dyn Fn(usize) + Sync)) -> Vec<Results> {
     let compute = |designs: &Designs| {
         let results = plan.task.evaluate(designs);
-        progress.add(designs.rows);
+        progress(designs.rows);
         results
     };
     designs.par_iter().map(compute).collect()

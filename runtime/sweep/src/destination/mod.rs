@@ -9,8 +9,8 @@ mod journal;
 mod store;
 
 use self::store::Store;
-use super::options::Options;
 use super::plan::Plan;
+use super::request::Request;
 use super::table::{Column, Designs, Format, Results, joined, parquet_message};
 use super::write::{csv, parquet};
 
@@ -32,10 +32,10 @@ enum Kind {
 impl Destination {
     /// # Errors
     /// If it may not or cannot be written.
-    pub fn open(options: &Options, plan: &Plan) -> Result<Self, Failure> {
-        let kind = match &options.output {
-            Some(path) => Store::open(path, plan, options.restart)?.map_or(Kind::Complete, Kind::File),
-            None if options.map.is_some() => Kind::Nowhere,
+    pub fn open(request: &Request, plan: &Plan) -> Result<Self, Failure> {
+        let kind = match &request.output {
+            Some(path) => Store::open(path, plan, request.restart)?.map_or(Kind::Complete, Kind::File),
+            None if request.map.is_some() => Kind::Nowhere,
             None => Kind::Stdout,
         };
         let errors = if let Kind::File(store) = &kind { store.progress().errors } else { 0 };

@@ -7,9 +7,9 @@ use carvallo_design::input::{is_same_file, position};
 use carvallo_design::number::shortest;
 use carvallo_design::{Capacity, Failure, Place, Problem, Shipped, speeds};
 
-use crate::sweep::generate::{Axis, Random};
-use crate::sweep::options::Options;
-use crate::sweep::table::Format;
+use crate::generate::{Axis, Random};
+use crate::request::Request;
+use crate::table::Format;
 
 /// More speeds than this would make tables that nobody reads.
 const MAX_SPEEDS: usize = 100;
@@ -28,29 +28,29 @@ pub struct Validated {
 
 /// # Errors
 /// Everything that is wrong with the request for a model.
-pub fn validate(options: &Options, model: &Shipped) -> Result<Validated, Failure> {
+pub fn validate(request: &Request, model: &Shipped) -> Result<Validated, Failure> {
     let info = model.info;
     let mut problems = Problems::default();
-    let (vary, random) = problems.parameters(options, info);
-    let format = options.output.as_deref().map_or(Format::Csv, |path| problems.table("--output", path));
-    let file = options.designs.clone().map(|path| {
+    let (vary, random) = problems.parameters(request, info);
+    let format = request.output.as_deref().map_or(Format::Csv, |path| problems.table("--output", path));
+    let file = request.designs.clone().map(|path| {
         let format = problems.table("--designs", &path);
         (path, format)
     });
-    problems.paths(options);
-    let speeds = options.eigenvalues.as_ref().map(|text| problems.speeds(text)).unwrap_or_default();
-    if let (true, Some(text)) = (info.matrices.contains(&MatrixName::Cm1), &options.eigenvalues)
+    problems.paths(request);
+    let speeds = request.eigenvalues.as_ref().map(|text| problems.speeds(text)).unwrap_or_default();
+    if let (true, Some(text)) = (info.matrices.contains(&MatrixName::Cm1), &request.eigenvalues)
         && speeds.contains(&0.0)
     {
         let message = format!("at 0 m/s {} has no eigenvalues, since C-1 is divided by the speed", info.name);
         problems.option("--eigenvalues", text, message);
     }
-    if Capacity::of(model).is_none() && options.eigenvalues.is_none() {
+    if Capacity::of(model).is_none() && request.eigenvalues.is_none() {
         let nothing = format!("nothing in the model {} depends on the speed", info.name);
         problems.add(Place::Nowhere, format!("{nothing}: give --eigenvalues SPEEDS"));
     }
-    if let Some(path) = &options.map {
-        problems.map(path, options, &vary);
+    if let Some(path) = &request.map {
+        problems.map(path, request, &vary);
     }
     if problems.all.is_empty() {
         Ok(Validated { vary, random, speeds, format, file })
@@ -75,17 +75,17 @@ impl Problems {
     }
 
     /// What varies and what is drawn.
-    fn parameters(&mut self, options: &Options, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
-        let vary = self.each("--vary", &options.vary, |text| Axis::parse(text, info));
-        let random = self.each("--random", &options.random, |text| Random::parse(text, info));
-        let varied = options.vary.iter().map(|text| ("--vary", text));
-        let base = options.base.request();
+    fn parameters(&mut self, request: &Request, info: &ModelInfo) -> (Vec<Axis>, Vec<Random>) {
+        let vary = self.each("--vary", &request.vary, |text| Axis::parse(text, info));
+        let random = self.each("--random", &request.random, |text| Random::parse(text, info));
+        let varied = request.vary.iter().map(|text| ("--vary", text));
+        let base = &request.base;
         let settings = base.overrides.iter().map(|(option, name, _)| (option.clone(), name.as_str()));
         let mut given: Vec<(String, &str)> = settings.collect();
         let is_same = |first: &str, second| {
             first == second || position(first, info).is_some_and(|at| position(second, info) == Some(at))
         };
-        for (option, text) in varied.chain(options.random.iter().map(|text| ("--random", text))) {
+        for (option, text) in varied.chain(request.random.iter().map(|text| ("--random", text))) {
             let name = text.split('=').next().unwrap_or_default().trim();
             if let Some((first, _)) = given.iter().find(|(_, other)| is_same(other, name)) {
                 let message = format!("`{name}` is given twice; first at {first}");
@@ -93,16 +93,16 @@ impl Problems {
             }
             given.push((format!("{option} {text}"), name));
         }
-        match (options.samples, options.random.is_empty()) {
+        match (request.samples, request.random.is_empty()) {
             (None, false) => self.add(Place::Nowhere, "--random needs --samples COUNT"),
             (Some(_), true) => self.add(Place::Nowhere, "--samples needs --random NAME=VALUES"),
             (Some(0), false) => self.option("--samples", "0", "expected at least 1"),
             _ => {}
         }
-        if options.seed.is_some() && options.random.is_empty() {
+        if request.seed.is_some() && request.random.is_empty() {
             self.add(Place::Nowhere, "--seed needs --random NAME=VALUES");
         }
-        if options.vary.is_empty() && options.random.is_empty() && options.designs.is_none() {
+        if request.vary.is_empty() && request.random.is_empty() && request.designs.is_none() {
             self.add(Place::Nowhere, "nothing varies: expected --vary, --random or --designs");
         }
         (vary, random)
@@ -128,14 +128,14 @@ impl Problems {
     }
 
     /// Whether the results would replace what is read.
-    fn paths(&mut self, options: &Options) {
-        for (option, path) in [("--output", &options.output), ("--map", &options.map)] {
+    fn paths(&mut self, request: &Request) {
+        for (option, path) in [("--output", &request.output), ("--map", &request.map)] {
             let Some(path) = path else { continue };
             let shown = path.display().to_string();
-            if options.designs.as_ref().is_some_and(|designs| is_same_file(designs, path)) {
+            if request.designs.as_ref().is_some_and(|designs| is_same_file(designs, path)) {
                 self.option(option, &shown, "the designs are read from this file");
             }
-            if options.base.request().reads(path) {
+            if request.base.reads(path) {
                 self.option(option, &shown, "the parameters are read from this file");
             }
         }
@@ -159,12 +159,12 @@ impl Problems {
     }
 
     /// Whether there is a map to draw.
-    fn map(&mut self, path: &Path, options: &Options, vary: &[Axis]) {
+    fn map(&mut self, path: &Path, request: &Request, vary: &[Axis]) {
         let path = path.display().to_string();
         if ![".svg", ".png"].iter().any(|ending| path.to_lowercase().ends_with(ending)) {
             self.option("--map", &path, "the name must end in .svg or .png");
         }
-        if options.vary.len() != 2 || !options.random.is_empty() {
+        if request.vary.len() != 2 || !request.random.is_empty() {
             self.option("--map", &path, "a map needs two parameters that vary by --vary, and no others");
         } else if let [x, y] = vary {
             if [x, y].iter().any(|axis| axis.values.iter().all(|value| *value == axis.values[0])) {

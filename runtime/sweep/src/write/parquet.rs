@@ -18,7 +18,7 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
 
-use crate::sweep::table::{Column, Heading, Kind};
+use crate::table::{Column, Heading, Kind};
 
 /// One row group, as a file of its own. The parts of a column come one after the other.
 ///

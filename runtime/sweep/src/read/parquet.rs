@@ -10,7 +10,7 @@ use parquet::schema::types::Type;
 
 use super::chunk::Chunk;
 use super::rows::{Named, Rows};
-use crate::sweep::table::parquet_message;
+use crate::table::parquet_message;
 
 /// The rows of a file.
 pub struct Records {

@@ -3,7 +3,7 @@
 use carvallo::{Complex, Stability, StableRange, SystemError, Verdict};
 use carvallo_design::{Equations, Shipped};
 
-use crate::sweep::table::Layout;
+use crate::table::Layout;
 
 /// The results of one design.
 #[derive(Default)]

@@ -5,7 +5,7 @@ use carvallo_design::input::measured;
 use carvallo_design::number::shortest;
 use carvallo_design::quantity::ambiguous;
 
-use crate::sweep::table::{Column, Designs, Kind};
+use crate::table::{Column, Designs, Kind};
 
 /// A column of a file.
 pub struct Named {

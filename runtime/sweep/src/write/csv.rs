@@ -3,7 +3,7 @@
 //! Not by the crate `csv`, as the other tables are: it puts no quotes around a field for spaces at its ends, which programs
 //! that trim fields would lose, and it takes half as long again, since it copies each cell once more.
 
-use crate::sweep::table::{Column, Heading};
+use crate::table::{Column, Heading};
 
 /// The first line.
 pub fn header(headings: &[Heading]) -> Vec<u8> {
@@ -67,7 +67,7 @@ fn push(field: &str, text: &mut Vec<u8>) {
 #[cfg(test)]
 mod tests {
     use super::{header, rows};
-    use crate::sweep::table::{Column, Heading};
+    use crate::table::{Column, Heading};
 
     #[test]
     fn fields_are_quoted_where_they_must_be() {
