@@ -1,1 +1,22 @@
 #![doc = include_str!("../README.md")]
+
+mod accuracy;
+mod comparison;
+mod designs;
+mod explain;
+mod formula;
+mod macros;
+mod number;
+mod reference;
+mod report;
+mod side;
+mod time;
+
+pub use accuracy::{Accuracy, Worst};
+pub use comparison::Comparison;
+pub use designs::Design;
+pub use explain::Explanation;
+pub use number::{Counted, Exact, Operations, Real, count};
+pub use reference::ReferenceKind;
+pub use report::{Limits, Report, SideReport, TaskReport};
+pub use time::{Contender, Task, Time};

@@ -1,4 +1,6 @@
-//! The text of a formula to its parts.
+//! The text of a formula to its parts, and back.
+
+use std::fmt;
 
 /// A formula in its parts, as the text of a [`FormulaInfo`](crate::FormulaInfo) has them. Sums and products are flat, as
 /// they are written.
@@ -35,6 +37,46 @@ impl Formula {
         let mut reader = Reader { rest: text.trim() };
         let formula = reader.sum()?;
         reader.rest.is_empty().then_some(formula)
+    }
+}
+
+/// Reads as a declaration has it, in parentheses where its parts need them: what is written is read as the same formula.
+impl fmt::Display for Formula {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number, None) => f.write_str(number),
+            Self::Number(number, Some(unit)) => write!(f, "{number} [{unit}]"),
+            Self::Name(name) => f.write_str(name),
+            Self::Sum(terms) => terms.iter().enumerate().try_for_each(|(index, (negative, term))| {
+                f.write_str(match (index, negative) {
+                    (0, false) => "",
+                    (0, true) => "-",
+                    (_, false) => " + ",
+                    (_, true) => " - ",
+                })?;
+                term.write(f, matches!(term, Self::Sum(_)))
+            }),
+            Self::Product(factors) => factors.iter().enumerate().try_for_each(|(index, (inverse, factor))| {
+                f.write_str(match (index, inverse) {
+                    (0, false) => "",
+                    (0, true) => "1/",
+                    (_, false) => "*",
+                    (_, true) => "/",
+                })?;
+                factor.write(f, matches!(factor, Self::Sum(_) | Self::Product(_)))
+            }),
+            Self::Power(base, exponent) => {
+                base.write(f, !matches!(**base, Self::Name(_) | Self::Number(_, None) | Self::Call(..)))?;
+                write!(f, "^{exponent}")
+            }
+            Self::Call(function, argument) => write!(f, "{function}({argument})"),
+        }
+    }
+}
+
+impl Formula {
+    fn write(&self, f: &mut fmt::Formatter<'_>, in_parentheses: bool) -> fmt::Result {
+        if in_parentheses { write!(f, "({self})") } else { write!(f, "{self}") }
     }
 }
 

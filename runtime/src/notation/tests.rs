@@ -72,3 +72,28 @@ fn what_is_no_formula_is_none() {
         assert_eq!(Formula::parse(text), None, "{text}");
     }
 }
+
+#[test]
+fn what_is_written_is_read_as_the_same_formula() {
+    let texts = [
+        "a - (b - c)",
+        "-a*b + c",
+        "a + (-b)*c",
+        "a/b*c/d",
+        "a/(b*c)",
+        "1/(a + b)",
+        "(a + b)^2*c",
+        "(a/b)^-2",
+        "-a^2",
+        "(-a)^2",
+        "2*(1/2)*a",
+        "sin(a + b)^2",
+        "1.5e-7*tan(2*x)",
+        "0.1 [kg*m^2/s]*a",
+    ];
+    for text in texts {
+        let formula = Formula::parse(text).unwrap_or_else(|| panic!("{text} is a formula"));
+        assert_eq!(formula.to_string(), text);
+        assert_eq!(Formula::parse(&formula.to_string()), Some(formula));
+    }
+}

@@ -27,34 +27,64 @@ pub struct Real {
 
 impl Real {
     /// The nearest number to a decimal such as `-5.5309437176539346`.
+    #[must_use]
     pub fn parse(decimal: &str) -> Self {
         CONSTANTS.with_borrow_mut(|constants| BigFloat::parse(decimal, Radix::Dec, BITS, ROUNDING, constants).into())
     }
 
+    /// The ratio of the circumference of a circle to its diameter.
+    #[must_use]
+    pub fn pi() -> Self {
+        CONSTANTS.with_borrow_mut(|constants| constants.pi(BITS, ROUNDING).into())
+    }
+
     /// Sine of an angle in radians.
+    #[must_use]
     pub fn sin(self) -> Self {
         CONSTANTS.with_borrow_mut(|constants| BigFloat::from(self).sin(BITS, ROUNDING, constants).into())
     }
 
     /// Cosine of an angle in radians.
+    #[must_use]
     pub fn cos(self) -> Self {
         CONSTANTS.with_borrow_mut(|constants| BigFloat::from(self).cos(BITS, ROUNDING, constants).into())
     }
 
     /// The square root of a number that is not negative.
+    #[must_use]
     pub fn sqrt(self) -> Self {
         BigFloat::from(self).sqrt(BITS, ROUNDING).into()
     }
 
     /// The magnitude.
+    #[must_use]
     pub fn abs(self) -> Self {
         Self { sign: Sign::Pos, ..self }
     }
 
     /// The nearest `f64`.
+    #[must_use]
     pub fn to_f64(self) -> f64 {
-        BigFloat::from(self).to_string().parse().expect("the decimal form of a finite number")
+        // The mantissa is a fraction whose first bit is set, its least word first. All but its upper 128 bits decide
+        // nothing but whether the value lies between two numbers or on the middle.
+        let most = 128 / WORD_BIT_SIZE;
+        let (rest, upper) = self.mantissa.split_at(self.mantissa.len() - most);
+        let upper = upper.iter().rev().fold(0_u128, |bits, word| (bits << WORD_BIT_SIZE) | u128::from(*word));
+        let sticky = u128::from(rest.iter().any(|word| *word != 0));
+        let exponent = i64::from(self.exponent) - 128;
+        let magnitude = scale((upper | sticky) as f64, exponent);
+        if self.sign == Sign::Neg { -magnitude } else { magnitude }
     }
+}
+
+/// A number times a power of two, in steps whose factors are numbers.
+fn scale(mut value: f64, mut exponent: i64) -> f64 {
+    while exponent != 0 && value != 0.0 && value.is_finite() {
+        let step = exponent.clamp(-1000, 1000);
+        value *= 2_f64.powi(step as i32);
+        exponent -= step;
+    }
+    value
 }
 
 impl From<f64> for Real {
@@ -123,5 +153,25 @@ impl PartialEq for Real {
 impl PartialOrd for Real {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         BigFloat::from(*self).partial_cmp(&BigFloat::from(*other))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_number_is_found() {
+        for value in [0.0, 1.0, -1.5, 0.1, 1e300, -1e-300, f64::MAX, f64::MIN_POSITIVE, 2_f64.powi(-1074)] {
+            assert_eq!(Real::from(value).to_f64(), value);
+        }
+        // A little above the middle between 1 and the next number, and the middle itself, which goes to the even one.
+        let half = Real::from(f64::EPSILON / 2.0);
+        let middle = Real::from(1.0) + half;
+        assert_eq!(middle.to_f64(), 1.0);
+        assert_eq!((middle + Real::from(1e-60)).to_f64(), 1.0 + f64::EPSILON);
+        assert_eq!(Real::parse("0.1").to_f64(), 0.1);
+        assert_eq!(Real::pi().to_f64(), std::f64::consts::PI);
+        assert_eq!(Real::parse("1e400").to_f64(), f64::INFINITY);
     }
 }

@@ -1,0 +1,134 @@
+//! A report as people read it.
+
+use std::fmt;
+
+use super::{Report, SideReport, TaskReport};
+use crate::accuracy::{Accuracy, Worst};
+use crate::reference::ReferenceKind;
+
+/// The width of names of rows.
+const NAMES: usize = 34;
+/// Digits of values that are shown beside each other.
+const DIGITS: usize = 9;
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names: Vec<&str> = self.sides.iter().map(|side| side.name.as_str()).collect();
+        let designs = match self.seed {
+            Some(seed) => format!("its sets and random designs (seed {seed}), {} in all", self.designs),
+            None => format!("{} designs", self.designs),
+        };
+        let reference = match self.reference {
+            ReferenceKind::Formulas => "its formulas",
+            ReferenceKind::Program => "its program",
+        };
+        writeln!(f, "{}: {} beside {reference} in 320 bits, at {designs}\n", self.model, names.join(", "))?;
+        self.table(f)?;
+        for side in &self.sides {
+            self.worst(f, side)?;
+        }
+        for side in self.sides.iter().filter(|side| !side.double.differences.is_empty()) {
+            side.differences(f)?;
+        }
+        if !self.times.is_empty() {
+            let note = if self.optimized { "" } else { ", which mean nothing without optimization (--release)" };
+            writeln!(f, "\ntimes for a design, in turns, with quartiles{note}")?;
+            self.times.iter().try_for_each(|task| task.fmt(f))?;
+        }
+        Ok(())
+    }
+}
+
+impl Report {
+    /// Operations and largest errors, a column for each side.
+    fn table(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut row = |name: &str, cell: &dyn Fn(&SideReport) -> String| {
+            write!(f, "{name:NAMES$}")?;
+            self.sides.iter().try_for_each(|side| write!(f, " {:>width$}", cell(side), width = width(&side.name)))?;
+            writeln!(f)
+        };
+        row("", &|side| side.name.clone())?;
+        if self.sides.iter().any(|side| side.operations.is_some()) {
+            row("operations", &|side| side.operations.map_or("not counted".into(), |all| all.total().to_string()))?;
+            let kinds = ["additions", "multiplications", "divisions", "negations", "roots", "trigonometric"];
+            for (index, kind) in kinds.into_iter().enumerate() {
+                let counts = self.sides.iter().filter_map(|side| side.operations);
+                if counts.into_iter().any(|all| all.kinds()[index] > 0) {
+                    let cell =
+                        |side: &SideReport| side.operations.map_or("".into(), |all| all.kinds()[index].to_string());
+                    row(&format!("  {kind}"), &cell)?;
+                }
+            }
+        }
+        row("largest error in f64, ulp of terms", &|side| ulps(Some(&side.double)))?;
+        if self.sides.iter().any(|side| side.single.is_some()) {
+            row("largest error in f32, ulp of terms", &|side| ulps(side.single.as_ref()))?;
+        }
+        Ok(())
+    }
+
+    fn worst(&self, f: &mut fmt::Formatter<'_>, side: &SideReport) -> fmt::Result {
+        let Some(Worst { entry, computed, exact, design, .. }) = &side.double.worst else { return Ok(()) };
+        if !side.double.differences.is_empty() {
+            return Ok(());
+        }
+        writeln!(f, "{} is farthest off at {}: {entry} = {computed:?}, exactly {exact:?}", side.name, design.name)
+    }
+}
+
+impl SideReport {
+    fn differences(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let differences = &self.double.differences;
+        let entries = if differences.len() == 1 { "one entry" } else { &*format!("{} entries", differences.len()) };
+        writeln!(f, "\n`{}` differs in {entries}, most", self.name)?;
+        for Worst { entry, formula, computed, exact, design, .. } in differences {
+            writeln!(f, "  at {}: {entry} is {}, and should be {}", design.name, number(*computed), number(*exact))?;
+            writeln!(f, "    {entry} = {formula}")?;
+        }
+        for explanation in &self.explanations {
+            let of = explanation.entries.join(", ");
+            let (first, others) = explanation.causes.split_first().expect("a cause");
+            writeln!(f, "that explains {of}: {first}")?;
+            others.iter().try_for_each(|other| writeln!(f, "  or {other}"))?;
+        }
+        if !self.unexplained.is_empty() {
+            writeln!(f, "no single slip explains {}", self.unexplained.join(", "))?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for TaskReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "  {}", self.task)?;
+        let names = self.times.iter().map(|time| time.name.chars().count()).max().unwrap_or(0).max(NAMES - 4);
+        for time in &self.times {
+            let [low, high] = time.quartiles.map(|nanoseconds| format!("{nanoseconds:.1}"));
+            let [least, most] = time.quartiles_to_first.map(|ratio| format!("{ratio:.2}"));
+            writeln!(
+                f,
+                "    {:names$} {:>8.1} ns ({low} to {high}), {:>5.2} of the first ({least} to {most})",
+                time.name, time.nanoseconds, time.to_first
+            )?;
+        }
+        Ok(())
+    }
+}
+
+fn width(name: &str) -> usize {
+    name.chars().count().max(12)
+}
+
+fn ulps(accuracy: Option<&Accuracy>) -> String {
+    match accuracy {
+        None => "no function".into(),
+        Some(accuracy) if !accuracy.differences.is_empty() => "differs".into(),
+        Some(accuracy) => format!("{:.2}", accuracy.ulps),
+    }
+}
+
+/// A value with as many digits as tell two formulas apart.
+fn number(value: f64) -> String {
+    let rounded = format!("{value:.DIGITS$e}");
+    rounded.parse::<f64>().map_or(rounded, |value| value.to_string())
+}

@@ -1,0 +1,44 @@
+//! Functions by hand that are right.
+
+use carvallo::{Number, Rows};
+use carvallo_compare::{Limits, compare};
+use carvallo_models::{Pendulum, PendulumMatrices};
+
+fn by_hand<T: Number>(p: &Pendulum<T>) -> PendulumMatrices<T> {
+    let Pendulum { m, l, c, .. } = *p;
+    PendulumMatrices { m: Rows([[m * l * l]]), c0: Rows([[c]]), k0: Rows([[m * l]]) }
+}
+
+fn in_double(p: &Pendulum) -> PendulumMatrices {
+    by_hand(p)
+}
+
+carvallo_compare::test!(Pendulum, by_hand);
+carvallo_compare::test!(Pendulum, in_double: f64, Limits { ulps: 2.0, ..Limits::default() });
+
+#[test]
+fn operations_and_errors_are_told() {
+    let report = compare!(Pendulum, by_hand).report().expect("designs");
+    let [generated, hand] = &report.sides[..] else { panic!("two sides") };
+    // m l, and that times l; by hand m l twice.
+    assert_eq!(generated.operations.map(|all| (all.multiplications, all.total())), Some((2, 2)));
+    assert_eq!(hand.operations.map(|all| all.total()), Some(3));
+    for side in [generated, hand] {
+        let single = side.single.as_ref().expect("a function in `f32`");
+        // Two roundings of half a unit, of a value that may be just above a power of two.
+        assert!(side.double.ulps > 0.0 && side.double.ulps <= 2.0, "{report}");
+        assert!(single.ulps > 0.0 && single.ulps <= 2.0, "{report}");
+    }
+    assert_eq!(report.designs, 501);
+}
+
+#[test]
+fn the_report_is_data() {
+    let report = compare!(Pendulum, in_double: f64).random_designs(10).report().expect("designs");
+    let json: serde_json::Value = serde_json::from_str(&report.to_json()).expect("JSON");
+    assert_eq!(json["model"], "Pendulum");
+    assert_eq!(json["reference"], "formulas");
+    assert_eq!(json["sides"][1]["name"], "in_double");
+    assert_eq!(json["sides"][1]["operations"], serde_json::Value::Null);
+    assert!(json["sides"][1]["double"]["ulps"].as_f64().expect("a number") <= 2.0);
+}
