@@ -1,4 +1,4 @@
-//! Generated against hand-written matrices: of one design that stays in cache, and of a million distinct designs.
+//! Generated against hand-written matrices: of one design and 64 that stay in cache, and of a million distinct designs.
 //!
 //! A million designs are 208 MB of parameters and 128 MB of matrices in `f64`, half of that in `f32`: more than any
 //! cache. Both sides read and write the same memory.
@@ -7,23 +7,27 @@
 
 use std::hint::black_box;
 
+use carvallo_compare::Contender;
 use carvallo_models::{Whipple, WhippleMechanism};
-use carvallo_tests::designs;
 use carvallo_tests::hand_written::{self, Float};
 use carvallo_tests::peers::symplex::{self, Symplex};
+use carvallo_tests::{designs, rounding};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 
 const DESIGNS: u64 = 1_000_000;
 
-fn one_design<T: Float + Symplex>(criterion: &mut Criterion, scalar: &str, design: Whipple<T>) {
-    let mut group = criterion.benchmark_group(format!("matrices in cache, {scalar}"));
-    let mechanism = WhippleMechanism::from_array(design.to_array());
-    group.bench_function("from bodies", |bencher| bencher.iter(|| black_box(&mechanism).matrices()));
-    group.bench_function("from formulas", |bencher| bencher.iter(|| black_box(&design).matrices()));
-    group.bench_function("hand-written", |bencher| bencher.iter(|| hand_written::matrices(black_box(&design))));
-    group.bench_function("symplex-build", |bencher| bencher.iter(|| symplex::matrices(black_box(&design))));
-    group.finish();
+/// One design and 64 of them, as the library compares them.
+fn in_cache(criterion: &mut Criterion) {
+    let tasks = rounding::four_ways((0..64).map(designs::numbered)).tasks().expect("designs");
+    for task in tasks {
+        let mut group = criterion.benchmark_group(format!("matrices, {}", task.name));
+        group.throughput(Throughput::Elements(task.repetitions));
+        for Contender { name, mut run, .. } in task.contenders {
+            group.bench_function(name, |bencher| bencher.iter(&mut run));
+        }
+        group.finish();
+    }
 }
 
 fn million_designs<T: Float + Symplex>(criterion: &mut Criterion, scalar: &str, design: fn(u64) -> Whipple<T>) {
@@ -52,8 +56,7 @@ fn all<D, M>(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, designs: &[D]
 }
 
 fn matrices(criterion: &mut Criterion) {
-    one_design(criterion, "f64", Whipple::BENCHMARK);
-    one_design(criterion, "f32", designs::narrowed(&Whipple::BENCHMARK));
+    in_cache(criterion);
     million_designs(criterion, "f64", designs::numbered);
     million_designs(criterion, "f32", |number| designs::narrowed(&designs::numbered(number)));
 }

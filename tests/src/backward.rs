@@ -6,8 +6,8 @@
 
 use carvallo::{Matrix, System};
 
-use crate::real::Real;
 use crate::roots::Complex;
+use carvallo_compare::Real;
 
 type Rows = Vec<Vec<Complex>>;
 

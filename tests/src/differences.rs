@@ -10,8 +10,8 @@ use nalgebra::Complex as Complex64;
 
 use crate::exact::{self, Matrices};
 use crate::quartic::determinant;
-use crate::real::Real;
 use crate::roots::Complex;
+use carvallo_compare::Real;
 
 const STEP: &str = "1e-30";
 

@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use carvallo::Model;
 use carvallo_models::Whipple;
 
-use crate::real::Real;
+use carvallo_compare::Real;
 
 /// The matrices M, C1, K0 and K2 by rows.
 pub type Matrices<R> = [[[R; 2]; 2]; 4];

@@ -5,11 +5,12 @@
 
 #![allow(non_snake_case)] // The names are the paper's.
 
-use carvallo::{Rows, Scalar};
+use carvallo::{Number, Rows};
+use carvallo_compare::Counted;
 use carvallo_models::{Whipple, WhippleMatrices};
 
 /// A number whose sine and cosine come from the standard library, whatever the runtime does.
-pub trait Float: Scalar {
+pub trait Float: Number {
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
 }
@@ -28,6 +29,13 @@ impl Float for f64 {
     }
 }
 
+/// Counts as the function of the runtime does.
+impl Float for Counted {
+    fn sin_cos(self) -> (Self, Self) {
+        Number::sin_cos(self)
+    }
+}
+
 /// The coefficient matrices of a design.
 ///
 /// Always inlined, since that is what is fastest in a loop over designs.
@@ -36,8 +44,8 @@ pub fn matrices<T: Float>(design: &Whipple<T>) -> WhippleMatrices<T> {
     let &Whipple { w, c, lam, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IBzz, IBxz, .. } = design;
     let &Whipple { xH, zH, mH, IHxx, IHzz, IHxz, rF, mF, IFxx, IFyy, .. } = design;
     let (IRzz, IFzz) = (IRxx, IFxx);
-    let zero = T::from_f64(0.0);
-    let two = T::from_f64(2.0);
+    let zero = w.like(0.0);
+    let two = w.like(2.0);
     let (sin, cos) = Float::sin_cos(lam);
 
     let mT = mR + mB + mH + mF;

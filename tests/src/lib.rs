@@ -24,7 +24,6 @@ pub mod operations;
 pub mod peers;
 pub mod published;
 pub mod quartic;
-pub mod real;
 pub mod roots;
 pub mod rounding;
 pub mod textbook;

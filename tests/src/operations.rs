@@ -1,60 +1,10 @@
 //! Operations of a function, counted in its source.
 
-use std::fmt;
 use std::fs;
-use std::ops::AddAssign;
 
+use carvallo_compare::Operations;
 use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, ExprUnary, ImplItemFn, ItemFn, Lit, UnOp};
-
-/// How many operations on numbers a function does, if it has no loops.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Operations {
-    /// Additions and subtractions.
-    pub additions: usize,
-    /// Multiplications.
-    pub multiplications: usize,
-    /// Divisions.
-    pub divisions: usize,
-    /// Changes of sign.
-    pub negations: usize,
-    /// Square roots.
-    pub roots: usize,
-    /// Sines, cosines and tangents.
-    pub trigonometric: usize,
-}
-
-impl Operations {
-    /// All of them.
-    pub fn total(self) -> usize {
-        self.kinds().iter().sum()
-    }
-
-    /// Those of each kind, in the order of the fields.
-    pub fn kinds(self) -> [usize; 6] {
-        let Self { additions, multiplications, divisions, negations, roots, trigonometric } = self;
-        [additions, multiplications, divisions, negations, roots, trigonometric]
-    }
-}
-
-impl AddAssign for Operations {
-    fn add_assign(&mut self, other: Self) {
-        self.additions += other.additions;
-        self.multiplications += other.multiplications;
-        self.divisions += other.divisions;
-        self.negations += other.negations;
-        self.roots += other.roots;
-        self.trigonometric += other.trigonometric;
-    }
-}
-
-/// The kinds and the total as columns.
-impl fmt::Display for Operations {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.kinds().iter().try_for_each(|count| write!(f, "{count}\t"))?;
-        write!(f, "{}", self.total())
-    }
-}
 
 /// The names of the columns of a table of shipped programs.
 pub const COLUMNS: &str =

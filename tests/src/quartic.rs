@@ -3,8 +3,8 @@
 use carvallo::{Coefficients, System};
 
 use crate::exact::Number;
-use crate::real::Real;
 use crate::roots::Complex;
+use carvallo_compare::Real;
 
 /// Coefficients of `det(M s^2 + C s + K)` from s^4 down to s^0; in [`Size`](crate::exact::Size) the terms they sum.
 pub fn characteristic<R: Number>(system: &System<2>) -> [R; 5] {

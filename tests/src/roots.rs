@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-use crate::real::Real;
+use carvallo_compare::Real;
 
 /// A complex number with 320 bits in each part.
 #[derive(Clone, Copy, Debug)]

@@ -6,6 +6,7 @@ use std::time::Duration;
 use carvallo::{Coefficients, Model, ParameterError};
 
 use crate::accuracy::{Accuracy, Errors};
+use crate::assembly::{Assembly, AssemblyError};
 use crate::designs::{Design, designs, regular_designs};
 use crate::explain::{AtDesign, Evidence, explain};
 use crate::number::{Counted, Exact, Operations};
@@ -129,6 +130,14 @@ impl<M: Model<N, Scalar = f64> + 'static, const N: usize> Comparison<M, N> {
             }
         }
         Ok(tasks)
+    }
+
+    /// The code of all sides as the processor has it, by `objdump`, which has to be installed.
+    ///
+    /// # Errors
+    /// If there is no `objdump`, or it does not read the program that is running.
+    pub fn assembly(&self) -> Result<Assembly, AssemblyError> {
+        Assembly::of(&self.sides)
     }
 
     fn all_designs(&self) -> Result<Vec<Design>, ParameterError> {

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod accuracy;
+mod assembly;
 mod comparison;
 mod designs;
 mod explain;
@@ -13,6 +14,7 @@ mod side;
 mod time;
 
 pub use accuracy::{Accuracy, Worst};
+pub use assembly::{Assembly, AssemblyError, Listing};
 pub use comparison::Comparison;
 pub use designs::Design;
 pub use explain::Explanation;

@@ -2,13 +2,14 @@
 
 use std::hint::black_box;
 
+use carvallo::Scalar;
+use carvallo_compare::Task;
 use carvallo_models::{Whipple, WhippleMatrices, WhippleMechanism};
 use carvallo_tests::designs;
 use carvallo_tests::hand_written::{self, Float};
 use carvallo_tests::peers::symplex::Symplex;
 
 use crate::Summary;
-use crate::contest::Task;
 
 const REPETITIONS: usize = 100;
 
@@ -41,7 +42,7 @@ fn repeated<D, R>(design: &D, compute: impl Fn(&D) -> R) -> impl FnMut() {
 }
 
 /// Appendix A by hand and its central differences, to some ten digits in `f64` and three in `f32`.
-fn differences<T: Float>(design: &Whipple<T>, step: f64) -> ([T; 16], [[T; 16]; 26]) {
+fn differences<T: Float + Scalar>(design: &Whipple<T>, step: f64) -> ([T; 16], [[T; 16]; 26]) {
     let scale = T::from_f64(0.5 / step);
     let step = T::from_f64(step);
     let mut derivatives = [[scale; 16]; 26];
@@ -59,7 +60,7 @@ fn differences<T: Float>(design: &Whipple<T>, step: f64) -> ([T; 16], [[T; 16]; 
     (by_hand(design), derivatives)
 }
 
-fn by_hand<T: Float>(design: &Whipple<T>) -> [T; 16] {
+fn by_hand<T: Float + Scalar>(design: &Whipple<T>) -> [T; 16] {
     let WhippleMatrices { m, c1, k0, k2 } = hand_written::matrices(design);
     let rows = [m[0], m[1], c1[0], c1[1], k0[0], k0[1], k2[0], k2[1]];
     std::array::from_fn(|entry| rows[entry / 2][entry % 2])

@@ -4,6 +4,7 @@ use std::hint::black_box;
 
 use carvallo::batch::{Batch, Eigenvalues};
 use carvallo::{Coefficients, Matrix, Model, System};
+use carvallo_compare::Task;
 use carvallo_tests::bicycles;
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -12,7 +13,6 @@ use faer::{Mat, Par};
 use nalgebra::{Matrix4, Schur};
 
 use crate::Summary;
-use crate::contest::Task;
 
 /// A fixed bound, since an unbounded iteration has been seen not to end.
 const ITERATIONS: usize = 500;

@@ -1,8 +1,8 @@
-//! One table of what everything takes: by hand, by peers, by Carvallo, and what no program can do without.
+//! One table of what everything takes: by hand, by peers, by Carvallo, and what no program can do without. Before it stand
+//! operations and rounding errors.
 //!
 //! What is timed, and how, is in `README.md` beside this folder.
 
-mod contest;
 mod derivatives;
 mod eigenvalues;
 mod matrices;
@@ -13,7 +13,8 @@ mod table;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use contest::Task;
+use carvallo_compare::Task;
+use carvallo_tests::{designs, operations, rounding};
 use table::Table;
 
 const USAGE: &str = "\
@@ -33,13 +34,25 @@ struct Summary {
 }
 
 impl Summary {
+    /// Whether something of this name was asked for.
+    fn wants(&self, name: &str) -> bool {
+        self.words.is_empty() || self.words.iter().any(|word| name.contains(word.as_str()))
+    }
+
     fn run(&mut self, task: Task<'_>) {
-        if self.words.is_empty() || self.words.iter().any(|word| task.name.contains(word.as_str())) {
+        if self.wants(&task.name) {
             eprintln!("timing: {}", task.name);
             let name = task.name.clone();
             self.table.push(name, task.race(self.time));
         }
     }
+}
+
+/// Those of the four matrices at so many random designs.
+fn operations_and_errors(designs: usize) -> String {
+    let report = rounding::four_ways((0..designs as u64).map(designs::numbered)).report().expect("designs");
+    let peer = operations::count(include_str!("../../src/peers/symplex/f64.rs"), "matrices").total();
+    format!("{report}symplex-build takes {peer} operations, counted in its source\n")
 }
 
 fn main() -> ExitCode {
@@ -60,6 +73,9 @@ fn main() -> ExitCode {
             }
             word => summary.words.push(word.to_owned()),
         }
+    }
+    if summary.wants("operations and errors of the four matrices") {
+        println!("{}", operations_and_errors(summary.designs / 100));
     }
     matrices::add(&mut summary);
     derivatives::add(&mut summary);

@@ -5,13 +5,13 @@ use std::hint::black_box;
 
 use carvallo::batch::{Batch, Blocks};
 use carvallo::{Model, Rows, Scalar};
+use carvallo_compare::Task;
 use carvallo_models::{Whipple, WhippleMatrices, WhippleMechanism, WhippleMechanismMatrices};
 use carvallo_tests::designs;
 use carvallo_tests::hand_written::{self, Float};
 use carvallo_tests::peers::symplex::{self, Symplex};
 
 use crate::Summary;
-use crate::contest::Task;
 
 /// Of 208 + 128 bytes in `f64`: 21 kB.
 const IN_CACHE: usize = 64;
@@ -194,7 +194,7 @@ fn copy<T: Scalar>(design: &Whipple<T>) -> WhippleMatrices<T> {
 
 /// The same with sine and cosine of the steer axis tilt in the place of two zeros.
 #[inline]
-fn sine_and_cosine<T: Float>(design: &Whipple<T>) -> WhippleMatrices<T> {
+fn sine_and_cosine<T: Float + Scalar>(design: &Whipple<T>) -> WhippleMatrices<T> {
     let mut matrices = copy(design);
     (matrices.c1[0][0], matrices.k2[0][0]) = Float::sin_cos(design.lam);
     matrices

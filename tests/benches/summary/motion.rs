@@ -3,6 +3,7 @@
 use std::hint::black_box;
 
 use carvallo::{Motion, Scalar};
+use carvallo_compare::Task;
 use carvallo_models::WhippleMechanism;
 use carvallo_tests::bicycles;
 use carvallo_tests::multibody::bicycle::{Bicycle, Extras};
@@ -10,7 +11,6 @@ use carvallo_tests::multibody::dynamics::Drive;
 use nalgebra::{SMatrix, SVector};
 
 use crate::Summary;
-use crate::contest::Task;
 
 const REPETITIONS: usize = 100;
 

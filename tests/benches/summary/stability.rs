@@ -3,12 +3,12 @@
 use std::hint::black_box;
 
 use carvallo::{Coefficients, Model, Stability};
+use carvallo_compare::Task;
 use carvallo_models::{Whipple, WhippleMechanism};
 use carvallo_tests::facts::{RandomSystem, random_systems};
 use carvallo_tests::{bicycles, designs};
 
 use crate::Summary;
-use crate::contest::Task;
 
 /// Designs of a sweep that are computed in one round.
 const IN_A_ROUND: usize = 100;

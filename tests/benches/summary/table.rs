@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::contest::Time;
+use carvallo_compare::Time;
 
 /// Rows of all tasks.
 #[derive(Default)]
@@ -20,7 +20,7 @@ impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = |texts: &mut dyn Iterator<Item = &str>| texts.map(|text| text.chars().count()).max().unwrap_or(0);
         let times = || self.tasks.iter().flat_map(|(_, times)| times);
-        let name = width(&mut times().map(|time| time.name)) + 2;
+        let name = width(&mut times().map(|time| time.name.as_str())) + 2;
         writeln!(f, "{:name$} {:>12} {:>10} {:>10}", "", "time", "to first", "to limit")?;
         for (task, times) in &self.tasks {
             writeln!(f, "\n{task}")?;

@@ -1,9 +1,9 @@
 //! Critical speeds of all bicycles against a table that was found in another way, and of random designs against signs.
 
 use carvallo::{Coefficients, CriticalSpeed, Model, Stability};
+use carvallo_compare::Real;
 use carvallo_tests::published::CRITICAL_SPEEDS_2007;
 use carvallo_tests::quartic::characteristic_at;
-use carvallo_tests::real::Real;
 use carvallo_tests::roots::Signature;
 use carvallo_tests::{bicycles, designs, facts};
 use proptest::prelude::*;

@@ -2,9 +2,9 @@
 //! differences of the values, and against derivatives by hand.
 
 use carvallo::{Coefficients, Differentiable, Model, Scalar};
+use carvallo_compare::Real;
 use carvallo_models::{Pendulum, Whipple, WhippleDerivatives, WhippleMatrices, WhippleMechanism, each_model};
 use carvallo_tests::exact::{Matrices, derivatives};
-use carvallo_tests::real::Real;
 use carvallo_tests::{bicycles, designs};
 use proptest::prelude::*;
 

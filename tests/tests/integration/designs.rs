@@ -8,10 +8,10 @@
 //! epsilon; 16 leave a compiled arrangement a little more. The sum of magnitudes does not depend on the arrangement.
 
 use carvallo::{Coefficients, Model, Scalar};
+use carvallo_compare::Real;
 use carvallo_models::{Whipple, WhippleDerivatives, WhippleMatrices};
 use carvallo_tests::exact::{Matrices, Size, matrices};
 use carvallo_tests::peers::symplex::{self, Symplex};
-use carvallo_tests::real::Real;
 use carvallo_tests::{designs, hand_written};
 use nalgebra::SMatrix;
 use proptest::prelude::*;

@@ -7,9 +7,9 @@
 //! epsilons of the largest move the coefficient of s^(4-k) by that many of the largest's k-th power.
 
 use carvallo::{Model, System, SystemError};
+use carvallo_compare::Real;
 use carvallo_tests::exact::Size;
 use carvallo_tests::quartic::{characteristic, monic};
-use carvallo_tests::real::Real;
 use carvallo_tests::{bicycles, designs, facts};
 use nalgebra::{Complex, Matrix1, Matrix2, Matrix3};
 use proptest::prelude::*;

@@ -1,9 +1,9 @@
 //! What is told of a critical speed, of the modes there and of stability, against exact eigenvalues on both sides of it.
 
 use carvallo::{Change, Coefficients, CriticalKind, CriticalSpeed, Mode, Model, Modes, Stability, Verdict};
+use carvallo_compare::Real;
 use carvallo_models::{RearSteered, Whipple};
 use carvallo_tests::quartic::characteristic_at;
-use carvallo_tests::real::Real;
 use carvallo_tests::roots::{Signature, roots};
 use carvallo_tests::{bicycles, designs};
 use nalgebra::Complex;

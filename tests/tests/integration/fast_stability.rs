@@ -4,8 +4,8 @@
 //! tell. Where their numbers differ, signs of exact eigenvalues decide.
 
 use carvallo::{Coefficients, Model, Stability};
+use carvallo_compare::Real;
 use carvallo_tests::quartic::characteristic_at;
-use carvallo_tests::real::Real;
 use carvallo_tests::roots::Signature;
 use carvallo_tests::{bicycles, designs};
 use proptest::prelude::*;

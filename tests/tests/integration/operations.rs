@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use carvallo_tests::operations::{COLUMNS, Operations, count, shipped};
+use carvallo_compare::Operations;
+use carvallo_tests::operations::{COLUMNS, count, shipped};
 
 #[test]
 fn every_kind_is_counted() {

@@ -1,9 +1,9 @@
 //! The published benchmarks, digit by digit.
 
 use carvallo::{Complex, Model};
+use carvallo_compare::Real;
 use carvallo_tests::exact::{Matrices, matrices};
 use carvallo_tests::published::{BENCHMARK_2005, BENCHMARK_2007, Benchmark, EIGENVALUES_2007};
-use carvallo_tests::real::Real;
 use carvallo_tests::{bicycles, facts};
 
 /// Fails if a value is farther from print than print is from the exact value, and `epsilon` relative to it.

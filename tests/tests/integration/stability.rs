@@ -1,8 +1,8 @@
 //! Stable ranges and verdicts against signs of exact eigenvalues.
 
 use carvallo::{Coefficients, Model, Stability, Verdict};
+use carvallo_compare::Real;
 use carvallo_tests::quartic::characteristic_at;
-use carvallo_tests::real::Real;
 use carvallo_tests::roots::Signature;
 use carvallo_tests::{bicycles, designs, facts};
 use proptest::prelude::*;

@@ -1,7 +1,7 @@
 //! Sine and cosine of the runtime against arithmetic at 320 bits.
 
 use carvallo::{Number, Scalar};
-use carvallo_tests::real::Real;
+use carvallo_compare::Real;
 
 /// The distance from the exact value in units of the last place of a number type with that epsilon.
 fn error(computed: f64, exact: Real, epsilon: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! Functions by hand that are right.
 
 use carvallo::{Number, Rows};
-use carvallo_compare::{Limits, compare};
+use carvallo_compare::{AssemblyError, Limits, compare};
 use carvallo_models::{Pendulum, PendulumMatrices};
 
 fn by_hand<T: Number>(p: &Pendulum<T>) -> PendulumMatrices<T> {
@@ -41,4 +41,20 @@ fn the_report_is_data() {
     assert_eq!(json["sides"][1]["name"], "in_double");
     assert_eq!(json["sides"][1]["operations"], serde_json::Value::Null);
     assert!(json["sides"][1]["double"]["ulps"].as_f64().expect("a number") <= 2.0);
+}
+
+#[test]
+fn the_code_of_both_is_shown() {
+    let assembly = match compare!(Pendulum, by_hand).assembly() {
+        Err(AssemblyError::NoObjdump) => return,
+        assembly => assembly.expect("a program with names"),
+    };
+    let names: Vec<_> = assembly.listings.iter().map(|listing| (listing.name.as_str(), listing.scalar)).collect();
+    assert_eq!(names, [("generated", "f64"), ("by_hand", "f64"), ("generated", "f32"), ("by_hand", "f32")]);
+    for listing in &assembly.listings {
+        assert!(!listing.instructions.is_empty(), "{assembly}");
+        // Functions end so, whatever is done before.
+        #[cfg(target_arch = "x86_64")]
+        assert!(listing.mnemonics().contains_key("ret"), "{assembly}");
+    }
 }

@@ -1,9 +1,9 @@
 //! Derivatives of critical speeds.
 
 use carvallo::{CriticalDerivative, Model, Stability};
+use carvallo_compare::Real;
 use carvallo_models::Whipple;
 use carvallo_tests::differences::Exact;
-use carvallo_tests::real::Real;
 use carvallo_tests::{bicycles, designs};
 
 use super::{name, sensitivity};
