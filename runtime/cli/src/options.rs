@@ -53,23 +53,32 @@ impl DesignOptions {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn load(&self) -> Result<Design, Failure> {
-        let design = input::load(&self.request())?;
-        for text in &design.notes {
-            note(WARNING, "note", text);
-        }
-        for text in &design.warnings {
-            note(WARNING, "warning", &format!("{}: {text}", design.name));
-        }
-        Ok(design)
+        load(&self.request())
     }
+}
+
+/// Loads a design, and tells what deserves to be known about its parameters.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn load(request: &Request) -> Result<Design, Failure> {
+    let design = input::load(request)?;
+    for text in &design.notes {
+        note(WARNING, "note", text);
+    }
+    for text in &design.warnings {
+        note(WARNING, "warning", &format!("{}: {text}", design.name));
+    }
+    Ok(design)
 }
 
 /// `NAME=VALUE`; what they mean depends on the model.
 #[derive(Clone, Debug)]
-struct Setting {
-    written: String,
-    name: String,
-    value: String,
+pub struct Setting {
+    /// As it was given.
+    pub written: String,
+    pub name: String,
+    pub value: String,
 }
 
 impl FromStr for Setting {
@@ -184,8 +193,16 @@ impl Picture {
     /// # Errors
     /// If the picture would replace the file that the parameters are read from.
     pub fn check(&self, design: &DesignOptions) -> Result<(), Failure> {
-        if design.request().reads(&self.0) {
-            Err(self.problem("the parameters are read from this file"))
+        self.check_request("--plot", &design.request())
+    }
+
+    /// The same for a picture of another option than `--plot`.
+    ///
+    /// # Errors
+    /// If it would replace the file that the parameters are read from.
+    pub fn check_request(&self, option: &str, request: &Request) -> Result<(), Failure> {
+        if request.reads(&self.0) {
+            Err(self.problem_of(option, "the parameters are read from this file"))
         } else {
             Ok(())
         }
@@ -193,7 +210,12 @@ impl Picture {
 
     /// That it cannot be drawn as it was asked for.
     pub fn problem(&self, message: impl Into<String>) -> Failure {
-        Failure::at(Place::Option(format!("--plot {}", self.0.display())), message)
+        self.problem_of("--plot", message)
+    }
+
+    /// The same for a picture of another option than `--plot`.
+    pub fn problem_of(&self, option: &str, message: impl Into<String>) -> Failure {
+        Failure::at(Place::Option(format!("{option} {}", self.0.display())), message)
     }
 
     /// Writes a drawing, and tells so.

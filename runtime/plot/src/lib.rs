@@ -8,6 +8,7 @@
 //! | a design along the speed | [`Analysis`](analysis::Analysis) | [`data::analysis`] | [`draw_eigenvalues`](picture::draw_eigenvalues) |
 //! | along a parameter | [`AlongAnalysis`](analysis::along::AlongAnalysis) | [`data::along`] | [`draw_along`](picture::draw_along) |
 //! | its sensitivities | [`Changes`](analysis::sensitivity::Changes) | [`data::sensitivity`] | [`draw_tornado`](picture::draw_tornado) |
+//! | several of them beside each other | [`Comparison`](analysis::compare::Comparison) | [`data::compare`] | [`draw_overlay`](picture::draw_overlay), [`draw_side_views`](picture::draw_side_views), [`draw_contributions`](picture::draw_contributions) |
 //! | its motion in time | [`Linear`](analysis::simulation::Linear), [`Nonlinear`](analysis::simulation::Nonlinear) | [`data::motion`] | [`draw_motion`](picture::draw_motion) |
 //! | its steady turns | [`Families`](analysis::turns::Families) | [`data::turns`] | [`draw_turns`](picture::draw_turns) |
 //! | many designs | | | [`draw_map`](picture::draw_map) |

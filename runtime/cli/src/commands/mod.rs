@@ -2,6 +2,7 @@
 //! in a file here; the two that list what ships are both in `lists`, and what `sweep` does is in the folder of its name.
 
 mod analyze;
+mod compare;
 mod demo;
 mod equations;
 mod lists;
@@ -30,6 +31,7 @@ Examples:
                                                The benchmark bicycle, changed
   carvallo analyze my-bike.toml --format csv --speeds 0:8:0.05
   carvallo sensitivity pista --plot pista.svg  Which parameters its critical speeds depend on most
+  carvallo compare pista browser               What differs, and which parameters make the difference
   carvallo show benchmark > my-bike.toml       A file to start from: edit it and analyze it
   carvallo show browser --plot browser.svg     Parameters, and a side view to scale
   carvallo sweep --vary w=0.9:1.2:0.01 --vary 'lam=10 deg:30 deg:1 deg' --map map.svg --output designs.csv
@@ -64,6 +66,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Analyze(analyze::Options),
+    Compare(compare::Options),
     Sensitivity(sensitivity::Options),
     /// The shipped bicycles, with their critical speeds
     Bicycles(lists::Options),
@@ -93,6 +96,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
     match arguments.command {
         None => demo::run(),
         Some(Command::Analyze(options)) => analyze::run(&options),
+        Some(Command::Compare(options)) => compare::run(&options),
         Some(Command::Sensitivity(options)) => sensitivity::run(&options),
         Some(Command::Bicycles(options)) => lists::bicycles(&options),
         Some(Command::Models(options)) => lists::models(&options),

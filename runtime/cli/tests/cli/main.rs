@@ -2,6 +2,7 @@
 
 mod along;
 mod analyze;
+mod compare;
 mod correlations;
 mod documents;
 mod equations;

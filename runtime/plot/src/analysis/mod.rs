@@ -1,6 +1,7 @@
 //! What is computed for a design, once, for every way of showing it.
 
 pub mod along;
+pub mod compare;
 mod followed;
 pub mod reach;
 pub mod sensitivity;

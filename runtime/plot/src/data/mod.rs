@@ -4,6 +4,7 @@
 pub mod along;
 pub mod analysis;
 mod cells;
+pub mod compare;
 mod head;
 mod layout;
 mod matrices;

@@ -31,3 +31,20 @@ const OTHERS: [Color; 7] = [
 pub fn other(index: usize) -> Color {
     OTHERS[index % OTHERS.len()]
 }
+
+/// The colours of several designs, one after the other.
+const DESIGNS: [Color; 8] = [
+    Color(0x1f, 0x6f, 0xb4),
+    Color(0xc0, 0x28, 0x3c),
+    Color(0x3f, 0x7f, 0x2a),
+    Color(0xb4, 0x6a, 0x00),
+    Color(0x7a, 0x3f, 0x9d),
+    Color(0x00, 0x7d, 0x7d),
+    Color(0x55, 0x5d, 0x66),
+    Color(0xa0, 0x3c, 0x78),
+];
+
+/// The colour of one of several designs.
+pub fn design(index: usize) -> Color {
+    DESIGNS[index % DESIGNS.len()]
+}

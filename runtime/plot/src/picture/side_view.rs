@@ -9,7 +9,7 @@ use super::labels::{LINE, Labels};
 use super::marks::{DIMENSION, arc, draw_arrow, draw_center_of_mass};
 use super::scene::{Anchor, Color, Scene, dashed, line};
 
-const WIDTH: f32 = 960.0;
+pub(super) const WIDTH: f32 = 960.0;
 const MAX_HEIGHT: f32 = 700.0;
 const MARGIN: f32 = 56.0;
 /// Room for the title above, and for the dimensions below the ground.
@@ -23,17 +23,17 @@ const STEER: Color = Color(0x1f, 0x6f, 0xb4);
 const HIP: Color = Color(0x2e, 0x7d, 0x32);
 
 /// What is drawn, in metres; heights are above the ground.
-struct Geometry {
-    wheel_base: f64,
-    trail: f64,
-    tilt: f64,
-    radii: [f64; 2],
+pub(super) struct Geometry {
+    pub wheel_base: f64,
+    pub trail: f64,
+    pub tilt: f64,
+    pub radii: [f64; 2],
     /// 1 where the parameters count lengths forward, -1 where they count them backward.
-    forward: f64,
+    pub forward: f64,
     /// Name, mass and position of each body; the steered frame is the fourth.
-    bodies: Vec<(String, f64, (f64, f64))>,
+    pub bodies: Vec<(String, f64, (f64, f64))>,
     /// The height of an axis along which an upper body leans, and where that is.
-    hip: Option<(f64, f64)>,
+    pub hip: Option<(f64, f64)>,
 }
 
 /// Parameters that have no place in the view, but of inertias and gravity.
@@ -45,7 +45,7 @@ const DRAWN: [&str; 13] = ["w", "c", "lam", "rR", "mR", "rF", "mF", "xB", "zB", 
 const UPPER_BODY: [&str; 4] = ["xU", "zU", "mU", "zP"];
 
 impl Geometry {
-    fn of(design: &Design) -> Option<Self> {
+    pub fn of(design: &Design) -> Option<Self> {
         let value = |name| design.value(name);
         let (wheel_base, rear, front) = (value("w")?, value("rR")?, value("rF")?);
         // The parameters of such a model are those of the bicycle that it is when it runs backwards.
@@ -83,14 +83,27 @@ impl Geometry {
     }
 
     /// The point of the steer axis at a distance upwards from where it meets the ground.
-    fn steer_axis(&self, distance: f64) -> (f64, f64) {
+    pub fn steer_axis(&self, distance: f64) -> (f64, f64) {
         let (sin, cos) = self.tilt.sin_cos();
         (self.wheel_base + self.trail - distance * sin, distance * cos)
     }
 
+    /// Points that the page must have room for, as they lie on it: forward to the right, or to the left.
+    fn extremes(&self) -> Vec<(f64, f64)> {
+        let [rear, front] = self.radii;
+        let ends = [self.steer_axis(0.0), self.steer_axis(self.axis_length())];
+        let hip = self.hip.into_iter();
+        let hip = hip.flat_map(|(height, x)| [-0.2, 0.2].map(|share| (x + share * self.wheel_base, height)));
+        let vertical = (self.steer_axis(0.0).0, self.vertical_length());
+        let corners = [(-rear, 0.0), (self.wheel_base + front, 2.0 * front), (0.0, 2.0 * rear), vertical];
+        let centers = self.bodies.iter().map(|(_, _, position)| *position);
+        let all = ends.into_iter().chain(centers).chain(hip).chain(corners);
+        all.map(|(x, height)| (self.forward * x, height)).collect()
+    }
+
     /// How far the axis is drawn: past the front frame, unless it lies almost flat. Wheels that stand one within the other
     /// are longer than the wheel base.
-    fn axis_length(&self) -> f64 {
+    pub fn axis_length(&self) -> f64 {
         let (_, _, (_, height)) = self.bodies[3];
         let height = height.max(2.4 * self.radii[1]) + 0.15 * self.wheel_base;
         (height / self.tilt.cos()).min(2.0 * self.wheel_base.max(2.0 * self.radii[1]))
@@ -103,24 +116,30 @@ impl Geometry {
     }
 
     /// The point of the steer axis nearest to the front hub, as a distance along the axis.
-    fn fork_end(&self) -> f64 {
+    pub fn fork_end(&self) -> f64 {
         let (sin, cos) = self.tilt.sin_cos();
         self.trail * sin + self.radii[1] * cos
     }
 }
 
 /// From metres to the page, the same for both axes.
-struct Scale {
+#[derive(Clone, Copy)]
+pub(super) struct Scale {
     forward: f64,
     left: f64,
     bottom: f64,
-    factor: f64,
+    pub factor: f64,
     ground: f32,
     indent: f32,
 }
 
 impl Scale {
-    fn place(&self, (x, height): (f64, f64)) -> (f32, f32) {
+    /// The same for another bicycle, which may count lengths in the other direction.
+    pub fn of(self, geometry: &Geometry) -> Self {
+        Self { forward: geometry.forward, ..self }
+    }
+
+    pub fn place(&self, (x, height): (f64, f64)) -> (f32, f32) {
         let pixels = |length: f64| (length * self.factor) as f32;
         (self.indent + pixels(self.forward * x - self.left), self.ground - pixels(height - self.bottom))
     }
@@ -129,7 +148,7 @@ impl Scale {
 /// The side view, with what it leaves out; `None` for a model that has not the parameters of a bicycle.
 pub fn draw_side_view(design: &Design) -> Option<(Scene, LeftOut)> {
     let geometry = Geometry::of(design)?;
-    let (scale, height) = scale(&geometry);
+    let (scale, height) = scale(std::slice::from_ref(&geometry));
     let left_out = geometry.left_out(design);
     let direction = if geometry.forward < 0.0 { ", forward to the right" } else { "" };
     let mut scene = Scene::new(format!("{}: side view to scale{direction}", design.name), WIDTH, height + NOTE);
@@ -178,21 +197,9 @@ fn draw_hip(geometry: &Geometry, scale: &Scale, scene: &mut Scene, labels: &mut 
     }
 }
 
-/// Everything that is drawn fits on the page.
-fn scale(geometry: &Geometry) -> (Scale, f32) {
-    let [rear, front] = geometry.radii;
-    let ends = [geometry.steer_axis(0.0), geometry.steer_axis(geometry.axis_length())];
-    let hip = geometry
-        .hip
-        .into_iter()
-        .flat_map(|(height, x)| [-0.2, 0.2].map(|share| (x + share * geometry.wheel_base, height)));
-    let centers: Vec<(f64, f64)> = geometry.bodies.iter().map(|(_, _, position)| *position).chain(hip).collect();
-    let vertical = (geometry.steer_axis(0.0).0, geometry.vertical_length());
-    let corners = [(-rear, 0.0), (geometry.wheel_base + front, 2.0 * front), (0.0, 2.0 * rear), vertical];
-    let points = || {
-        let all = ends.into_iter().chain(centers.iter().copied()).chain(corners);
-        all.map(|(x, height)| (geometry.forward * x, height))
-    };
+/// Everything that is drawn of one or several fits on the page; with the height that it needs.
+pub(super) fn scale(geometries: &[Geometry]) -> (Scale, f32) {
+    let points = || geometries.iter().flat_map(Geometry::extremes);
     let least = |by: fn((f64, f64)) -> f64| points().map(by).fold(0.0, f64::min);
     let most = |by: fn((f64, f64)) -> f64| points().map(by).fold(0.0, f64::max);
     let (left, right, bottom, top) = (least(|p| p.0), most(|p| p.0), least(|p| p.1), most(|p| p.1));
@@ -201,7 +208,8 @@ fn scale(geometry: &Geometry) -> (Scale, f32) {
     let factor = across.min(upright);
     let ground = ABOVE + ((top - bottom) * factor) as f32;
     let indent = (WIDTH - ((right - left) * factor) as f32) / 2.0;
-    (Scale { forward: geometry.forward, left, bottom, factor, ground, indent }, ground + BELOW)
+    let forward = geometries.first().map_or(1.0, |geometry| geometry.forward);
+    (Scale { forward, left, bottom, factor, ground, indent }, ground + BELOW)
 }
 
 /// A hint of the frame: the model knows only its mass and inertia. The offset of the fork is true.

@@ -3,6 +3,7 @@
 mod along;
 mod analysis;
 mod bicycles;
+mod compare;
 mod models;
 mod motion;
 mod sensitivity;
@@ -12,6 +13,7 @@ mod turns;
 pub use self::along::of_along;
 pub use self::analysis::of_analysis;
 pub use self::bicycles::of_bicycles;
+pub use self::compare::of_comparison;
 pub use self::models::of_models;
 pub use self::motion::of_motion;
 pub use self::sensitivity::of_sensitivity;

@@ -24,11 +24,11 @@ struct Document<'a> {
 }
 
 /// The ends of a stable range; there may be no upper one.
-type Range = (f64, Option<f64>);
+pub type Range = (f64, Option<f64>);
 
 /// A critical speed.
 #[derive(Serialize)]
-struct Event {
+pub struct Event {
     kind: &'static str,
     speed: f64,
     eigenvalue: Parts,
@@ -84,7 +84,8 @@ pub fn write_json(
     write_document(&document, output)
 }
 
-fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {
+/// All critical speeds.
+pub fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {
     let event = |critical: &CriticalSpeed| Event {
         kind: name(critical, info),
         speed: critical.speed,
@@ -95,7 +96,8 @@ fn events(stability: &Stability, info: &ModelInfo) -> Vec<Line<Event>> {
     stability.critical_speeds.iter().map(event).map(Line).collect()
 }
 
-fn ranges(stability: &Stability) -> Vec<Line<Range>> {
+/// All stable ranges.
+pub fn ranges(stability: &Stability) -> Vec<Line<Range>> {
     stability.stable_ranges.iter().map(|StableRange { from, to }| Line((*from, *to))).collect()
 }
 

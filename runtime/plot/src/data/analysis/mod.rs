@@ -5,3 +5,4 @@ mod json;
 
 pub use self::csv::write_csv;
 pub use self::json::write_json;
+pub(super) use self::json::{Event, Range, events, ranges};

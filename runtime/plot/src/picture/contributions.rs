@@ -1,0 +1,69 @@
+//! What parameters contribute to the difference of the critical speeds of two designs, as bars, the largest first.
+
+use carvallo::CriticalSpeed;
+use carvallo_design::number::{fixed, shortest, unit};
+
+use super::bars::{self, Bars, Row};
+use super::scene::{Color, Scene};
+use super::tornado::colors;
+use crate::analysis::compare::{Compared, Difference, Way, Whole};
+use crate::analysis::name;
+
+/// Contributions smaller than this part of the largest one are too short for bars.
+const SHORTEST: f64 = 0.002;
+
+/// The bar chart of a design against the first one; `None` if there is nothing to draw.
+pub fn draw_contributions(first: &Compared, other: &Compared, difference: &Difference) -> Option<Scene> {
+    let Difference::Explained { parameters, ways } = difference else { return None };
+    let (info, whole) = (other.analysis.design.info(), difference.whole());
+    let label = |critical: &CriticalSpeed| name(critical, info).replace('_', " ");
+    let shown: Vec<&CriticalSpeed> = whole.iter().map(|Whole { from, .. }| from).collect();
+    let titles = whole.iter().map(|Whole { from, to, .. }| {
+        let change = fixed(to.speed - from.speed, 4);
+        let sign = if to.speed >= from.speed { "+" } else { "" };
+        format!("{} speed, from {} to {} m/s: {sign}{change}", label(from), fixed(from.speed, 4), fixed(to.speed, 4))
+            .replace('-', "−")
+    });
+    let series: Vec<(String, Color)> = titles.zip(colors(&shown, info)).collect();
+    let sums = whole.iter().map(|Whole { from, to, .. }| to.speed - from.speed);
+    let sum = Row { symbol: "in sum".to_owned(), beside: String::new(), values: sums.collect() };
+    let row = |place: usize| {
+        let parameter = &info.parameters[parameters[place]];
+        let value = |compared: &Compared| compared.analysis.design.parameters[parameters[place]].value;
+        let beside = change(value(first), value(other), parameter.unit);
+        let values = whole.iter().map(|whole| whole.contributions[place]).collect();
+        Row { symbol: parameter.symbol.to_owned(), beside, values }
+    };
+    let all: Vec<Row> = difference.order().into_iter().map(row).collect();
+    let size = |row: &Row| row.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let largest = all.iter().map(size).fold(0.0, f64::max);
+    let (long, short): (Vec<Row>, Vec<Row>) = all.into_iter().partition(|row| size(row) >= SHORTEST * largest);
+    let mut notes = Vec::new();
+    if !short.is_empty() {
+        let names: Vec<&str> = short.iter().map(|row| row.symbol.as_str()).collect();
+        notes.push(format!("Too small for bars: {}", names.join(", ")));
+    }
+    let parts = ways.iter().filter(|way| !matches!(way, Way::Whole(_)));
+    notes.extend(parts.map(|way| {
+        let critical = way.critical();
+        let whose = if matches!(way, Way::Lost { .. }) { &first.label } else { &other.label };
+        format!("Only {whose} has the {} speed {} m/s", label(critical), fixed(critical.speed, 4))
+    }));
+    bars::draw(&Bars {
+        title: format!("What makes the difference of {} from {}", other.label, first.label),
+        series,
+        rows: std::iter::once(sum).chain(long).collect(),
+        across: "contribution to the difference of the critical speed (m/s)",
+        notes,
+    })
+}
+
+/// `85 to 4.49 kg`, with three digits; angles are shown in degrees, as on maps.
+fn change(from: f64, to: f64, declared: &str) -> String {
+    let rounded = |value: f64| shortest(format!("{value:.2e}").parse().unwrap_or(value));
+    let ([from, to], unit) = match declared {
+        "rad" => ([from, to].map(f64::to_degrees), "°".to_owned()),
+        declared => ([from, to], format!(" {}", unit(declared))),
+    };
+    format!("{} to {}{unit}", rounded(from), rounded(to)).replace('-', "−").trim_end().to_owned()
+}

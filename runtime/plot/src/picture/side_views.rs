@@ -1,0 +1,89 @@
+//! Several bicycles from their right sides, to one scale and laid over each other.
+
+use super::axes::INK;
+use super::colors::design;
+use super::font;
+use super::labels::{LINE, Labels};
+use super::marks::arc;
+use super::scene::{Anchor, Color, Paint, Scene, dashed, line};
+use super::side_view::{Geometry, Scale, WIDTH, scale};
+use crate::analysis::compare::{Compared, Comparison};
+
+const TEXT_SIZE: f32 = 15.0;
+/// The height of a line of the legend.
+const ROW: f32 = 22.0;
+
+/// The side views; `None` if one of the models has not the parameters of a bicycle.
+pub fn draw_side_views(comparison: &Comparison) -> Option<Scene> {
+    let of = |compared: &Compared| Geometry::of(&compared.analysis.design);
+    let geometries = comparison.designs.iter().map(of).collect::<Option<Vec<_>>>()?;
+    let (scale, height) = scale(&geometries);
+    let labels: Vec<&str> = comparison.designs.iter().map(|compared| compared.label.as_str()).collect();
+    let title = format!("{}: side views to one scale", labels.join(", "));
+    let title = if font::width(&title, 18.0) < WIDTH - 20.0 {
+        title
+    } else {
+        format!("{} side views to one scale", labels.len())
+    };
+    let legend = ROW * labels.len() as f32;
+    // Dimensions, for which there is room below, are in the legend.
+    let ground = scale.place((0.0, 0.0)).1;
+    let below = height.min(ground + 34.0);
+    let mut scene = Scene::new(title.clone(), WIDTH, below + legend + 8.0);
+    scene.text((WIDTH / 2.0, 32.0), Anchor::Middle, 18.0, INK, &title);
+    scene.polyline(&[(24.0, ground), (WIDTH - 24.0, ground)], line(1.5), INK);
+    let mut labels_taken = Labels::new([4.0, 40.0, WIDTH - 4.0, ground]);
+    let masses = geometries.iter().flat_map(|geometry| geometry.bodies.iter().map(|(_, mass, _)| *mass));
+    let most = masses.fold(0.0, f64::max);
+    for (index, geometry) in geometries.iter().enumerate() {
+        draw(geometry, &scale.of(geometry), design(index), &mut scene, &mut labels_taken);
+    }
+    // Over the lines of all.
+    for (index, geometry) in geometries.iter().enumerate() {
+        draw_masses(geometry, &scale.of(geometry), most, design(index), &mut scene, &mut labels_taken);
+    }
+    for (index, (label, geometry)) in labels.iter().zip(&geometries).enumerate() {
+        let (color, base) = (design(index), below + ROW * index as f32);
+        scene.polyline(&[(24.0, base - 5.0), (52.0, base - 5.0)], line(3.0), color);
+        let text = format!(
+            "{label}: wheel base {:.3} m, trail {:.3} m, tilt {:.2}°",
+            geometry.wheel_base,
+            geometry.trail,
+            geometry.tilt.to_degrees()
+        );
+        scene.text((60.0, base), Anchor::Start, TEXT_SIZE, color, &text.replace('-', "−"));
+    }
+    Some(scene)
+}
+
+/// Wheels, a hint of the frame, and the steer axis.
+fn draw(geometry: &Geometry, scale: &Scale, color: Color, scene: &mut Scene, labels: &mut Labels) {
+    let [rear, front] = geometry.radii;
+    let hubs = [(0.0, rear), (geometry.wheel_base, front)];
+    let end = geometry.fork_end();
+    let [rear_hub, front_hub] = hubs.map(|hub| scale.place(hub));
+    let [end, head] = [end, end + 1.3 * front].map(|distance| scale.place(geometry.steer_axis(distance)));
+    scene.polyline(&[rear_hub, head, end, front_hub], line(5.0), color.lighter(0.75));
+    for (radius, hub) in geometry.radii.into_iter().zip(hubs) {
+        let (center, pixels) = (scale.place(hub), (radius * scale.factor) as f32);
+        scene.circle(center, pixels, line(2.5), color);
+        labels.avoid_line(&arc(center, pixels, 0.0, std::f32::consts::TAU), LINE);
+    }
+    let axis = [0.0, geometry.axis_length()].map(|distance| scale.place(geometry.steer_axis(distance)));
+    scene.polyline(&axis, dashed(1.6, [12.0, 4.0]), color);
+    labels.avoid_line(&axis, LINE);
+}
+
+/// Centres of mass, with areas as the masses, of which the largest of all is given; those of the wheels are their hubs.
+fn draw_masses(geometry: &Geometry, scale: &Scale, most: f64, color: Color, scene: &mut Scene, labels: &mut Labels) {
+    for (index, (name, mass, position)) in geometry.bodies.iter().enumerate() {
+        let share = if most > 0.0 { (mass / most).sqrt() as f32 } else { 0.0 };
+        let ((x, y), radius) = (scale.place(*position), 3.0 + 8.0 * share);
+        scene.circle((x, y), radius, Paint::Fill, color);
+        labels.avoid_box([x - radius, y - radius, x + radius, y + radius]);
+        let place = labels.beside(&[(x, y), (x + 1.0, y)], name, TEXT_SIZE).filter(|_| index > 1);
+        if let Some(place) = place {
+            scene.text(place, Anchor::Start, TEXT_SIZE, color, name);
+        }
+    }
+}
