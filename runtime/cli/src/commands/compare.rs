@@ -52,6 +52,9 @@ pub struct Options {
     /// Replaces a parameter of all designs; may be given several times
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<Setting>,
+    /// A law of feedback that closes a loop of all designs, such as 'Tdelta = -10*phi_rate'; may be given several times
+    #[arg(long, value_name = "LAW")]
+    feedback: Vec<String>,
     /// All parameters, and not only those that differ
     #[arg(long)]
     all: bool,
@@ -140,5 +143,6 @@ fn request(argument: &str, options: &Options) -> Result<Request, Failure> {
         model: options.model.clone(),
         parameters: (!name.is_empty()).then(|| name.to_owned()),
         overrides: common.chain(gravity).chain(own).collect::<Result<_, Failure>>()?,
+        feedback: options.feedback.iter().map(|law| (format!("--feedback '{law}'"), law.clone())).collect(),
     })
 }

@@ -97,9 +97,8 @@ mod tests {
             }],
         };
         let text = anstream::adapter::strip_str(&document.at_terminal()).to_string();
-        let lines: Vec<&str> = text.lines().collect();
-        assert_eq!(lines[3], format!("  key  {wide}"));
-        assert_eq!(lines[7], format!("  key  {wide}"));
-        assert_eq!(lines.len(), 10, "{text}");
+        let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("  key ")).collect();
+        assert_eq!(lines.len(), 3, "{text}");
+        assert!(lines.iter().all(|line| line.ends_with(&wide)), "{text}");
     }
 }

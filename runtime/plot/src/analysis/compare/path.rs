@@ -44,7 +44,7 @@ pub struct Slopes {
 
 impl Path {
     /// # Errors
-    /// If the designs are of different models.
+    /// If the designs are of different models, or with different feedback.
     pub fn new(from: &Design, to: &Design) -> Result<Self, String> {
         let names =
             |design: &Design| design.info().parameters.iter().map(|parameter| parameter.name).collect::<Vec<_>>();
@@ -56,6 +56,10 @@ impl Path {
                 format!("the models are {first} and {other}")
             };
             return Err(format!("{models}, so that no parameters lead from one to the other"));
+        }
+        let laws = |design: &Design| design.feedback.iter().map(|law| law.written.clone()).collect::<Vec<_>>();
+        if laws(from) != laws(to) {
+            return Err("the laws of feedback are others, and no parameters lead from one to the other".to_owned());
         }
         let (model, from, to) = (from.model, from.values(), to.values());
         let parameters = (0..from.len()).filter(|&index| from[index] != to[index]).collect();
