@@ -10,38 +10,12 @@ mod tally;
 mod verdict;
 
 use std::fmt;
-use std::ops::Range;
 
+/// The kinds of slips, and a declaration with one of them: the slips that `carvallo check` knows.
+pub use carvallo_check::slips::{Kind, Slip as Mutant};
 pub use slips::all;
 pub use tally::Tally;
 pub use verdict::{Check, Original, Verdict};
-
-/// A declaration with one slip.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mutant {
-    /// What kind of slip it is.
-    pub kind: Kind,
-    /// The bytes of the declaration that it replaces.
-    pub place: Range<usize>,
-    /// What it puts in their place.
-    pub replacement: String,
-}
-
-impl Mutant {
-    /// The declaration with the slip.
-    pub fn apply(&self, declaration: &str) -> String {
-        format!("{}{}{}", &declaration[..self.place.start], self.replacement, &declaration[self.place.end..])
-    }
-
-    /// The line of the slip as it was, with the change in braces: `{old -> new}`.
-    pub fn show(&self, declaration: &str) -> String {
-        let Range { start, end } = self.place;
-        let from = declaration[..start].rfind('\n').map_or(0, |newline| newline + 1);
-        let to = declaration[end..].find('\n').map_or(declaration.len(), |newline| end + newline);
-        let [before, old, after] = [from..start, start..end, end..to].map(|range| &declaration[range]);
-        format!("{}{{{old} -> {}}}{after}", before.trim_start(), self.replacement)
-    }
-}
 
 /// What a declaration gives the compiler to check its formulas against, each with all before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,66 +62,4 @@ pub fn whipple(evidence: Evidence) -> String {
         }
     }
     declaration
-}
-
-/// The kinds of slips.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
-    /// A sum for a difference, or the other way round.
-    SignOfTerm,
-    /// A product for a quotient, or the other way round.
-    ProductOrQuotient,
-    /// A sum or difference for a product or quotient, or the other way round.
-    SumOrProduct,
-    /// A minus sign that has no left side, lost.
-    Minus,
-    /// An exponent larger or smaller by one.
-    Exponent,
-    /// Another parameter or definition whose name differs in one letter.
-    SimilarName,
-    /// Another parameter or definition.
-    OtherName,
-    /// A factor or divisor lost.
-    Factor,
-    /// A term lost.
-    Term,
-    /// A sine for a cosine, or the other way round.
-    Function,
-    /// A number larger or smaller by one.
-    Number,
-}
-
-impl Kind {
-    /// All of them.
-    pub const ALL: [Self; 11] = [
-        Self::SignOfTerm,
-        Self::ProductOrQuotient,
-        Self::SumOrProduct,
-        Self::Minus,
-        Self::Exponent,
-        Self::SimilarName,
-        Self::OtherName,
-        Self::Factor,
-        Self::Term,
-        Self::Function,
-        Self::Number,
-    ];
-}
-
-impl fmt::Display for Kind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::SignOfTerm => "sign of a term",
-            Self::ProductOrQuotient => "product or quotient",
-            Self::SumOrProduct => "sum or product",
-            Self::Minus => "minus lost",
-            Self::Exponent => "exponent off by one",
-            Self::SimilarName => "name, one letter off",
-            Self::OtherName => "another name",
-            Self::Factor => "factor lost",
-            Self::Term => "term lost",
-            Self::Function => "sine or cosine",
-            Self::Number => "number off by one",
-        })
-    }
 }

@@ -1,0 +1,147 @@
+//! What else than a slip in a formula makes other numbers: conventions in which people differ, entries that stand at another
+//! place, and parameters that were taken for others.
+
+mod entries;
+mod matrices;
+mod parameters;
+mod usual;
+
+use carvallo_design::matrices::dependent_column;
+
+use crate::predict::World;
+
+pub use self::entries::entries;
+pub use self::matrices::matrices;
+pub use self::parameters::parameters;
+pub use self::usual::usual;
+
+/// One of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Convention {
+    /// What is otherwise, as the end of a sentence: `K2 was filled row by column`.
+    pub what: String,
+    /// What that does to the numbers.
+    pub effect: Effect,
+    /// How likely it is, 0 the most.
+    pub rank: u8,
+}
+
+/// What a convention does to the numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Effect {
+    /// Parameters, by their positions, have other values.
+    Parameters(Vec<(usize, f64)>),
+    /// Entries of matrices have other values.
+    Entries(Vec<Assignment>),
+    /// Every matrix is divided by M from the left, and M is 1.
+    DividedByMass,
+}
+
+/// An entry that has the value of another one, times a factor; places are those of [`World::entries`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Assignment {
+    /// The entry.
+    pub to: usize,
+    /// The other one.
+    pub from: usize,
+    /// The factor.
+    pub factor: f64,
+    /// What is added.
+    pub constant: f64,
+}
+
+impl Assignment {
+    /// The value of another entry times a factor.
+    pub const fn times(to: usize, from: usize, factor: f64) -> Self {
+        Self { to, from, factor, constant: 0.0 }
+    }
+
+    /// Always the same value.
+    pub const fn constant(to: usize, constant: f64) -> Self {
+        Self { to, from: to, factor: 0.0, constant }
+    }
+}
+
+impl Convention {
+    /// Entries that have other values.
+    pub fn of_entries(what: impl Into<String>, assignments: Vec<Assignment>) -> Self {
+        Self { what: what.into(), effect: Effect::Entries(assignments), rank: 0 }
+    }
+
+    /// Parameters that have other values.
+    pub fn of_parameters(what: impl Into<String>, values: Vec<(usize, f64)>) -> Self {
+        Self { what: what.into(), effect: Effect::Parameters(values), rank: 0 }
+    }
+
+    /// The same, less likely.
+    pub fn ranked(self, rank: u8) -> Self {
+        Self { rank, ..self }
+    }
+
+    /// What it makes of these parameters.
+    pub fn change_parameters(&self, parameters: &mut [f64]) {
+        if let Effect::Parameters(values) = &self.effect {
+            values.iter().for_each(|&(position, value)| parameters[position] = value);
+        }
+    }
+
+    /// What it makes of the matrices in `own` where they were `old`.
+    pub fn change_matrices(&self, old: &World, own: &mut World, count: usize) {
+        own.clone_from(old);
+        match &self.effect {
+            Effect::Parameters(_) => {}
+            Effect::Entries(assignments) => {
+                for &Assignment { to, from, factor, constant } in assignments {
+                    own.entries[to] = factor * old.entries[from] + constant;
+                }
+            }
+            Effect::DividedByMass => divide(&mut own.entries, count),
+        }
+    }
+}
+
+/// Divides all matrices by the first one from the left; they stay as they are where that is singular.
+fn divide(entries: &mut [f64], count: usize) {
+    let square = count * count;
+    let transposed: Vec<f64> = (0..square).map(|at| entries[at % count * count + at / count]).collect();
+    if dependent_column(&transposed, count, |_| true).is_some() {
+        return;
+    }
+    for column in 0..count {
+        let pivot = (column..count)
+            .max_by(|&a, &b| entries[a * count + column].abs().total_cmp(&entries[b * count + column].abs()))
+            .unwrap_or(column);
+        for matrix in entries.chunks_exact_mut(square) {
+            (0..count).for_each(|at| matrix.swap(column * count + at, pivot * count + at));
+        }
+        let scale = entries[column * count + column];
+        for matrix in entries.chunks_exact_mut(square) {
+            matrix[column * count..][..count].iter_mut().for_each(|entry| *entry /= scale);
+        }
+        for row in (0..count).filter(|row| *row != column) {
+            let factor = entries[row * count + column];
+            for matrix in entries.chunks_exact_mut(square) {
+                for at in 0..count {
+                    matrix[row * count + at] -= factor * matrix[column * count + at];
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::divide;
+
+    #[test]
+    fn division_by_the_mass_matrix_solves() {
+        // M = [[0, 2], [4, 0]], K = [[6, 8], [4, 12]]: M^-1 K = [[1, 3], [3, 4]].
+        let mut entries = [0.0, 2.0, 4.0, 0.0, 6.0, 8.0, 4.0, 12.0];
+        divide(&mut entries, 2);
+        assert_eq!(entries, [1.0, 0.0, 0.0, 1.0, 1.0, 3.0, 3.0, 4.0]);
+        let mut singular = [1.0, 2.0, 2.0, 4.0, 6.0, 8.0, 4.0, 12.0];
+        let before = singular;
+        divide(&mut singular, 2);
+        assert_eq!(singular, before);
+    }
+}

@@ -1,0 +1,121 @@
+//! The value that one unknown must have for all numbers to come out as they were given.
+
+use carvallo_design::number::shortest;
+
+use crate::predict::{Predictor, World};
+
+/// Where the search starts, as factors of the value.
+const STARTS: [f64; 8] = [1.001, -1.0, 2.0, 0.5, 0.1, 10.0, 0.0, 1.3];
+const STEPS: usize = 40;
+
+/// The values of an unknown that is `value` here with which everything fits, each with the fewest digits that do; `world`
+/// makes the matrices of it.
+pub fn solve(predictor: &Predictor, value: f64, world: &dyn Fn(f64) -> Option<World>) -> Vec<f64> {
+    let predict = |x: f64| world(x).map(|world| predictor.predict(&world));
+    let scale = if value == 0.0 { 1.0 } else { value };
+    let (Some(here), Some(near)) = (predict(value), predict(value + 1e-3 * scale)) else { return Vec::new() };
+    // What is wrong and changes with the unknown by most of its tolerance tells the value best.
+    let effect = |at: usize| (near[at] - here[at]).abs() / predictor.tolerances()[at].max(f64::MIN_POSITIVE);
+    let wrong = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at]) && effect(at) > 0.0);
+    let Some(told) = wrong.max_by(|&a, &b| effect(a).total_cmp(&effect(b))) else { return Vec::new() };
+    let goal = predictor.numbers()[told].1.value;
+    let difference = |x: f64| predict(x).map_or(f64::NAN, |found| found[told] - goal);
+    let mut found: Vec<f64> = Vec::new();
+    for start in STARTS {
+        let Some(x) = root(start * scale, scale, &difference) else { continue };
+        let fits = |x: f64| world(x).is_some_and(|world| predictor.fits(&world));
+        if fits(x) {
+            let x = simplest(x, &fits);
+            if !found.iter().any(|known| (known - x).abs() <= 1e-6 * x.abs()) {
+                found.push(x);
+            }
+        }
+    }
+    found
+}
+
+/// A zero near a start, by secants.
+fn root(start: f64, scale: f64, difference: &dyn Fn(f64) -> f64) -> Option<f64> {
+    let (mut a, mut b) = (start, start + 1e-4 * scale);
+    let (mut of_a, mut of_b) = (difference(a), difference(b));
+    for _ in 0..STEPS {
+        if of_b == 0.0 {
+            return Some(b);
+        }
+        let next = b - of_b * (b - a) / (of_b - of_a);
+        if !next.is_finite() || next.abs() > 1e6 * scale.abs() {
+            // Where rounding alone is left, it does not go on.
+            return ((b - a).abs() <= 1e-9 * b.abs()).then_some(b);
+        }
+        (a, of_a) = (b, of_b);
+        (b, of_b) = (next, difference(next));
+        if (b - a).abs() <= 4.0 * f64::EPSILON * b.abs() {
+            return Some(b);
+        }
+    }
+    ((b - a).abs() <= 1e-9 * b.abs()).then_some(b)
+}
+
+/// With the fewest digits that fit.
+fn simplest(x: f64, fits: &dyn Fn(f64) -> bool) -> f64 {
+    let rounded = (0..16).filter_map(|digits| format!("{x:.digits$e}").parse().ok());
+    rounded.into_iter().find(|&x| fits(x)).unwrap_or(x)
+}
+
+/// How one number may have become another: `the other sign`, `one digit too many`, or nothing.
+pub fn relation(from: f64, to: f64) -> Option<&'static str> {
+    if from == to {
+        return None;
+    }
+    let is = |factor: f64| (to - factor * from).abs() <= 1e-9 * to.abs();
+    let factors = [
+        (-1.0, "the other sign"),
+        (10.0, "the decimal point one place farther to the right"),
+        (0.1, "the decimal point one place farther to the left"),
+        (100.0, "the decimal point two places farther to the right"),
+        (0.01, "the decimal point two places farther to the left"),
+        (2.0, "twice the value"),
+        (0.5, "half of the value"),
+    ];
+    if let Some((_, what)) = factors.iter().find(|(factor, _)| from != 0.0 && is(*factor)) {
+        return Some(what);
+    }
+    let [old, new] = [from, to].map(|value| shortest(value).chars().collect::<Vec<char>>());
+    let without = |longer: &[char], shorter: &[char]| {
+        longer.len() == shorter.len() + 1
+            && (0..longer.len()).any(|at| longer[..at] == shorter[..at] && longer[at + 1..] == shorter[at..])
+    };
+    if without(&new, &old) {
+        return Some("one digit too many");
+    }
+    if without(&old, &new) {
+        return Some("one digit too few");
+    }
+    let differ: Vec<usize> = if old.len() == new.len() { (0..old.len()).filter(|&at| old[at] != new[at]).collect() } else { Vec::new() };
+    match differ[..] {
+        [_] => Some("another digit"),
+        [a, b] if b == a + 1 && old[a] == new[b] && old[b] == new[a] => Some("two digits exchanged"),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::relation;
+
+    #[test]
+    fn slips_of_numbers_are_recognised() {
+        for (from, to, expected) in [
+            (9.2, 19.2, Some("one digit too many")),
+            (0.05892, 0.0589, Some("one digit too few")),
+            (-0.9, 0.9, Some("the other sign")),
+            (85.0, 8.5, Some("the decimal point one place farther to the left")),
+            (0.35, 0.53, Some("two digits exchanged")),
+            (85.0, 80.0, Some("another digit")),
+            (2.4, 5.17, None),
+            (3.0, 3.0, None),
+        ] {
+            assert_eq!(relation(from, to), expected, "{from} {to}");
+        }
+    }
+}

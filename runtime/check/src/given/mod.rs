@@ -1,0 +1,179 @@
+//! What somebody has computed of a machine.
+
+mod reading;
+
+use carvallo::{MatrixName, ModelInfo};
+
+pub use self::reading::{Reading, level};
+
+/// Numbers that somebody has of a machine: any of them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Given {
+    /// Matrices of the equations of motion, by their rows.
+    pub matrices: Vec<(MatrixName, Rows)>,
+    /// Matrices A of `x' = A x` at speeds.
+    pub state_matrices: Vec<StateMatrix>,
+    /// Eigenvalues at speeds.
+    pub eigenvalues: Vec<Eigenvalues>,
+    /// Critical speeds in m/s.
+    pub critical_speeds: Vec<CriticalSpeed>,
+    /// Accelerations in states of motion.
+    pub accelerations: Vec<Accelerations>,
+}
+
+/// The rows of a matrix; entries that are not known are left out.
+pub type Rows = Vec<Vec<Option<Reading>>>;
+
+/// The matrix A of `x' = A x` at a speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StateMatrix {
+    /// In m/s.
+    pub speed: f64,
+    /// With as many rows and columns as there are states, in any of the usual orders.
+    pub rows: Rows,
+}
+
+/// Eigenvalues at a speed, all or some of them, in any order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Eigenvalues {
+    /// In m/s.
+    pub speed: f64,
+    /// The real part, and the imaginary one where it is known, in 1/s.
+    pub values: Vec<(Reading, Option<Reading>)>,
+}
+
+/// A critical speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CriticalSpeed {
+    /// What happens there; `None` where only the speed is known.
+    pub kind: Option<carvallo::CriticalKind>,
+    /// What it was called.
+    pub name: String,
+    /// In m/s.
+    pub speed: Reading,
+}
+
+/// Accelerations of coordinates in a state of motion, by the linear equations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Accelerations {
+    /// In m/s.
+    pub speed: f64,
+    /// Of each coordinate, in its unit.
+    pub positions: Vec<f64>,
+    /// Of each coordinate, by second.
+    pub rates: Vec<f64>,
+    /// Of each coordinate.
+    pub forces: Vec<f64>,
+    /// Of each coordinate, where it is known.
+    pub values: Vec<Option<Reading>>,
+}
+
+/// What a number is of. Rows, columns and others count from zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// An entry of a matrix.
+    Entry(MatrixName, usize, usize),
+    /// An entry of a state matrix: which one, row, column.
+    State(usize, usize, usize),
+    /// The real part of an eigenvalue: of which set, which one.
+    RealPart(usize, usize),
+    /// The imaginary part.
+    ImaginaryPart(usize, usize),
+    /// A critical speed.
+    CriticalSpeed(usize),
+    /// An acceleration: in which state, of which coordinate.
+    Acceleration(usize, usize),
+}
+
+impl Given {
+    /// All numbers one after the other, those of matrices first.
+    pub fn numbers(&self) -> Vec<(Quantity, &Reading)> {
+        let mut numbers = Vec::new();
+        for (matrix, rows) in &self.matrices {
+            numbers.extend(entries(rows).map(|(row, column, entry)| (Quantity::Entry(*matrix, row, column), entry)));
+        }
+        for (at, state) in self.state_matrices.iter().enumerate() {
+            let entries = entries(&state.rows);
+            numbers.extend(entries.map(|(row, column, entry)| (Quantity::State(at, row, column), entry)));
+        }
+        for (at, eigenvalues) in self.eigenvalues.iter().enumerate() {
+            for (index, (re, im)) in eigenvalues.values.iter().enumerate() {
+                numbers.push((Quantity::RealPart(at, index), re));
+                numbers.extend(im.iter().map(|im| (Quantity::ImaginaryPart(at, index), im)));
+            }
+        }
+        let critical = self.critical_speeds.iter().enumerate();
+        numbers.extend(critical.map(|(at, critical)| (Quantity::CriticalSpeed(at), &critical.speed)));
+        for (at, accelerations) in self.accelerations.iter().enumerate() {
+            let known = accelerations.values.iter().enumerate();
+            numbers.extend(known.filter_map(|(of, value)| Some((Quantity::Acceleration(at, of), value.as_ref()?))));
+        }
+        numbers
+    }
+
+    /// What a number is called: `M_12`, or `Re s2 at 5 m/s`.
+    pub fn name(&self, quantity: Quantity, info: &ModelInfo) -> String {
+        let part = |part: &str, at: usize, index: usize| {
+            format!("{part} s{} at {} m/s", index + 1, self.eigenvalues[at].speed)
+        };
+        match quantity {
+            Quantity::Entry(matrix, row, column) => entry_name(matrix, row, column),
+            Quantity::State(at, row, column) => {
+                format!("A{} at {} m/s", place(row, column), self.state_matrices[at].speed)
+            }
+            Quantity::RealPart(at, index) => part("Re", at, index),
+            Quantity::ImaginaryPart(at, index) => part("Im", at, index),
+            Quantity::CriticalSpeed(at) => self.critical_speeds[at].name.clone(),
+            Quantity::Acceleration(at, of) => {
+                let speed = self.accelerations[at].speed;
+                format!("{}'' in state {} at {speed} m/s", info.coordinates[of].name, at + 1)
+            }
+        }
+    }
+}
+
+/// `M_12`, with row and column from one; they come from zero.
+pub fn entry_name(matrix: MatrixName, row: usize, column: usize) -> String {
+    format!("{matrix}{}", place(row, column))
+}
+
+fn place(row: usize, column: usize) -> String {
+    let comma = if row.max(column) > 8 { "," } else { "" };
+    format!("_{}{comma}{}", row + 1, column + 1)
+}
+
+fn entries(rows: &Rows) -> impl Iterator<Item = (usize, usize, &Reading)> {
+    rows.iter().enumerate().flat_map(|(row, entries)| {
+        entries.iter().enumerate().filter_map(move |(column, entry)| Some((row, column, entry.as_ref()?)))
+    })
+}
+
+impl Given {
+    /// Whether a model has what the numbers are of.
+    ///
+    /// # Errors
+    /// What does not fit: matrices with other than as many rows and columns as there are coordinates or states.
+    pub fn fits(&self, info: &ModelInfo) -> Result<(), String> {
+        if self.numbers().is_empty() {
+            return Err("there are no numbers to check".to_owned());
+        }
+        let square = |name: &str, rows: &Rows, count: usize, of: &str| {
+            let columns = rows.iter().map(Vec::len).find(|columns| *columns != count);
+            match (rows.len(), columns) {
+                (found, None) if found == count => Ok(()),
+                (_, Some(found)) => Err(format!("a row of {name} has {found} numbers; expected {count}, one for each {of}")),
+                (found, None) => Err(format!("{name} has {found} rows; expected {count}, one for each {of}")),
+            }
+        };
+        let (coordinates, states) = (info.coordinates.len(), crate::predict::states(info).len());
+        self.matrices.iter().try_for_each(|(name, rows)| square(name.name(), rows, coordinates, "coordinate"))?;
+        self.state_matrices.iter().try_for_each(|own| square("A", &own.rows, states, "state"))?;
+        for Eigenvalues { speed, values } in &self.eigenvalues {
+            let count = values.len();
+            if count > states {
+                return Err(format!("there are {count} eigenvalues at {speed} m/s; the model has {states}"));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,133 @@
+//! A machine with everything that may be mistaken about it.
+
+use carvallo::ModelInfo;
+use carvallo_design::Design;
+
+use crate::conventions::{self, Convention};
+use crate::formula::Expression;
+use crate::formulas::{Formulas, Subject, Values};
+use crate::predict::World;
+use crate::slips::{Slip, slips};
+
+/// A design, its formulas with their values, and all slips and conventions.
+#[derive(Debug)]
+pub struct Machine {
+    /// What the model tells about itself.
+    pub info: &'static ModelInfo,
+    /// Its formulas.
+    pub formulas: Formulas,
+    /// The values of the parameters.
+    pub parameters: Vec<f64>,
+    /// The values of the formulas.
+    pub values: Values,
+    /// All slips of the formulas.
+    pub slips: Vec<FormulaSlip>,
+    /// What may be otherwise on purpose, by a convention: with a slip, or with another convention.
+    pub usual: Vec<Convention>,
+    /// Entries and parameters that are mistaken by themselves.
+    pub single: Vec<Convention>,
+}
+
+/// A slip in a formula of a model, or in one that several entries share.
+#[derive(Clone, Debug)]
+pub struct FormulaSlip {
+    /// The formulas that have it: the same text in several places of a matrix.
+    pub formulas: Vec<usize>,
+    /// The slip.
+    pub slip: Slip,
+    /// The formula with the slip.
+    pub changed: Expression,
+}
+
+impl Machine {
+    /// Everything about a design.
+    ///
+    /// # Errors
+    /// If its model has no formulas, as matrices that are given themselves.
+    pub fn new(design: &Design) -> Result<Self, String> {
+        Self::with(design.info(), &design.values())
+    }
+
+    /// The same from a model and the values of its parameters.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn with(info: &'static ModelInfo, parameters: &[f64]) -> Result<Self, String> {
+        let formulas = Formulas::new(info)?;
+        let values = formulas.values(parameters);
+        let gravity = info.gravity.map_or(0.0, |at| parameters[at]);
+        let mut usual = conventions::matrices(info, &values.entries, gravity);
+        usual.extend(conventions::usual(info, parameters));
+        let mut single = conventions::entries(info, &values.entries);
+        single.extend(conventions::parameters(info, parameters));
+        let mut machine =
+            Self { info, formulas, parameters: parameters.to_vec(), values, slips: Vec::new(), usual, single };
+        machine.slips = machine.all_slips();
+        Ok(machine)
+    }
+
+    /// Every slip of every formula, in their order; those of a formula that several entries share in each of them, and in
+    /// all of them.
+    fn all_slips(&self) -> Vec<FormulaSlip> {
+        let mut found = Vec::new();
+        for (at, formula) in self.formulas.formulas.iter().enumerate() {
+            let is_shared = formula.shared.len() > 1;
+            for slip in slips(formula.text, &self.formulas.names) {
+                // What is no formula any more is nobody's.
+                let Some(changed) = self.formulas.parse(&slip.apply(formula.text)) else { continue };
+                if is_shared && formula.shared[0] == at {
+                    let formulas = formula.shared.clone();
+                    found.push(FormulaSlip { formulas, slip: slip.clone(), changed: changed.clone() });
+                }
+                found.push(FormulaSlip { formulas: vec![at], slip, changed });
+            }
+        }
+        found
+    }
+
+    /// The gravitational field strength among parameters.
+    pub fn gravity(&self, parameters: &[f64]) -> f64 {
+        self.info.gravity.map_or(0.0, |at| parameters[at])
+    }
+
+    /// The matrices as they are.
+    pub fn world(&self) -> World {
+        World { entries: self.values.entries.clone(), gravity: self.gravity(&self.parameters) }
+    }
+
+    /// The matrices for other parameters.
+    pub fn world_of(&self, parameters: &[f64]) -> World {
+        World { entries: self.formulas.values(parameters).entries, gravity: self.gravity(parameters) }
+    }
+
+    /// The matrices with a convention.
+    pub fn world_with(&self, convention: &Convention) -> World {
+        let mut parameters = self.parameters.clone();
+        convention.change_parameters(&mut parameters);
+        let old = self.world_of(&parameters);
+        let mut own = World::default();
+        convention.change_matrices(&old, &mut own, self.formulas.count);
+        own
+    }
+
+    /// Makes the matrices those with a slip, for parameters of which the formulas have these values; whether there are any.
+    pub fn slip(&self, slip: &FormulaSlip, parameters: &[f64], base: &Values, own: &mut Values) -> bool {
+        own.clone_from(base);
+        self.formulas.change(&slip.formulas, &slip.changed, parameters, own)
+    }
+
+    /// What a formula is of: `IAzz`, `M_12`, or `M_12 and M_21`.
+    pub fn subject(&self, formulas: &[usize]) -> String {
+        let names = formulas.iter().map(|&at| self.formulas.formulas[at].subject.to_string());
+        names.collect::<Vec<_>>().join(" and ")
+    }
+}
+
+impl std::fmt::Display for Subject {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match *self {
+            Self::Definition(name) => f.write_str(name),
+            Self::Entry(matrix, row, column) => f.write_str(&crate::given::entry_name(matrix, row, column)),
+        }
+    }
+}

@@ -1,0 +1,268 @@
+//! The numbers that somebody should have: what the matrices of a machine make of each quantity that was given.
+
+use std::cmp::Ordering;
+
+use carvallo::{Complex, CriticalKind, MatrixName, ModelInfo, States};
+use carvallo_design::matrices::{self, Coordinate, Form};
+use carvallo_design::{Equations, Shipped};
+
+use crate::formulas::index;
+use crate::given::{Accelerations, Eigenvalues, Given, Quantity, Reading, StateMatrix};
+
+/// What makes numbers of matrices.
+#[derive(Debug)]
+pub struct Predictor<'a> {
+    given: &'a Given,
+    numbers: Vec<(Quantity, &'a Reading)>,
+    /// How near a number must come to agree.
+    tolerances: Vec<f64>,
+    info: &'static ModelInfo,
+    /// The model of any matrices of these coordinates.
+    system: &'static Shipped,
+    /// Of each state matrix the state, by the order of the library, that stands at each place.
+    orders: Vec<Vec<usize>>,
+}
+
+/// Matrices, all eight row by row, and the gravitational field strength in N/kg.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct World {
+    /// In the order of [`MatrixName::ALL`].
+    pub entries: Vec<f64>,
+    /// In N/kg.
+    pub gravity: f64,
+}
+
+/// What rounding may do to a number, relative to the largest of its kind: an entry, an eigenvalue, a critical speed. Other
+/// programs add in another order, and solve by other ways.
+const ROUNDING: [f64; 3] = [1e-12, 1e-9, 1e-9];
+
+impl<'a> Predictor<'a> {
+    /// For the numbers that were given of a model.
+    pub fn new(given: &'a Given, info: &'static ModelInfo) -> Self {
+        let coordinates = info.coordinates.iter();
+        let coordinates = coordinates.map(|own| Coordinate { name: own.name.to_owned(), states: own.states });
+        let form = Form { matrices: MatrixName::ALL.to_vec(), coordinates: coordinates.collect() };
+        let numbers = given.numbers();
+        let orders = given.state_matrices.iter().map(|matrix| order(matrix, info)).collect();
+        let tolerances = tolerances(&numbers);
+        Self { given, numbers, tolerances, info, system: matrices::model(&form), orders }
+    }
+
+    /// What was given.
+    pub fn given(&self) -> &'a Given {
+        self.given
+    }
+
+    /// The numbers that were given, with what each is of.
+    pub fn numbers(&self) -> &[(Quantity, &'a Reading)] {
+        &self.numbers
+    }
+
+    /// Whether a number comes as near to the one that was given as its digits tell.
+    pub fn agrees(&self, at: usize, value: f64) -> bool {
+        (value - self.numbers[at].1.value).abs() <= self.tolerances[at]
+    }
+
+    /// How near each number must come.
+    pub fn tolerances(&self) -> &[f64] {
+        &self.tolerances
+    }
+
+    /// Whether all numbers agree.
+    pub fn fits(&self, world: &World) -> bool {
+        // Entries cost nothing, and hardly anything passes them.
+        let entries = self.numbers.iter().enumerate().filter_map(|(at, number)| Some((at, self.entry(number.0, world)?)));
+        let mut entries = entries.map(|(at, value)| self.agrees(at, value));
+        if !entries.all(|agrees| agrees) {
+            return false;
+        }
+        let has_others = self.numbers.iter().any(|(quantity, _)| !matches!(quantity, Quantity::Entry(..)));
+        !has_others || {
+            let mut agree = true;
+            self.others(world, &mut |at, value| {
+                agree = agree && self.agrees(at, value);
+                agree
+            });
+            agree
+        }
+    }
+
+    /// All numbers; NaN where there is none.
+    pub fn predict(&self, world: &World) -> Vec<f64> {
+        let entry = |(quantity, _): &(Quantity, _)| self.entry(*quantity, world).unwrap_or(f64::NAN);
+        let mut values: Vec<f64> = self.numbers.iter().map(entry).collect();
+        self.others(world, &mut |at, value| {
+            values[at] = value;
+            true
+        });
+        values
+    }
+
+    fn entry(&self, quantity: Quantity, world: &World) -> Option<f64> {
+        match quantity {
+            Quantity::Entry(matrix, row, column) => {
+                Some(world.entries[index(matrix, row, column, self.info.coordinates.len())])
+            }
+            _ => None,
+        }
+    }
+
+    /// Tells all numbers but the entries of matrices, until it is told to stop; where there are none, NaN.
+    fn others(&self, world: &World, tell: &mut dyn FnMut(usize, f64) -> bool) {
+        let is_entry = |(quantity, _): &(Quantity, _)| matches!(quantity, Quantity::Entry(..));
+        let Some(first) = self.numbers.iter().position(|number| !is_entry(number)) else { return };
+        let mut parameters = Vec::with_capacity(world.entries.len() + 1);
+        parameters.extend_from_slice(&world.entries);
+        parameters.push(world.gravity);
+        let mut place = first;
+        let mut next = |value: f64| {
+            place += 1;
+            tell(place - 1, value)
+        };
+        let visited = self.system.visit(&parameters, &mut |equations| {
+            self.each_other(equations, world.gravity, &mut next);
+            Ok(())
+        });
+        if visited.is_err() {
+            (first..self.numbers.len()).all(|_| next(f64::NAN));
+        }
+    }
+
+    /// The same in the order of [`Given::numbers`].
+    fn each_other(&self, equations: &dyn Equations, gravity: f64, tell: &mut dyn FnMut(f64) -> bool) {
+        let Given { state_matrices, eigenvalues, critical_speeds, accelerations, .. } = self.given;
+        for (StateMatrix { speed, rows }, order) in state_matrices.iter().zip(&self.orders) {
+            let a = equations.state_space(*speed, gravity).ok().map(|[a, _]| a);
+            for (row, entries) in rows.iter().enumerate() {
+                for (column, _) in entries.iter().enumerate().filter(|(_, entry)| entry.is_some()) {
+                    let value = a.as_ref().map_or(f64::NAN, |a| a[order[row] * order.len() + order[column]]);
+                    if !tell(value) {
+                        return;
+                    }
+                }
+            }
+        }
+        for given in eigenvalues {
+            let found = equations.eigenvalues(given.speed, gravity).unwrap_or_default();
+            for ((_, im), value) in given.values.iter().zip(assigned(given, found)) {
+                if !tell(value.re) || im.is_some() && !tell(value.im) {
+                    return;
+                }
+            }
+        }
+        if !critical_speeds.is_empty() {
+            let found = equations.stability(gravity).map(|stability| stability.critical_speeds).unwrap_or_default();
+            for given in critical_speeds {
+                let is_meant = |kind: CriticalKind| match given.kind {
+                    Some(meant) => kind == meant,
+                    None => kind != CriticalKind::DoubleRoot,
+                };
+                let of_kind = found.iter().filter(|critical| is_meant(critical.kind)).map(|critical| critical.speed);
+                let distance = |speed: &f64| (speed - given.speed.value).abs();
+                let nearest = of_kind.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+                if !tell(nearest.unwrap_or(f64::NAN)) {
+                    return;
+                }
+            }
+        }
+        for given in accelerations {
+            let found = self.accelerations(given, equations, gravity);
+            for (of, _) in given.values.iter().enumerate().filter(|(_, value)| value.is_some()) {
+                if !tell(found.as_ref().map_or(f64::NAN, |found| found[of])) {
+                    return;
+                }
+            }
+        }
+    }
+
+    /// The accelerations of all coordinates by the linear equations; NaN where only the position is a state.
+    fn accelerations(&self, given: &Accelerations, equations: &dyn Equations, gravity: f64) -> Option<Vec<f64>> {
+        let [a, b] = equations.state_space(given.speed, gravity).ok()?;
+        let states = states(self.info);
+        let state: Vec<f64> = states
+            .iter()
+            .map(|(is_rate, of)| if *is_rate { given.rates[*of] } else { given.positions[*of] })
+            .collect();
+        let mut found = vec![f64::NAN; self.info.coordinates.len()];
+        for (row, (_, of)) in states.iter().enumerate().filter(|(_, (is_rate, _))| *is_rate) {
+            let sum = |matrix: &[f64], with: &[f64]| -> f64 {
+                matrix[row * with.len()..].iter().zip(with).map(|(entry, value)| entry * value).sum()
+            };
+            found[*of] = sum(&a, &state) + sum(&b, &given.forces);
+        }
+        Some(found)
+    }
+}
+
+/// The states in the order of the library, positions before rates: whether each is a rate, and of which coordinate.
+pub fn states(info: &ModelInfo) -> Vec<(bool, usize)> {
+    let of = |is_rate: bool, without: States| {
+        let coordinates = info.coordinates.iter().enumerate();
+        coordinates.filter(move |(_, own)| own.states != without).map(move |(at, _)| (is_rate, at))
+    };
+    of(false, States::Rate).chain(of(true, States::Position)).collect()
+}
+
+/// Which of the usual orders of states a matrix is in: positions before rates, rates before positions, or each position with
+/// its rate. Its rows that say what a rate is tell, and where they do not, it is the first.
+fn order(matrix: &StateMatrix, info: &ModelInfo) -> Vec<usize> {
+    let states = states(info);
+    let natural: Vec<usize> = (0..states.len()).collect();
+    let (positions, rates): (Vec<usize>, Vec<usize>) = natural.iter().partition(|&&at| !states[at].0);
+    let mut pairs = natural.clone();
+    pairs.sort_by_key(|&at| (states[at].1, states[at].0));
+    let mut backwards = pairs.clone();
+    backwards.sort_by_key(|&at| (states[at].1, !states[at].0));
+    let orders = [natural, [rates, positions].concat(), pairs, backwards];
+    let rank = |order: &Vec<usize>| {
+        let is_known = |row: usize, column: usize| {
+            let ((is_rate, of), (is_other_rate, other)) = (states[order[row]], states[order[column]]);
+            let entry = matrix.rows.get(row).and_then(|row| row.get(column)).and_then(Option::as_ref);
+            let expected = f64::from(is_other_rate && of == other);
+            is_rate || entry.is_none_or(|entry| (entry.value - expected).abs() < 1e-9)
+        };
+        (0..order.len()).map(|row| (0..order.len()).filter(|&column| is_known(row, column)).count()).sum::<usize>()
+    };
+    // Of equals the first.
+    orders.into_iter().rev().max_by_key(rank).unwrap_or_default()
+}
+
+/// The eigenvalue that is nearest to each that was given, none of them twice; NaN where there are too few.
+fn assigned(given: &Eigenvalues, mut found: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+    let nearest = |(re, im): &(Reading, Option<Reading>)| {
+        let distance = |value: &Complex<f64>| {
+            let im = im.as_ref().map_or(0.0, |im| value.im - im.value);
+            (value.re - re.value).hypot(im)
+        };
+        let order = |a: &Complex<f64>, b: &Complex<f64>| -> Ordering { distance(a).total_cmp(&distance(b)) };
+        match (0..found.len()).min_by(|&a, &b| order(&found[a], &found[b])) {
+            Some(at) => found.swap_remove(at),
+            None => Complex::new(f64::NAN, f64::NAN),
+        }
+    };
+    given.values.iter().map(nearest).collect()
+}
+
+/// Half a unit of the last digit, and no less than what rounding may do.
+fn tolerances(numbers: &[(Quantity, &Reading)]) -> Vec<f64> {
+    let kind = |quantity: &Quantity| match *quantity {
+        Quantity::Entry(matrix, ..) => (0, matrix as usize),
+        Quantity::State(at, ..) => (1, at),
+        Quantity::RealPart(at, _) | Quantity::ImaginaryPart(at, _) => (2, at),
+        Quantity::CriticalSpeed(_) => (3, 0),
+        Quantity::Acceleration(at, _) => (4, at),
+    };
+    let tolerance = |(quantity, reading): &(Quantity, &Reading)| {
+        let own = kind(quantity);
+        let group = numbers.iter().filter(|(other, _)| kind(other) == own);
+        let largest = group.fold(0.0, |largest: f64, (_, reading)| largest.max(reading.value.abs()));
+        let rounding = match own.0 {
+            0 => ROUNDING[0],
+            2 => ROUNDING[1],
+            _ => ROUNDING[2],
+        };
+        // A tie may be rounded to either side.
+        (1.000_001 * reading.tolerance).max(rounding * largest)
+    };
+    numbers.iter().map(tolerance).collect()
+}

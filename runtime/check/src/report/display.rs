@@ -1,0 +1,118 @@
+//! A report for people.
+
+use std::fmt;
+
+use carvallo_design::number::shortest;
+
+use super::suspects::Part;
+use super::{Comparison, Group, Report, Suspects};
+
+/// So many numbers are shown at most unless they are wrong, and so many explanations of a group, and groups.
+const NUMBERS: usize = 48;
+const EXPLANATIONS: usize = 6;
+const GROUPS: usize = 6;
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { machine, model, numbers, .. } = self;
+        writeln!(f, "Held against {machine}, by the equations of {model}\n")?;
+        let shown: Vec<&Comparison> =
+            numbers.iter().filter(|number| numbers.len() <= NUMBERS || !number.agrees).collect();
+        table(&shown, f)?;
+        let wrong = numbers.iter().filter(|number| !number.agrees).count();
+        if shown.len() < numbers.len() {
+            writeln!(f, "  and {} that agree", numbers.len() - shown.len())?;
+        }
+        writeln!(f)?;
+        match (wrong, numbers.len()) {
+            (0, 1) => return writeln!(f, "The number agrees to all digits given."),
+            (0, count) => return writeln!(f, "All {count} numbers agree to all digits given."),
+            (1, 1) => writeln!(f, "The number does not agree.")?,
+            (1, count) => writeln!(f, "1 of {count} numbers does not agree.")?,
+            (wrong, count) => writeln!(f, "{wrong} of {count} numbers do not agree.")?,
+        }
+        match &self.unexplained {
+            Some(suspects) => suspects.fmt(f),
+            None => explanations(&self.explanations, numbers.len(), f),
+        }
+    }
+}
+
+fn table(numbers: &[&Comparison], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let ours = |number: &Comparison| match number.ours {
+        None => "none".to_owned(),
+        Some(0.0) => "0".to_owned(),
+        // Two digits more than were given.
+        Some(value) => {
+            let written = number.yours.chars().filter(char::is_ascii_digit).count();
+            let digits = (written + 2).clamp(6, 17);
+            shortest(format!("{value:.*e}", digits - 1).parse().unwrap_or(value))
+        }
+    };
+    let rows: Vec<[String; 4]> = numbers
+        .iter()
+        .map(|number| {
+            let mark = if number.agrees { "" } else { "  differs" };
+            [number.name.clone(), number.yours.clone(), ours(number), format!("{}{mark}", number.digits)]
+        })
+        .collect();
+    let width = |column: usize, title: &str| {
+        rows.iter().map(|row| row[column].chars().count()).fold(title.len(), usize::max)
+    };
+    let [name, yours, own] = [width(0, "number"), width(1, "yours"), width(2, "ours")];
+    writeln!(f, "  {:<name$}  {:>yours$}  {:>own$}  digits that agree", "number", "yours", "ours")?;
+    for [label, given, value, digits] in &rows {
+        writeln!(f, "  {label:<name$}  {given:>yours$}  {value:>own$}  {digits}")?;
+    }
+    Ok(())
+}
+
+fn explanations(groups: &[Group], count: usize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let all = if count == 1 { "It comes out as yours if" } else { "All come out as yours if" };
+    for (at, group) in groups.iter().take(GROUPS).enumerate() {
+        writeln!(f, "\n{}", if at == 0 { all } else { "or if" })?;
+        for (at, explanation) in group.explanations.iter().take(EXPLANATIONS).enumerate() {
+            let or = if at == 0 { "" } else { "or " };
+            writeln!(f, "  {or}{}", explanation.causes.join(",\n    and "))?;
+        }
+        let more = group.explanations.len().saturating_sub(EXPLANATIONS);
+        if more > 0 {
+            writeln!(f, "  or {more} more that make the same numbers")?;
+        }
+        if group.explanations.len() > 1 {
+            let is_one = group.explanations.iter().all(|explanation| explanation.class == 0);
+            match is_one {
+                true => writeln!(f, "  No numbers tell these apart: they are the same for every machine.")?,
+                false => writeln!(f, "  No numbers of this machine tell these apart; those of another one do.")?,
+            }
+        }
+        if let Some(apart) = &group.apart {
+            writeln!(f, "  What would tell: {apart}.")?;
+        }
+    }
+    let more = groups.len().saturating_sub(GROUPS);
+    if more > 0 {
+        writeln!(f, "\nThere are {more} more ways, with other numbers; more digits or other numbers tell them apart.")?;
+    }
+    Ok(())
+}
+
+impl fmt::Display for Suspects {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { wrong, formulas, parts } = self;
+        writeln!(f, "\nNo single slip, no convention and no two of them together explain all numbers.")?;
+        writeln!(f, "  What differs: {}", wrong.join(", "))?;
+        if !formulas.is_empty() {
+            writeln!(f, "  All of it depends on, and nothing of what agrees:")?;
+            formulas.iter().try_for_each(|formula| writeln!(f, "    {formula}"))?;
+        }
+        for (at, Part { numbers, causes }) in parts.iter().enumerate() {
+            if at == 0 {
+                writeln!(f, "  There may be several mistakes. By itself, without a change of what agrees,")?;
+            }
+            let come = if numbers.len() == 1 { "comes" } else { "come" };
+            writeln!(f, "  {} {come} out as yours if\n    {}", numbers.join(", "), causes.join("\n    or "))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,163 @@
+//! Explanations that make the same numbers, and what would tell the others apart.
+
+use carvallo::MatrixName;
+use carvallo_design::number::shortest;
+
+use super::words::words;
+use super::{Explanation, Group};
+use crate::conventions::{Convention, Effect};
+use crate::explain::{Cause, Found, relation};
+use crate::given::{Quantity, entry_name};
+use crate::machine::Machine;
+use crate::predict::{Predictor, World};
+use crate::slips::Kind;
+
+/// The same numbers, but for rounding, relative to the largest of their matrix.
+const SAME: f64 = 1e-11;
+
+/// Groups explanations, the likeliest first.
+pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -> Vec<Group> {
+    found.sort_by_key(|found| found.causes.iter().map(|cause| rank(machine, cause)).sum::<u32>());
+    let mut sorted: Vec<Vec<Found>> = Vec::new();
+    for own in found {
+        match sorted.iter_mut().find(|group| are_same(machine, &group[0].world, &own.world)) {
+            Some(group) => group.push(own),
+            None => sorted.push(vec![own]),
+        }
+    }
+    let others = [others(machine, 0), others(machine, 1)];
+    let first = sorted.first().map(|group| group[0].world.clone());
+    let mut groups = Vec::new();
+    for (at, group) in sorted.into_iter().enumerate() {
+        let apart = first.as_ref().filter(|_| at > 0).and_then(|first| apart(machine, predictor, first, &group[0].world));
+        let elsewhere: Vec<Vec<Option<World>>> =
+            group.iter().map(|found| others.iter().flatten().map(|other| world(other, machine, found)).collect()).collect();
+        let mut classes: Vec<usize> = Vec::new();
+        let mut explanations = Vec::new();
+        for (at, found) in group.iter().enumerate() {
+            let is_same = |&class: &usize| {
+                !elsewhere[at].is_empty()
+                    && elsewhere[class].iter().zip(&elsewhere[at]).all(|pair| match pair {
+                        (Some(a), Some(b)) => are_same(machine, a, b),
+                        _ => false,
+                    })
+            };
+            let class = classes.iter().copied().find(is_same).unwrap_or_else(|| {
+                classes.push(at);
+                at
+            });
+            let causes = found.causes.iter().map(|cause| words(machine, cause)).collect();
+            let class = classes.iter().position(|own| *own == class).unwrap_or_default();
+            explanations.push(Explanation { causes, class });
+        }
+        groups.push(Group { explanations, apart });
+    }
+    groups
+}
+
+/// How unlikely a cause is.
+pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
+    match cause {
+        Cause::Convention(own) => u32::from(own.rank),
+        Cause::Slip(own) => match own.slip.kind {
+            Kind::SignOfTerm | Kind::Minus | Kind::SimilarName | Kind::Factor | Kind::Function => 2,
+            Kind::Term | Kind::Exponent => 2,
+            Kind::Number | Kind::ProductOrQuotient => 3,
+            Kind::OtherName => 5,
+            Kind::SumOrProduct => 6,
+        },
+        Cause::Slips(double) => {
+            let unlikely = |kind: Kind| matches!(kind, Kind::OtherName | Kind::SumOrProduct);
+            double.slips.iter().map(|slip| if unlikely(slip.kind) { 5 } else { 2 }).sum()
+        }
+        Cause::Parameter(at, value) => match relation(machine.parameters[*at], *value) {
+            Some(_) => 1,
+            // A value of few digits may be what stood there.
+            None if shortest(*value).trim_start_matches(['-', '0', '.']).len() <= 4 => 3,
+            None => 7,
+        },
+        Cause::Definition(..) => 8,
+        Cause::Speed(_) => 3,
+    }
+}
+
+fn are_same(machine: &Machine, a: &World, b: &World) -> bool {
+    let square = machine.formulas.count * machine.formulas.count;
+    let matrices = a.entries.chunks_exact(square).zip(b.entries.chunks_exact(square));
+    let is_same = |(a, b): (&[f64], &[f64])| {
+        let largest = a.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * largest)
+    };
+    (a.gravity - b.gravity).abs() <= SAME * a.gravity.abs() && matrices.map(is_same).all(|same| same)
+}
+
+/// The first entry, or another number, in which matrices differ that was not given, with both values.
+fn apart(machine: &Machine, predictor: &Predictor, first: &World, other: &World) -> Option<String> {
+    let count = machine.formulas.count;
+    let is_given = |own: (MatrixName, usize, usize)| {
+        predictor.numbers().iter().any(|(quantity, _)| *quantity == Quantity::Entry(own.0, own.1, own.2))
+    };
+    let mut largest: Option<(f64, String)> = None;
+    for (at, (a, b)) in first.entries.iter().zip(&other.entries).enumerate() {
+        let own = (MatrixName::ALL[at / (count * count)], at / count % count, at % count);
+        let differs = (a - b).abs() / a.abs().max(b.abs());
+        if differs > 1e-9 && largest.as_ref().is_none_or(|(known, _)| differs > *known) {
+            let more = if is_given(own) { " with more digits" } else { "" };
+            let [a, b] = [a, b].map(|value| short(*value));
+            let text = format!("{}{more}: {b} by this, {a} by the first", entry_name(own.0, own.1, own.2));
+            largest = Some((differs, text));
+        }
+    }
+    largest.map(|(_, text)| text)
+}
+
+/// Six digits, or fewer that are all.
+fn short(value: f64) -> String {
+    shortest(format!("{value:.5e}").parse().unwrap_or(value))
+}
+
+/// The machine with other parameters, at which no two different formulas should agree.
+fn others(machine: &Machine, number: usize) -> Option<Machine> {
+    let vary = |(at, value): (usize, &f64)| {
+        let fraction = ((at + 1 + 37 * number) as f64 * 0.618_033_988_749_895).fract();
+        if *value == 0.0 { 0.05 + 0.1 * fraction } else { value * (0.9 + 0.2 * fraction) }
+    };
+    let parameters: Vec<f64> = machine.parameters.iter().enumerate().map(vary).collect();
+    Machine::with(machine.info, &parameters).ok()
+}
+
+/// What an explanation makes of another machine; `None` where that is not told.
+fn world(other: &Machine, machine: &Machine, found: &Found) -> Option<World> {
+    let mut parameters = other.parameters.clone();
+    let mut of_matrices: Option<&Convention> = None;
+    let mut slip = None;
+    for cause in &found.causes {
+        match cause {
+            Cause::Convention(own) => {
+                // Of factors that depend on the parameters each machine has its own.
+                let is_own = matches!(own.effect, Effect::Entries(_)) && !own.what.contains('g');
+                let mut all = other.usual.iter().chain(&other.single);
+                let own = if is_own { own } else { all.find(|known| known.what == own.what)? };
+                own.change_parameters(&mut parameters);
+                if !matches!(own.effect, Effect::Parameters(_)) {
+                    of_matrices = Some(own);
+                }
+            }
+            Cause::Slip(own) => slip = Some((own.formulas.clone(), own.changed.clone())),
+            Cause::Slips(double) => {
+                let text = double.apply(machine.formulas.formulas[double.formula].text);
+                slip = Some((vec![double.formula], machine.formulas.parse(&text)?));
+            }
+            Cause::Parameter(..) | Cause::Definition(..) | Cause::Speed(_) => return None,
+        }
+    }
+    let mut values = other.formulas.values(&parameters);
+    if let Some((formulas, changed)) = slip {
+        other.formulas.change(&formulas, &changed, &parameters, &mut values).then_some(())?;
+    }
+    let old = World { entries: values.entries, gravity: other.gravity(&parameters) };
+    let Some(convention) = of_matrices else { return Some(old) };
+    let mut own = World::default();
+    convention.change_matrices(&old, &mut own, other.formulas.count);
+    Some(own)
+}

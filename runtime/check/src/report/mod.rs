@@ -1,0 +1,105 @@
+//! What comes of a check.
+
+mod display;
+mod groups;
+mod suspects;
+mod words;
+
+use serde::Serialize;
+
+pub use self::suspects::Suspects;
+
+use crate::explain::Found;
+use crate::machine::Machine;
+use crate::predict::Predictor;
+
+/// Whether somebody's numbers are those of a machine, and what explains it where they are not.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// The machine.
+    pub machine: String,
+    /// Its model.
+    pub model: String,
+    /// Whether all numbers agree to the digits that were given.
+    pub agrees: bool,
+    /// All numbers, in the order in which they were given, those of matrices first.
+    pub numbers: Vec<Comparison>,
+    /// What reproduces all numbers to the given digits, the likeliest first: none where all agree, or where nothing does.
+    /// Those of one group make the same matrices of this machine.
+    pub explanations: Vec<Group>,
+    /// Where nothing explains all numbers: what is known of them.
+    pub unexplained: Option<Suspects>,
+}
+
+/// One number beside the one that it should be.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// What it is of: `M_12`, with row and column from one, or `Re s2 at 5 m/s`.
+    pub name: String,
+    /// As it was given.
+    pub yours: String,
+    /// As it should be; `None` where there is none, as of a critical speed.
+    pub ours: Option<f64>,
+    /// How many significant digits agree.
+    pub digits: usize,
+    /// Whether that is all that was given.
+    pub agrees: bool,
+}
+
+/// Explanations that make the same matrices of this machine.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Group {
+    /// The likeliest first.
+    pub explanations: Vec<Explanation>,
+    /// What would tell them from those of the first group.
+    pub apart: Option<String>,
+}
+
+/// What reproduces all numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Explanation {
+    /// What is otherwise, all of it together.
+    pub causes: Vec<String>,
+    /// Explanations of the same class in a group make the same matrices of every machine, as far as is known: no number
+    /// tells them apart. Others of a group differ for other parameters.
+    pub class: usize,
+}
+
+impl Report {
+    /// From everything that reproduces the numbers.
+    pub(crate) fn new(title: String, machine: &Machine, predictor: &Predictor, found: Vec<Found>) -> Self {
+        let here = predictor.predict(&machine.world());
+        let numbers: Vec<Comparison> = predictor
+            .numbers()
+            .iter()
+            .zip(&here)
+            .enumerate()
+            .map(|(at, (&(quantity, reading), &ours))| Comparison {
+                name: predictor.given().name(quantity, machine.info),
+                yours: reading.written.clone(),
+                ours: ours.is_finite().then_some(ours + 0.0),
+                digits: digits(reading.value, ours, predictor.tolerances()[at]),
+                agrees: predictor.agrees(at, ours),
+            })
+            .collect();
+        let agrees = numbers.iter().all(|number| number.agrees);
+        let is_unexplained = !agrees && found.is_empty();
+        let unexplained = is_unexplained.then(|| Suspects::new(machine, predictor, &here));
+        let explanations = groups::groups(machine, predictor, found);
+        Self {
+            machine: title,
+            model: machine.info.name.to_owned(),
+            agrees,
+            numbers,
+            explanations,
+            unexplained,
+        }
+    }
+}
+
+/// How many significant digits agree, at most 17.
+fn digits(yours: f64, ours: f64, tolerance: f64) -> usize {
+    let difference = (yours - ours).abs().max(tolerance);
+    let digits = (ours.abs().max(yours.abs()) / difference).log10() + 0.302;
+    if digits.is_finite() { digits.clamp(0.0, 17.0) as usize } else { 0 }
+}

@@ -1,0 +1,98 @@
+//! What is known of numbers that nothing explains as a whole.
+
+use serde::Serialize;
+
+use super::words::words;
+use crate::explain::{Cause, singles};
+use crate::formulas::Subject;
+use crate::given::Quantity;
+use crate::machine::Machine;
+use crate::predict::Predictor;
+
+/// What is known of numbers that nothing explains as a whole.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Suspects {
+    /// What is wrong.
+    pub wrong: Vec<String>,
+    /// The formulas on which every wrong entry depends, and no right one; empty where no entries of matrices were given.
+    pub formulas: Vec<String>,
+    /// What explains some of the wrong numbers and leaves all right ones as they are: several mistakes may stand side by
+    /// side.
+    pub parts: Vec<Part>,
+}
+
+/// What explains some of the wrong numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Part {
+    /// Which ones.
+    pub numbers: Vec<String>,
+    /// By what, the likeliest first; no more than a few.
+    pub causes: Vec<String>,
+}
+
+/// So many causes of a part are told.
+const TOLD: usize = 4;
+
+impl Suspects {
+    pub(super) fn new(machine: &Machine, predictor: &Predictor, here: &[f64]) -> Self {
+        let name = |at: usize| predictor.given().name(predictor.numbers()[at].0, machine.info);
+        let wrong: Vec<usize> = (0..here.len()).filter(|&at| !predictor.agrees(at, here[at])).collect();
+        Self {
+            wrong: wrong.iter().map(|&at| name(at)).collect(),
+            formulas: formulas(machine, predictor, &wrong),
+            parts: parts(machine, predictor, wrong, &name),
+        }
+    }
+}
+
+/// The formulas that feed all wrong and no right entries.
+fn formulas(machine: &Machine, predictor: &Predictor, wrong: &[usize]) -> Vec<String> {
+    let all = &machine.formulas.formulas;
+    let given = predictor.numbers().iter().enumerate();
+    let entries: Vec<(usize, bool)> = given
+        .filter_map(|(at, (quantity, _))| {
+            let Quantity::Entry(matrix, row, column) = *quantity else { return None };
+            let formula = all.iter().position(|own| own.subject == Subject::Entry(matrix, row, column))?;
+            Some((formula, wrong.contains(&at)))
+        })
+        .collect();
+    if !entries.iter().any(|(_, is_wrong)| *is_wrong) {
+        return Vec::new();
+    }
+    let feeds = |own: usize, entry: usize| own == entry || machine.formulas.dependents(own).contains(&entry);
+    let is_suspect = |own: &usize| entries.iter().all(|&(entry, is_wrong)| feeds(*own, entry) == is_wrong);
+    (0..all.len()).filter(is_suspect).map(|own| format!("{} = {}", all[own].subject, all[own].text)).collect()
+}
+
+/// One cause after the other, each that explains the most of what is left without a change of what is right.
+fn parts(machine: &Machine, predictor: &Predictor, wrong: Vec<usize>, name: &dyn Fn(usize) -> String) -> Vec<Part> {
+    let mut left = wrong.clone();
+    let mut candidates: Vec<(Vec<usize>, u32, Cause)> = Vec::new();
+    singles(machine, &mut |cause, world| {
+        let values = predictor.predict(world);
+        let agrees = |at: usize| predictor.agrees(at, values[at]);
+        if (0..values.len()).all(|at| wrong.contains(&at) || agrees(at)) {
+            let explained: Vec<usize> = wrong.iter().copied().filter(|&at| agrees(at)).collect();
+            if !explained.is_empty() {
+                candidates.push((explained, super::groups::rank(machine, &cause), cause));
+            }
+        }
+    });
+    let mut parts = Vec::new();
+    while !left.is_empty() {
+        let gain = |explained: &[usize]| explained.iter().filter(|at| left.contains(at)).count();
+        let Some(most) = candidates.iter().map(|(explained, ..)| gain(explained)).max().filter(|most| *most > 0) else {
+            break;
+        };
+        let mut best: Vec<_> = candidates.iter().filter(|(explained, ..)| gain(explained) == most).collect();
+        best.sort_by_key(|(_, rank, _)| *rank);
+        let explained: Vec<usize> = best[0].0.clone();
+        best.retain(|(own, ..)| *own == explained);
+        parts.push(Part {
+            numbers: explained.iter().map(|&at| name(at)).collect(),
+            causes: best.iter().take(TOLD).map(|(.., cause)| words(machine, cause)).collect(),
+        });
+        left.retain(|at| !explained.contains(at));
+    }
+    parts
+}
