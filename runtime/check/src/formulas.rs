@@ -2,7 +2,7 @@
 
 use carvallo::{FormulaSubject, MatrixName, ModelInfo};
 
-use crate::formula::{Expression, tokens};
+use crate::formula::Expression;
 
 /// What a formula is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -130,7 +130,7 @@ impl Formulas {
                 Some(definition) => Expression::Definition(definition),
             })
         };
-        Expression::parse(&tokens(text)?, &name)
+        Expression::parse(text, &name)
     }
 
     fn find_dependents(&self) -> Vec<Vec<usize>> {

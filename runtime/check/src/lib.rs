@@ -7,6 +7,7 @@ pub mod formulas;
 pub mod given;
 pub mod machine;
 pub mod predict;
+pub mod read;
 mod report;
 pub mod slips;
 

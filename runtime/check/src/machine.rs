@@ -1,5 +1,7 @@
 //! A machine with everything that may be mistaken about it.
 
+use std::cell::OnceCell;
+
 use carvallo::ModelInfo;
 use carvallo_design::Design;
 
@@ -20,12 +22,11 @@ pub struct Machine {
     pub parameters: Vec<f64>,
     /// The values of the formulas.
     pub values: Values,
-    /// All slips of the formulas.
-    pub slips: Vec<FormulaSlip>,
     /// What may be otherwise on purpose, by a convention: with a slip, or with another convention.
     pub usual: Vec<Convention>,
     /// Entries and parameters that are mistaken by themselves.
     pub single: Vec<Convention>,
+    slips: OnceCell<Vec<FormulaSlip>>,
 }
 
 /// A slip in a formula of a model, or in one that several entries share.
@@ -60,14 +61,16 @@ impl Machine {
         usual.extend(conventions::usual(info, parameters));
         let mut single = conventions::entries(info, &values.entries);
         single.extend(conventions::parameters(info, parameters));
-        let mut machine =
-            Self { info, formulas, parameters: parameters.to_vec(), values, slips: Vec::new(), usual, single };
-        machine.slips = machine.all_slips();
-        Ok(machine)
+        let parameters = parameters.to_vec();
+        Ok(Self { info, formulas, parameters, values, usual, single, slips: OnceCell::new() })
     }
 
-    /// Every slip of every formula, in their order; those of a formula that several entries share in each of them, and in
-    /// all of them.
+    /// Every slip of every formula, in their order; those of a formula that several entries share in all of them, and in
+    /// each alone. They are made when they are first asked for.
+    pub fn slips(&self) -> &[FormulaSlip] {
+        self.slips.get_or_init(|| self.all_slips())
+    }
+
     fn all_slips(&self) -> Vec<FormulaSlip> {
         let mut found = Vec::new();
         for (at, formula) in self.formulas.formulas.iter().enumerate() {

@@ -71,7 +71,8 @@ impl<'a> Predictor<'a> {
     /// Whether all numbers agree.
     pub fn fits(&self, world: &World) -> bool {
         // Entries cost nothing, and hardly anything passes them.
-        let entries = self.numbers.iter().enumerate().filter_map(|(at, number)| Some((at, self.entry(number.0, world)?)));
+        let entries =
+            self.numbers.iter().enumerate().filter_map(|(at, number)| Some((at, self.entry(number.0, world)?)));
         let mut entries = entries.map(|(at, value)| self.agrees(at, value));
         if !entries.all(|agrees| agrees) {
             return false;
@@ -179,10 +180,8 @@ impl<'a> Predictor<'a> {
     fn accelerations(&self, given: &Accelerations, equations: &dyn Equations, gravity: f64) -> Option<Vec<f64>> {
         let [a, b] = equations.state_space(given.speed, gravity).ok()?;
         let states = states(self.info);
-        let state: Vec<f64> = states
-            .iter()
-            .map(|(is_rate, of)| if *is_rate { given.rates[*of] } else { given.positions[*of] })
-            .collect();
+        let state: Vec<f64> =
+            states.iter().map(|(is_rate, of)| if *is_rate { given.rates[*of] } else { given.positions[*of] }).collect();
         let mut found = vec![f64::NAN; self.info.coordinates.len()];
         for (row, (_, of)) in states.iter().enumerate().filter(|(_, (is_rate, _))| *is_rate) {
             let sum = |matrix: &[f64], with: &[f64]| -> f64 {

@@ -35,10 +35,7 @@ pub struct DesignOptions {
 impl DesignOptions {
     /// Where the parameters come from.
     pub fn request(&self) -> Request {
-        let settings = self.set.iter().map(|Setting { written, name, value }| {
-            let option = format!("--set {written}");
-            (option, name.clone(), value.clone())
-        });
+        let settings = self.set.iter().map(Setting::replacement);
         let gravity = self.gravity.iter().map(|value| (format!("--gravity {value}"), "g".to_owned(), value.clone()));
         Request {
             model: self.model.clone(),
@@ -79,6 +76,13 @@ pub struct Setting {
     pub written: String,
     pub name: String,
     pub value: String,
+}
+
+impl Setting {
+    /// The option as it was given, the name and the value.
+    pub fn replacement(&self) -> (String, String, String) {
+        (format!("--set {}", self.written), self.name.clone(), self.value.clone())
+    }
 }
 
 impl FromStr for Setting {

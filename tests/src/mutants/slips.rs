@@ -18,7 +18,8 @@ pub fn all(declaration: &str) -> Vec<Mutant> {
     let Formulas { names, formulas } = find(tokens);
     let mut mutants = Vec::new();
     for formula in formulas {
-        let [first, last] = [formula.first(), formula.last()].map(|token| token.expect("a formula").span().byte_range());
+        let [first, last] =
+            [formula.first(), formula.last()].map(|token| token.expect("a formula").span().byte_range());
         let (start, end) = (first.start - origin, last.end - origin);
         let found = slips(&declaration[start..end], &names).into_iter();
         mutants.extend(found.map(|slip| Mutant { place: start + slip.place.start..start + slip.place.end, ..slip }));

@@ -34,7 +34,9 @@ pub fn entries(info: &ModelInfo, entries: &[f64]) -> Vec<Convention> {
             for (sign, factor) in [("", 1.0), ("-", -1.0)] {
                 if !(is_transposed && count == 2) {
                     let what = format!("{} has the value of {sign}{}", name(own), name(other));
-                    found.push(Convention::of_entries(what, vec![Assignment::times(at(own), at(other), factor)]).ranked(3));
+                    found.push(
+                        Convention::of_entries(what, vec![Assignment::times(at(own), at(other), factor)]).ranked(3),
+                    );
                 }
             }
             if at(own) < at(other) && !is_transposed {

@@ -33,11 +33,7 @@ impl Build<'_> {
     }
 
     /// Every entry of the model's matrices from another place of the same matrix, times a factor.
-    fn all(
-        &self,
-        matrices: &[MatrixName],
-        from: impl Fn((usize, usize)) -> ((usize, usize), f64),
-    ) -> Vec<Assignment> {
+    fn all(&self, matrices: &[MatrixName], from: impl Fn((usize, usize)) -> ((usize, usize), f64)) -> Vec<Assignment> {
         let assign = |matrix: MatrixName, place: (usize, usize)| {
             let (other, factor) = from(place);
             Assignment::times(self.at(matrix, place), self.at(matrix, other), factor)

@@ -163,10 +163,10 @@ impl Build<'_> {
         found.extend(self.of("mH has the mass of the front wheel in it", [("mH", sum("mH", "mF"))]));
         found.extend(self.of("mH was taken for that of the whole front, and mF taken off", [("mH", less("mH", "mF"))]));
         found.extend(self.of("mB has the mass of the rear wheel in it", [("mB", sum("mB", "mR"))]));
-        found.extend(self.of("mB has the masses of the front in it", [(
-            "mB",
-            sum("mB", "mH").and_then(|sum| Some(sum + self.value("mF")?)),
-        )]));
+        found.extend(self.of(
+            "mB has the masses of the front in it",
+            [("mB", sum("mB", "mH").and_then(|sum| Some(sum + self.value("mF")?)))],
+        ));
         found
     }
 

@@ -26,7 +26,7 @@ impl DoubleSlip {
 /// most is another one altogether.
 pub fn find<'a>(machine: &Machine, predictor: &Predictor, definition: usize, value: f64) -> Vec<Found<'a>> {
     let text = machine.formulas.formulas[definition].text;
-    let own = machine.slips.iter().filter(|slip| slip.formulas == [definition]);
+    let own = machine.slips().iter().filter(|slip| slip.formulas == [definition]);
     let mut slips: Vec<&Slip> = own.map(|slip| &slip.slip).collect();
     slips.sort_by_key(|slip| slip.place.start);
     let is_likely = |slip: &Slip| !matches!(slip.kind, Kind::OtherName | Kind::SumOrProduct);

@@ -64,7 +64,7 @@ pub fn singles<'a>(machine: &'a Machine, tell: &mut dyn FnMut(Cause<'a>, &World)
     }
     let mut world = machine.world();
     let mut values = machine.values.clone();
-    for slip in &machine.slips {
+    for slip in machine.slips() {
         if machine.slip(slip, &machine.parameters, &machine.values, &mut values) {
             std::mem::swap(&mut world.entries, &mut values.entries);
             tell(Cause::Slip(slip), &world);
@@ -85,7 +85,7 @@ impl<'a> Search<'a, '_> {
     fn each_slip(&self, parameters: &[f64], tell: &mut dyn FnMut(&'a FormulaSlip, &mut Vec<f64>)) {
         let base = self.machine.formulas.values(parameters);
         let mut own = base.clone();
-        for slip in &self.machine.slips {
+        for slip in self.machine.slips() {
             if self.machine.slip(slip, parameters, &base, &mut own) {
                 tell(slip, &mut own.entries);
             }
@@ -119,7 +119,11 @@ impl<'a> Search<'a, '_> {
                 convention.change_matrices(&old, &mut own, machine.formulas.count);
                 Some(own)
             };
-            for x in solve::solve(self.predictor, machine.parameters[at], &world) {
+            // What cannot be is nobody's, unless it is a slip of the pen.
+            let domain = machine.info.parameters[at].domain;
+            let old = machine.parameters[at];
+            let can_be = |x: &f64| domain.contains(*x) || relation(old, *x).is_some();
+            for x in solve::solve(self.predictor, old, &world).into_iter().filter(can_be) {
                 let causes = convention.map(Cause::Convention).into_iter().chain([Cause::Parameter(at, x)]);
                 found.extend(world(x).map(|world| Found { causes: causes.collect(), world }));
             }
@@ -149,8 +153,9 @@ impl<'a> Search<'a, '_> {
     fn seen(&self) -> Vec<&'a Convention> {
         let is_seen = |convention: &&Convention| {
             let found = self.predictor.predict(&self.machine.world_with(convention));
-            let tolerances = self.predictor.tolerances().iter();
-            found.iter().zip(&self.here).zip(tolerances).any(|((a, b), tolerance)| !((a - b).abs() <= *tolerance))
+            let tolerances = self.predictor.tolerances();
+            let is_same = |at: usize| (found[at] - self.here[at]).abs() <= tolerances[at];
+            !(0..found.len()).all(is_same)
         };
         self.machine.usual.iter().filter(is_seen).collect()
     }

@@ -91,7 +91,8 @@ pub fn relation(from: f64, to: f64) -> Option<&'static str> {
     if without(&old, &new) {
         return Some("one digit too few");
     }
-    let differ: Vec<usize> = if old.len() == new.len() { (0..old.len()).filter(|&at| old[at] != new[at]).collect() } else { Vec::new() };
+    let differ: Vec<usize> =
+        if old.len() == new.len() { (0..old.len()).filter(|&at| old[at] != new[at]).collect() } else { Vec::new() };
     match differ[..] {
         [_] => Some("another digit"),
         [a, b] if b == a + 1 && old[a] == new[b] && old[b] == new[a] => Some("two digits exchanged"),

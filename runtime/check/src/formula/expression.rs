@@ -1,6 +1,6 @@
-//! A formula as a tree, and its value. This is no computer algebra: nothing is rearranged.
+//! A formula with its names resolved, and its value. This is no computer algebra: nothing is rearranged.
 
-use super::token::{Token, TokenKind};
+use carvallo::Formula;
 
 /// A formula in parameters and definitions, which are known by their positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,11 +56,27 @@ impl Function {
 }
 
 impl Expression {
-    /// The formula of these tokens; `name` knows what a name stands for. `None` if they are no formula.
-    pub fn parse(tokens: &[Token], name: &dyn Fn(&str) -> Option<Self>) -> Option<Self> {
-        let mut reader = Reader { tokens, name };
-        let sum = reader.sum()?;
-        reader.tokens.is_empty().then_some(sum)
+    /// The formula of a text; `name` knows what a name stands for. `None` if it is none.
+    pub fn parse(text: &str, name: &dyn Fn(&str) -> Option<Self>) -> Option<Self> {
+        Self::of(&Formula::parse(text)?, name)
+    }
+
+    fn of(formula: &Formula, name: &dyn Fn(&str) -> Option<Self>) -> Option<Self> {
+        let parts = |parts: &[(bool, Formula)]| {
+            parts.iter().map(|(other, part)| Some((*other, Self::of(part, name)?))).collect::<Option<Vec<_>>>()
+        };
+        Some(match formula {
+            Formula::Number(_, Some(_)) => return None,
+            Formula::Number(digits, None) => Self::Number(digits.parse().ok()?),
+            Formula::Name(own) if own == "pi" => Self::Number(std::f64::consts::PI),
+            Formula::Name(own) => name(own)?,
+            Formula::Sum(terms) => Self::Sum(parts(terms)?),
+            Formula::Product(factors) => Self::Product(parts(factors)?),
+            Formula::Power(base, exponent) => Self::Power(Box::new(Self::of(base, name)?), exponent.parse().ok()?),
+            Formula::Call(function, argument) => {
+                Self::Call(Function::called(function)?, Box::new(Self::of(argument, name)?))
+            }
+        })
     }
 
     /// Its value; not finite where it has none.
@@ -91,93 +107,4 @@ impl Expression {
             Self::Power(inner, _) | Self::Call(_, inner) => inner.each_definition(tell),
         }
     }
-}
-
-struct Reader<'a> {
-    tokens: &'a [Token],
-    name: &'a dyn Fn(&str) -> Option<Expression>,
-}
-
-impl Reader<'_> {
-    /// Takes a sign that comes next.
-    fn take(&mut self, sign: char) -> bool {
-        let is_next = self.tokens.first().is_some_and(|token| token.is(sign));
-        self.tokens = &self.tokens[usize::from(is_next)..];
-        is_next
-    }
-
-    fn sum(&mut self) -> Option<Expression> {
-        let parts = self.parts(['+', '-'], Self::product)?;
-        Some(single_or(parts, Expression::Sum))
-    }
-
-    fn product(&mut self) -> Option<Expression> {
-        let parts = self.parts(['*', '/'], Self::signed)?;
-        Some(single_or(parts, Expression::Product))
-    }
-
-    /// Operands between two operators, each with whether the second one stands before it.
-    fn parts(
-        &mut self,
-        [first, second]: [char; 2],
-        operand: fn(&mut Self) -> Option<Expression>,
-    ) -> Option<Vec<(bool, Expression)>> {
-        let mut parts = vec![(false, operand(self)?)];
-        loop {
-            let inverse = self.take(second);
-            if !inverse && !self.take(first) {
-                return Some(parts);
-            }
-            parts.push((inverse, operand(self)?));
-        }
-    }
-
-    fn signed(&mut self) -> Option<Expression> {
-        if self.take('-') {
-            return Some(Expression::Sum(vec![(true, self.signed()?)]));
-        }
-        let base = self.single()?;
-        if !self.take('^') {
-            return Some(base);
-        }
-        Some(Expression::Power(Box::new(base), self.exponent()?))
-    }
-
-    /// A whole number with or without a sign, or that in parentheses.
-    fn exponent(&mut self) -> Option<i32> {
-        let sign = if self.take('-') { -1 } else { 1 };
-        let (first, rest) = self.tokens.split_first()?;
-        self.tokens = rest;
-        match &first.kind {
-            TokenKind::Number(value) if value.fract() == 0.0 && value.abs() < 1e3 => Some(sign * *value as i32),
-            TokenKind::Group(inner) => {
-                let mut inner = Reader { tokens: inner, name: self.name };
-                let exponent = inner.exponent()?;
-                inner.tokens.is_empty().then_some(sign * exponent)
-            }
-            _ => None,
-        }
-    }
-
-    fn single(&mut self) -> Option<Expression> {
-        let (first, rest) = self.tokens.split_first()?;
-        self.tokens = rest;
-        match (&first.kind, rest) {
-            (TokenKind::Number(value), _) => Some(Expression::Number(*value)),
-            (TokenKind::Group(inner), _) => Expression::parse(inner, self.name),
-            (TokenKind::Name(name), [Token { kind: TokenKind::Group(argument), .. }, rest @ ..]) => {
-                self.tokens = rest;
-                let argument = Expression::parse(argument, self.name)?;
-                Some(Expression::Call(Function::called(name)?, Box::new(argument)))
-            }
-            (TokenKind::Name(name), _) if name == "pi" => Some(Expression::Number(std::f64::consts::PI)),
-            (TokenKind::Name(name), _) => (self.name)(name),
-            (TokenKind::Sign(_), _) => None,
-        }
-    }
-}
-
-/// A single part that has no sign is what it is of.
-fn single_or(mut parts: Vec<(bool, Expression)>, many: fn(Vec<(bool, Expression)>) -> Expression) -> Expression {
-    if parts.len() == 1 { parts.remove(0).1 } else { many(parts) }
 }

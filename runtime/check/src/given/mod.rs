@@ -111,6 +111,19 @@ impl Given {
         numbers
     }
 
+    /// Lets each number be changed.
+    pub fn each_reading(&mut self, change: &mut dyn FnMut(&mut Reading)) {
+        let rows = self.matrices.iter_mut().map(|(_, rows)| rows);
+        let rows = rows.chain(self.state_matrices.iter_mut().map(|own| &mut own.rows));
+        rows.flatten().flatten().flatten().for_each(&mut *change);
+        for (re, im) in self.eigenvalues.iter_mut().flat_map(|own| &mut own.values) {
+            change(re);
+            im.iter_mut().for_each(&mut *change);
+        }
+        self.critical_speeds.iter_mut().for_each(|own| change(&mut own.speed));
+        self.accelerations.iter_mut().flat_map(|own| &mut own.values).flatten().for_each(change);
+    }
+
     /// What a number is called: `M_12`, or `Re s2 at 5 m/s`.
     pub fn name(&self, quantity: Quantity, info: &ModelInfo) -> String {
         let part = |part: &str, at: usize, index: usize| {
@@ -161,7 +174,9 @@ impl Given {
             let columns = rows.iter().map(Vec::len).find(|columns| *columns != count);
             match (rows.len(), columns) {
                 (found, None) if found == count => Ok(()),
-                (_, Some(found)) => Err(format!("a row of {name} has {found} numbers; expected {count}, one for each {of}")),
+                (_, Some(found)) => {
+                    Err(format!("a row of {name} has {found} numbers; expected {count}, one for each {of}"))
+                }
                 (found, None) => Err(format!("{name} has {found} rows; expected {count}, one for each {of}")),
             }
         };

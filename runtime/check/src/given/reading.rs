@@ -39,6 +39,14 @@ impl Reading {
         let (tolerance, digits) = last_digit(&written);
         Self { value, tolerance: tolerance / 2.0, digits, written }
     }
+
+    /// Trusts no more than so many significant digits.
+    pub fn limit(&mut self, digits: usize) {
+        let place = self.value.abs().log10().floor() as i32 + 1 - digits as i32;
+        if self.value != 0.0 {
+            self.tolerance = self.tolerance.max(0.5 * 10f64.powi(place));
+        }
+    }
 }
 
 /// A unit of the last digit of a text, and how many significant digits it has; 0 for what is no plain number.
@@ -88,7 +96,7 @@ mod tests {
     #[test]
     fn rounding_keeps_so_many_digits() {
         let reading = Reading::rounded(76.597_345_895_732_2, 4);
-        assert_eq!((reading.value, reading.tolerance, reading.digits), (76.6, 0.05, 4));
+        assert_eq!((reading.value, reading.tolerance, reading.digits), (76.6, 0.005, 4));
     }
 
     #[test]

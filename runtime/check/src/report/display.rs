@@ -18,12 +18,14 @@ impl fmt::Display for Report {
         writeln!(f, "Held against {machine}, by the equations of {model}\n")?;
         let shown: Vec<&Comparison> =
             numbers.iter().filter(|number| numbers.len() <= NUMBERS || !number.agrees).collect();
-        table(&shown, f)?;
         let wrong = numbers.iter().filter(|number| !number.agrees).count();
-        if shown.len() < numbers.len() {
-            writeln!(f, "  and {} that agree", numbers.len() - shown.len())?;
+        if !shown.is_empty() {
+            table(&shown, f)?;
+            match numbers.len() - shown.len() {
+                0 => writeln!(f)?,
+                others => writeln!(f, "  and {others} that agree\n")?,
+            }
         }
-        writeln!(f)?;
         match (wrong, numbers.len()) {
             (0, 1) => return writeln!(f, "The number agrees to all digits given."),
             (0, count) => return writeln!(f, "All {count} numbers agree to all digits given."),
@@ -52,13 +54,16 @@ fn table(numbers: &[&Comparison], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let rows: Vec<[String; 4]> = numbers
         .iter()
         .map(|number| {
-            let mark = if number.agrees { "" } else { "  differs" };
-            [number.name.clone(), number.yours.clone(), ours(number), format!("{}{mark}", number.digits)]
+            let digits = match (number.agrees, number.digits) {
+                (true, 0) => "all".to_owned(),
+                (true, digits) => format!("all {digits}"),
+                (false, digits) => format!("{digits}, differs"),
+            };
+            [number.name.clone(), number.yours.clone(), ours(number), digits]
         })
         .collect();
-    let width = |column: usize, title: &str| {
-        rows.iter().map(|row| row[column].chars().count()).fold(title.len(), usize::max)
-    };
+    let width =
+        |column: usize, title: &str| rows.iter().map(|row| row[column].chars().count()).fold(title.len(), usize::max);
     let [name, yours, own] = [width(0, "number"), width(1, "yours"), width(2, "ours")];
     writeln!(f, "  {:<name$}  {:>yours$}  {:>own$}  digits that agree", "number", "yours", "ours")?;
     for [label, given, value, digits] in &rows {

@@ -29,9 +29,12 @@ pub fn groups(machine: &Machine, predictor: &Predictor, mut found: Vec<Found>) -
     let first = sorted.first().map(|group| group[0].world.clone());
     let mut groups = Vec::new();
     for (at, group) in sorted.into_iter().enumerate() {
-        let apart = first.as_ref().filter(|_| at > 0).and_then(|first| apart(machine, predictor, first, &group[0].world));
-        let elsewhere: Vec<Vec<Option<World>>> =
-            group.iter().map(|found| others.iter().flatten().map(|other| world(other, machine, found)).collect()).collect();
+        let apart =
+            first.as_ref().filter(|_| at > 0).and_then(|first| apart(machine, predictor, first, &group[0].world));
+        let elsewhere: Vec<Vec<Option<World>>> = group
+            .iter()
+            .map(|found| others.iter().flatten().map(|other| world(other, machine, found)).collect())
+            .collect();
         let mut classes: Vec<usize> = Vec::new();
         let mut explanations = Vec::new();
         for (at, found) in group.iter().enumerate() {
@@ -83,12 +86,12 @@ pub fn rank(machine: &Machine, cause: &Cause) -> u32 {
 
 fn are_same(machine: &Machine, a: &World, b: &World) -> bool {
     let square = machine.formulas.count * machine.formulas.count;
-    let matrices = a.entries.chunks_exact(square).zip(b.entries.chunks_exact(square));
+    let mut matrices = a.entries.chunks_exact(square).zip(b.entries.chunks_exact(square));
     let is_same = |(a, b): (&[f64], &[f64])| {
         let largest = a.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
         a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * largest)
     };
-    (a.gravity - b.gravity).abs() <= SAME * a.gravity.abs() && matrices.map(is_same).all(|same| same)
+    (a.gravity - b.gravity).abs() <= SAME * a.gravity.abs() && matrices.all(is_same)
 }
 
 /// The first entry, or another number, in which matrices differ that was not given, with both values.

@@ -66,6 +66,12 @@ pub struct Explanation {
 }
 
 impl Report {
+    /// As JSON with an end of the last line; its form is documented in `docs/check.md` of the command line.
+    pub fn json(&self) -> String {
+        // Text and finite numbers are always JSON.
+        serde_json::to_string_pretty(self).map(|text| text + "\n").unwrap_or_default()
+    }
+
     /// From everything that reproduces the numbers.
     pub(crate) fn new(title: String, machine: &Machine, predictor: &Predictor, found: Vec<Found>) -> Self {
         let here = predictor.predict(&machine.world());
@@ -78,7 +84,10 @@ impl Report {
                 name: predictor.given().name(quantity, machine.info),
                 yours: reading.written.clone(),
                 ours: ours.is_finite().then_some(ours + 0.0),
-                digits: digits(reading.value, ours, predictor.tolerances()[at]),
+                digits: match predictor.agrees(at, ours) {
+                    true if reading.digits > 0 => reading.digits,
+                    _ => digits(reading.value, ours, predictor.tolerances()[at]),
+                },
                 agrees: predictor.agrees(at, ours),
             })
             .collect();
@@ -86,14 +95,7 @@ impl Report {
         let is_unexplained = !agrees && found.is_empty();
         let unexplained = is_unexplained.then(|| Suspects::new(machine, predictor, &here));
         let explanations = groups::groups(machine, predictor, found);
-        Self {
-            machine: title,
-            model: machine.info.name.to_owned(),
-            agrees,
-            numbers,
-            explanations,
-            unexplained,
-        }
+        Self { machine: title, model: machine.info.name.to_owned(), agrees, numbers, explanations, unexplained }
     }
 }
 

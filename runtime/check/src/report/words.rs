@@ -73,10 +73,7 @@ fn slip(subject: &str, text: &str, slip: &Slip) -> String {
     }
     let segment = segment(text, &slip.place);
     let before = &text[segment.clone()];
-    let inside = Slip {
-        place: slip.place.start - segment.start..slip.place.end - segment.start,
-        ..slip.clone()
-    };
+    let inside = Slip { place: slip.place.start - segment.start..slip.place.end - segment.start, ..slip.clone() };
     is_for(subject, before, &inside.apply(before))
 }
 
@@ -95,8 +92,10 @@ fn segment(text: &str, place: &Range<usize>) -> Range<usize> {
     if text.len() <= WHOLE {
         return 0..text.len();
     }
-    let touched: Vec<Range<usize>> =
-        segments(text).into_iter().filter(|own| own.start < place.end.max(place.start + 1) && place.start < own.end).collect();
+    let touched: Vec<Range<usize>> = segments(text)
+        .into_iter()
+        .filter(|own| own.start < place.end.max(place.start + 1) && place.start < own.end)
+        .collect();
     let (Some(first), Some(last)) = (touched.first(), touched.last()) else { return 0..text.len() };
     let mut start = first.start;
     // Its sign is left out where it is as it was.

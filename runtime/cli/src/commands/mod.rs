@@ -2,6 +2,7 @@
 //! in a file here; the two that list what ships are both in `lists`, and what `sweep` does is in the folder of its name.
 
 mod analyze;
+mod check;
 mod compare;
 mod demo;
 mod equations;
@@ -42,6 +43,7 @@ Examples:
   carvallo statespace --speed 5 --inputs Tdelta --output bicycle.mat
                                                A, B, C and D for MATLAB, Python and others
   carvallo equations --format latex            The equations of motion, with all definitions
+  carvallo check mine.toml                     Whether your matrices are right, and which slip makes them if not
   carvallo analyze --model Pendulum            Another model that ships, with its first parameter set
 
 Results go to the standard output, and everything else that is told to the standard error.
@@ -66,6 +68,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Analyze(analyze::Options),
+    Check(check::Options),
     Compare(compare::Options),
     Sensitivity(sensitivity::Options),
     /// The shipped bicycles, with their critical speeds
@@ -83,7 +86,7 @@ enum Command {
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
     match parse(std::env::args_os()).and_then(run) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(failure) => {
             note(ERROR, "error", &failure.to_string());
             // What was asked for is wrong, or there is no answer.
@@ -92,8 +95,9 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: Arguments) -> Result<(), Failure> {
-    match arguments.command {
+fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
+    let done = match arguments.command {
+        Some(Command::Check(options)) => return check::run(&options),
         None => demo::run(),
         Some(Command::Analyze(options)) => analyze::run(&options),
         Some(Command::Compare(options)) => compare::run(&options),
@@ -106,7 +110,8 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Command::Turns(options)) => turns::run(&options),
         Some(Command::Statespace(options)) => statespace::run(&options),
         Some(Command::Sweep(options)) => sweep::run(&options),
-    }
+    };
+    done.map(|()| ExitCode::SUCCESS)
 }
 
 /// Reads the command line. Prints help, and ends the process for it and for wrong usage.

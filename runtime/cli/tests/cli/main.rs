@@ -2,6 +2,7 @@
 
 mod along;
 mod analyze;
+mod check;
 mod compare;
 mod correlations;
 mod documents;

@@ -29,6 +29,7 @@ use crate::design::Design;
 use crate::failure::{Failure, Place, Problem};
 use crate::model::{Shipped, WHIPPLE};
 
+pub use self::matrices::{list, matrix_of_rows};
 pub use self::names::position;
 pub use self::names::{Expected, Known, known};
 pub use self::raw::{Named, Node, Raw, Value, load_raw, read_raw};

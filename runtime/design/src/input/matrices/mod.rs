@@ -7,7 +7,7 @@ mod text;
 
 use carvallo::MatrixName;
 
-use self::names::{COORDINATES, entry, is_plain, matrix, matrix_of_rows, no_matrix};
+use self::names::{COORDINATES, entry, is_plain, matrix, no_matrix};
 use self::shape::{Given, Row, shape};
 use super::document::{Document, Entry, Written};
 use super::names::is_gravity;
@@ -15,8 +15,8 @@ use super::tables::{Named, Node, Value, Words};
 use crate::failure::Place;
 use crate::matrices::{Form, MOST, NAME, is_called};
 
-pub use self::names::unknown;
-pub use self::text::is_open;
+pub use self::names::{matrix_of_rows, unknown};
+pub use self::text::{is_open, list};
 
 /// Whether a name of a file is for matrices: a matrix by its rows, unless parameters are in a group of their own, or what the
 /// coordinates are.

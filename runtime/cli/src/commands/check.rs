@@ -1,0 +1,80 @@
+//! `carvallo check`: whether somebody's numbers are right, and what slip makes them if not.
+
+use std::process::ExitCode;
+
+use carvallo_check::read;
+use carvallo_design::Failure;
+use carvallo_design::input::Request;
+use clap::{Args, ValueEnum};
+
+use crate::options::Setting;
+use crate::terminal::{WARNING, note, print, write};
+
+const HELP: &str = "\
+FILE, in TOML or JSON, has any of these, from your program, a paper or a thesis:
+  M, C1, K0, K2, …       matrices, as a list of rows, or as MATLAB and Python print them
+  A and speed            a state matrix, in any of the usual orders of states
+  eigenvalues and speed  a list such as [-14.1, \"-0.78+4.46i\"], or several: { \"4\" = […], \"5\" = […] }
+  critical_speeds        such as { weave = 4.292, capsize = 6.024 }, in m/s
+  accelerations          at a speed, a state and forces
+and bicycle, or model and parameters, if they are not of the benchmark bicycle. Numbers agree if they do to the digits that
+are given: 2.32 stands for all from 2.315 to 2.325, and \"2.32 +/- 0.02\" says otherwise.
+
+Where they do not agree, everything is tried that could make them: all single slips of the formulas (signs, operators,
+exponents, names, functions, numbers, terms and factors lost), conventions (axes, signs and order of coordinates, degrees, g
+inside K0, half the trail, …), other values of a parameter, and a convention together with a slip or another of these. What
+reproduces every number is told. The form of files and of JSON is in docs/check.md, beside the source of this program.
+
+Examples:
+  carvallo check mine.toml                      Your matrices of the benchmark bicycle
+  carvallo check mine.json --bicycle browser    … of another one that ships, or of a file
+  carvallo check speeds.toml --model Motorcycle … of another model
+  carvallo analyze --format json | carvallo check -
+                                                What this program says itself, which agrees
+
+Exit codes: 0 all numbers agree; 1 some do not, or a file cannot be read; 2 wrong usage or input.";
+
+/// Whether your numbers are right, and which slip makes them if not
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub struct Options {
+    /// Your numbers, in TOML or JSON; - reads stdin
+    #[arg(value_name = "FILE")]
+    file: String,
+    /// What they are of: a shipped bicycle or parameter set, or a file [default: what FILE says, or the benchmark]
+    #[arg(long, visible_alias = "design", value_name = "DESIGN|FILE")]
+    bicycle: Option<String>,
+    #[arg(long, value_name = "MODEL", help = "A model that `carvallo models` lists [default: the file's, or Whipple]")]
+    model: Option<String>,
+    /// Replaces a parameter; may be given several times
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<Setting>,
+    /// table or json
+    #[arg(long, value_enum, default_value = "table", hide_possible_values = true)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    Table,
+    Json,
+}
+
+pub fn run(options: &Options) -> Result<ExitCode, Failure> {
+    let file = read::load(&options.file)?;
+    let request = Request {
+        model: options.model.clone(),
+        parameters: options.bicycle.clone(),
+        overrides: options.set.iter().map(Setting::replacement).collect(),
+        ..Request::default()
+    };
+    let design = file.design(&request)?;
+    design.notes.iter().for_each(|text| note(WARNING, "note", text));
+    let given = file.given(&design)?;
+    let report = carvallo_check::check(&given, &design).map_err(Failure::usage)?;
+    match options.format {
+        Format::Table => print(&report.to_string())?,
+        Format::Json => write(|output| output.write_all(report.json().as_bytes()))?,
+    }
+    Ok(ExitCode::from(u8::from(!report.agrees)))
+}

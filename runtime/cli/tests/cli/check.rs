@@ -1,0 +1,85 @@
+//! Somebody's numbers against those of the program. The matrices are those that are printed in Meijaard, Papadopoulos, Ruina &
+//! Schwab (2007), rounded.
+
+use crate::Directory;
+
+const MATRICES: &str = "M = [[80.817, 2.3194], [2.3194, 0.29784]]
+C1 = [[0, 33.866], [-0.85036, 1.6854]]
+K0 = [[-80.95, -2.5995], [-2.5995, -0.80329]]
+K2 = [[0, 76.597], [0, 2.6543]]
+";
+
+#[test]
+fn numbers_that_agree_are_told_with_their_digits() {
+    let directory = Directory::of_this_test();
+    let text = directory.write("mine.toml", MATRICES).run(&["check", "mine.toml"]).ok();
+    assert!(text.contains("\n  C1_21   -0.85036  -0.85035641  all 5\n"), "{text}");
+    assert!(text.ends_with("\nAll 16 numbers agree to all digits given.\n"), "{text}");
+}
+
+#[test]
+fn a_slip_is_named_and_the_exit_code_is_one() {
+    let directory = Directory::of_this_test();
+    let corner = MATRICES.replace("[0, 76.597]", "[0, 0]");
+    let run = directory.write("mine.toml", corner).run(&["check", "mine.toml"]);
+    assert_eq!((run.code, run.stderr.as_str()), (Some(1), ""));
+    let expected = "1 of 16 numbers does not agree.
+
+All come out as yours if
+  K2 was filled row by column: K2_12 has the value of K2_21
+";
+    assert!(run.stdout.contains(expected), "{}", run.stdout);
+}
+
+#[test]
+fn json_has_everything() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.json", r#"{"critical_speeds": {"weave": 3.9607, "capsize": "6.0243"}}"#);
+    let run = directory.run(&["check", "mine.json", "--format", "json"]);
+    assert_eq!(run.code, Some(1));
+    let json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(json["agrees"], false);
+    assert_eq!(json["numbers"][1]["name"], "capsize speed");
+    assert_eq!(json["numbers"][1]["digits"], 5);
+    let first = &json["explanations"][0]["explanations"][0]["causes"][0];
+    assert_eq!(first, "IBxx is 19.2 kg m² in the place of 9.2: one digit too many");
+}
+
+/// Of each kind of model: with the positions and rates of two coordinates, of six, and with rates alone.
+#[test]
+fn what_the_program_prints_agrees_with_it() {
+    let directory = Directory::of_this_test();
+    for arguments in [&["pista"][..], &["--model", "Motorcycle", "--speeds", "5,10"], &["--model", "Car"]] {
+        let json = directory.run(&[&["analyze", "--format", "json"], arguments].concat());
+        let run = directory.run_with_input(&["check", "-"], &json.stdout);
+        assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""), "{arguments:?}: {}", run.stdout);
+    }
+}
+
+#[test]
+fn what_is_not_understood_is_told_with_its_line() {
+    let directory = Directory::of_this_test();
+    directory.write("mine.toml", "M = [[1, 2], [3, four]]\n");
+    assert_eq!(directory.run(&["check", "mine.toml"]).code, Some(2));
+    directory.write("mine.toml", "eigenvalue = [1]\nM = [[1, \"two\"], [3, 4]]\n");
+    let run = directory.run(&["check", "mine.toml"]);
+    assert_eq!(run.code, Some(2));
+    assert!(
+        run.stderr.contains("mine.toml:1: `eigenvalue` is not known in a file to check; expected M, "),
+        "{}",
+        run.stderr
+    );
+    assert!(run.stderr.contains("did you mean `eigenvalues`?"), "{}", run.stderr);
+    assert!(run.stderr.contains("mine.toml:2: `M` in row 1, column 2 is `two`; expected a number"), "{}", run.stderr);
+    directory.write("mine.toml", "M = [[1, 2, 3], [3, 4, 5]]\n");
+    directory
+        .run(&["check", "mine.toml"])
+        .fails(2, "error: a row of M has 3 numbers; expected 2, one for each coordinate\n");
+    directory.write("mine.toml", "A = [[1, 2], [3, 4]]\n");
+    let message = "error: mine.toml:1: `A` has no speed; expected `speed` in m/s beside it\n";
+    directory.run(&["check", "mine.toml"]).fails(2, message);
+    directory.write("mine.toml", "name = \"mine\"\n");
+    let run = directory.run(&["check", "mine.toml"]);
+    assert!(run.stderr.contains("there are no numbers to check"), "{}", run.stderr);
+    assert_eq!(directory.run(&["check", "nowhere.toml"]).code, Some(2));
+}
