@@ -104,10 +104,11 @@ fn tables_say_what_differs() {
     let text = Directory::of_this_test().run(&["compare", "benchmark", "benchmark:lam=20 deg,c=5cm"]).ok();
     for line in [
         "benchmark, benchmark:lam=20 deg,c=5cm",
-        "  c          m                   0.08                        0.05",
+        "  c m 0.08 0.05",
         "  the same in all: w, g, rR, mR, IRxx, IRyy, xB, zB, mB, IBxx, IByy, IBzz, IBxz, xH, zH, mH, IHxx, IHyy, IHzz, IHxz, rF, mF, IFxx, IFyy",
     ] {
-        assert!(text.lines().any(|found| found == line), "{line}\n{text}");
+        let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        assert!(text.lines().any(|found| words(found) == words(line)), "{line}\n{text}");
     }
     let all = Directory::of_this_test().run(&["compare", "--all", "benchmark", "benchmark"]).ok();
     assert!(all.contains("IHyy") && all.contains("there is no difference to explain"), "{all}");
